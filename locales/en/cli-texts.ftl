@@ -13,7 +13,7 @@ cli-texts-missing = export: only texts that are missing; with --stale, both
 cli-texts-cycle = export: only the texts of this cycle; may be repeated
 cli-texts-out = export: file to write (default: standard output)
 cli-texts-dry-run = import: check the file and report, change nothing
-cli-texts-format = Form of the output: text (default), json; of export: xliff (1.2, default), xliff2 (2.0), po
+cli-texts-format = Form of the output: text (default), json; of export: xliff (1.2, default), xliff2 (2.0), po, tmx (accepted texts of all languages), tbx and csv (glossary and parameters)
 cli-texts-exported = { $count ->
         [one] { $count } unit exported.
        *[other] { $count } units exported.
@@ -49,3 +49,57 @@ cli-examples-texts =
     ciklo texts accept --lang it --text step-approach
     ciklo texts export --to fi --stale --missing --out fi.xlf
     ciklo texts import fi.xlf --dry-run
+    ciklo texts export --format tbx --out terms.tbx
+cli-texts-topic = export: only the page of this topic; may be repeated
+cli-texts-base-url = export: the address of the built site, for the links to pages in the notes
+# What a translator is told about a text.
+cli-texts-note-kind = This is { $kind ->
+        [inserted] a word that other texts insert, with the cases that they ask for
+        [topic] a segment of a page of prose
+        [group] the name of a group of cycles
+        [cycle] the name of a cycle
+        [parameter] the name of a parameter
+        [step] a sentence of the run of a cycle
+        [until] a condition on which a repetition ends
+        [condition] a condition, completing “only if”
+        [choice] a choice of a parameter
+        [result] a result of a cycle
+        [note] a note on a cycle
+        [guard] why a control refuses a cycle
+        [message] a message of the control to the operator
+        [figure] the title of a figure
+        [table] the title of a table
+        [title] the title of an example
+        [term] a term of the glossary
+        [log] a line of a log that a cycle writes
+        [diagnostic] a finding of the program
+        [explanation] what the program says about a finding when asked
+        [gap] a word in place of an argument
+        [command] help or a message of a command
+        [unit] a unit
+        [list] how a list is joined
+        [page] a word of the pages of the manual
+        [label] the comment after a parameter in NC programs
+        [nc] the name of the cycle in NC programs
+        [word] the printed word of a field in NC programs
+        [help] what a parameter means
+        [purpose] what a cycle is for
+        [definition] the definition of a term
+        [prompt] the question of the dialog
+        [symbol] the symbol of a unit
+       *[other] a text of the program
+    }.
+cli-texts-note-unit = Unit: { $unit }.
+cli-texts-note-range = Permitted range: { $range } ({ $controls }).
+cli-texts-note-label = At most { $most } characters: capitals, digits, blanks and { $signs }
+cli-texts-note-capitals = Only capitals, digits, blanks and { $signs }
+cli-texts-note-cycles = { $more ->
+        [none] { $control }: { $cycles }
+       *[other] { $control }: { $cycles } and { $more } more
+    }
+cli-texts-note-lines = Source in the manuals of the { $control }, { $cycle }: { $lines }.
+cli-texts-note-page = Page: { $page }
+# Languages in the making, and the pseudo-language.
+cli-build-draft = Build one language that is not complete: what is missing is in English, marked, and every page says so
+cli-draft = { $language }: { $count } texts are missing; they are in English, in ⟦ ⟧.
+cli-arg-pseudo = Show texts in a pseudo-language, to see what is cut or not translated: accents (longer words with accents) or bidi (also from right to left)

@@ -54,12 +54,13 @@ diag-program-missing = There is no program { $name }.
 diag-radius-missing = The radius R is missing in this block.
 diag-radius-too-small = The radius of { NUMBER($radius) } mm cannot span a chord of { NUMBER($chord, maximumFractionDigits: 4) } mm.
 diag-recursive-call = A program part calls itself.
-diag-repeat-count = REP needs a whole number from 0 to 65535, not { NUMBER($found) }.
+diag-repeat-count = REP needs a whole number from 0 to 65534, not { NUMBER($found) }.
 diag-rotary-axis-missing = The machine has no rotary axis { $axis }.
 diag-rotary-axis-unsuitable = The rotary axis { $axis } does not rotate in the plane of the misalignment and cannot compensate for it.
 diag-series-count = The number of repetitions must be a whole number and not negative, not { NUMBER($found) }.
 diag-shaft-collision = The shaft of the stylus touches the workpiece at X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = This tool cannot machine the shape: at least { NUMBER($least) } mm are needed, { NUMBER($found) } mm are available.
+diag-cutting-width-missing = Tool { $tool } is no recessing tool: its cutting width (CUTWIDTH) must be greater than 0 and at least twice its cutting radius (RS).
 diag-arc-scaled-unequally = The axes of the plane have different scaling factors: an arc would become an ellipse.
 diag-scaling-factor-zero = A scaling factor must be greater than zero, not { NUMBER($found) }.
 diag-tilting-unreachable = The rotary axes of the machine cannot position the tool perpendicular to this plane.
@@ -92,9 +93,21 @@ diag-value-missing = A value is missing, or is not a number.
 diag-value-not-bound = A formula of the specification reads a value that does not exist yet: { $place }
 diag-word-not-offered = The word { $word } is not permitted here.
 diag-contour-crossing = The contour of label { $label } crosses or touches itself at main { NUMBER($x) } mm, minor { NUMBER($y) } mm.
+diag-contour-begin-incomplete = The contour of label { $label } does not begin with both coordinates X and Y.
 diag-contour-data-undefined = No cycle has defined the data of the contour yet.
 diag-contour-elements = The contours have more than { NUMBER($limit) } elements together.
 diag-contour-empty = The subprogram of label { $label } describes no contour that encloses an area.
 diag-contour-not-defined = No cycle has named the subprograms of the contour yet.
 diag-contour-open = The contour of label { $label } is open: it ends { NUMBER($distance) } mm away from its starting point.
 diag-contour-side-missing = The contour of label { $label } has no radius compensation RL or RR, which says whether it is a pocket or an island.
+diag-free-contour-contradicts = No contour meets all the values given for this element and those before it.
+diag-free-contour-open =
+    { $what ->
+        [line] The position or direction of this line is not determined: a value is missing.
+        [arc] The centre or radius of this arc is not determined: a value is missing.
+       *[end] The end of this element is not determined: a value is missing.
+    }
+diag-free-contour-reference = Block { $block } is neither an element of this free contour nor the positioning block before it.
+diag-free-contour-selection = FSELECT { $wanted } cannot be selected: there are { $solutions } solutions here.
+diag-free-contour-several = From this element on, the free contour has { $solutions } solutions; none is selected with FSELECT.
+diag-free-contour-word = { $word } cannot be used like this in a free contour.

@@ -3,3 +3,19 @@ diag-error-of-program = The program ends itself with the error { $number } (FN 1
 explain-error-of-program = FN 14: ERROR ends the program with an error of its own; the number chooses the message that the control shows. Programs use it where they cannot go on, for example after a jump over values that they can work with. Example: “FN 14: ERROR = 1010”. Remedy: look at the condition before the block and give the parameters values that the program can work with.
 diag-tool-setter-missing = The scene has no tool setter.
 explain-tool-setter-missing = A cycle of the tool setter needs one in the scene: where its face is and how wide. Example: “tool_setter:” with “at: [300, 200, -50]” and “diameter: 40”. Remedy: add it to the scene; docs/scene.md describes its keys.
+
+# --- kinematics ---
+diag-kinematics-not-saved = No kinematics are saved under the name “{ $name }”.
+explain-kinematics-not-saved = Only kinematics that were saved can be restored or deleted. Example: mode 1 with the name AB before any mode 0 with it. Remedy: save first, correct the name, or add the memory to “kinematics: saved:” in the scene.
+diag-kinematics-differs = The kinematics saved as “{ $name }” describe another machine.
+explain-kinematics-differs = Saved data can only be restored into an identical kinematics description: the same name and the same rotary axes in the same order. Example: data of a machine with A and C restored on one with B and C. Remedy: choose data of this machine.
+diag-kinematics-memory-full = All { $count } memories for kinematics are in use.
+explain-kinematics-memory-full = The control keeps a limited number of saved kinematics. Example: a seventeenth name on a control with 16 memories. Remedy: delete one that is no longer needed, or save under a name that is in use.
+diag-kinematics-undetermined = The measuring positions do not tell where the { $axis } axis is.
+explain-kinematics-undetermined = To correct the place of a rotary axis, its measuring positions must differ clearly from the reference position at 0°. Example: one point at 0.05°, or only a point at 0° that is ignored. Remedy: a larger range between start and end angle, or more measuring points. The kinematics stay as they were.
+diag-sphere-radius-differs = The measured radius of the calibration sphere, { $found } mm, deviates too far from the radius entered, { $entered } mm.
+explain-sphere-radius-differs = At each position the control first measures the radius of the sphere; a machine parameter limits its deviation from the one entered. Example: 12.5 entered, a sphere of 12.6 and a limit of 0.05. Remedy: enter the exact radius, or calibrate the probe.
+diag-measuring-position-at-zero = A measuring position of the { $axis } axis is at 0° or 360°.
+explain-measuring-position-at-zero = The reference measurement is made at 0°, so a measuring position there tells nothing, and the iTNC 530 refuses it. Example: −90 to +90 with 3 points. Remedy: another number of points, or other angles.
+diag-hirth-without-retraction = The { $axis } axis has Hirth teeth and needs a retraction height.
+explain-hirth-without-retraction = An axis with Hirth teeth leaves its grid to be positioned, so it cannot be measured without retraction. Example: a retraction height of 0 with “hirth: 3” in the machine. Remedy: enter a height above the sphere.

@@ -18,3 +18,7 @@ diag-texts-unit-not-read = The unit “{ $key }” has no translation, or one wi
 diag-texts-unit-codes = The codes of the unit “{ $key }” do not match: missing { $missing }, not allowed { $foreign }.
 diag-texts-unit-incomplete = The unit “{ $key }” is one of several variants of a new text; the others are missing or refused.
 diag-texts-unit-refused = The unit “{ $key }” is refused ({ $code }): { $finding }
+diag-texts-unit-markup = The translation of the unit “{ $key }” would change the form of the page: its marks or the blocks around it.
+diag-texts-unit-numbers = The numbers of the unit “{ $key }” differ from those of the source: missing { $missing }, not in the source { $foreign }.
+diag-texts-unknown-topic = There is no page of prose “{ $topic }”.
+diag-draft-language = A draft is of one language: name it with --lang, as in “--draft --lang de”.

@@ -64,3 +64,7 @@ note-kinematics-log-explained__preset-compensation = Scatter measured: 68.3 % of
 title-compensate-preset = Calibration program
 title-match-interchangeable-head = Match an interchangeable head
 title-compensate-drift = Compensate drift
+
+# --- kinematics ---
+message-kinematics-limit-exceeded = The kinematics data change by more than the permitted limit. Confirm with NC start that they are to be taken over.
+message-delete-saved-kinematics = Several saved kinematics fit the name. Confirm that all of them are to be deleted.

@@ -3,6 +3,7 @@
 site-language-name = English
 site-skip = Skip to the content
 site-manual = Cycle manual
+site-draft = Draft: texts in ⟦ ⟧ are not translated yet.
 site-overview = Overview
 site-languages = Languages
 site-controls = Controls

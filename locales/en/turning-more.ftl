@@ -101,6 +101,7 @@ step-lift-off-thread = The control lifts the tool off at rapid traverse by the s
 step-infeed-at-angle = The control makes an infeed. The infeeds follow the infeed angle { $q-thread-infeed-angle }.
 until-thread-depth-reached = the depth of the thread is reached
 step-make-air-cuts = The control makes as many air cuts as { $q-number-of-air-cuts } defines.
+step-infeed-for-next-start = For the next start the control takes the tool back to the first infeed. The cut begins at an angle of the spindle that is turned by the spacing of the starts.
 until-all-thread-starts-cut = as many thread starts as { $q-number-of-thread-starts } defines have been cut
 
 # --- conditions ---

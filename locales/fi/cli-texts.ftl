@@ -13,7 +13,7 @@ cli-texts-missing = export: vain puuttuvat tekstit; valitsimen --stale kanssa mo
 cli-texts-cycle = export: vain tämän työkierron tekstit; voidaan toistaa
 cli-texts-out = export: kirjoitettava tiedosto (oletus: vakiotuloste)
 cli-texts-dry-run = import: tarkistaa tiedoston ja raportoi muuttamatta mitään
-cli-texts-format = Tulosteen muoto: text (oletus), json; export-toiminnossa xliff (1.2, oletus), xliff2 (2.0), po
+cli-texts-format = Tulosteen muoto: text (oletus), json; export-toiminnossa xliff (1.2, oletus), xliff2 (2.0), po, tmx (kaikkien kielten hyväksytyt tekstit), tbx ja csv (sanasto ja parametrit)
 cli-texts-exported = { $count ->
         [one] { $count } yksikkö viety.
        *[other] { $count } yksikköä viety.
@@ -49,3 +49,57 @@ cli-examples-texts =
     ciklo texts accept --lang it --text step-approach
     ciklo texts export --to fi --stale --missing --out fi.xlf
     ciklo texts import fi.xlf --dry-run
+    ciklo texts export --format tbx --out terms.tbx
+cli-texts-topic = export: vain tämän aiheen sivu; voidaan toistaa
+cli-texts-base-url = export: rakennetun sivuston osoite huomautusten sivulinkkejä varten
+# What a translator is told about a text.
+cli-texts-note-kind = Tämä on { $kind ->
+        [inserted] sana, jonka muut tekstit lisäävät pyytämässään sijamuodossa
+        [topic] proosasivun osa
+        [group] työkiertoryhmän nimi
+        [cycle] työkierron nimi
+        [parameter] parametrin nimi
+        [step] virke työkierron kulusta
+        [until] ehto, johon toisto päättyy
+        [condition] ehto, joka täydentää ilmauksen ”vain jos”
+        [choice] parametrin valintavaihtoehto
+        [result] työkierron tulos
+        [note] työkiertoa koskeva huomautus
+        [guard] syy, jonka takia ohjaus hylkää työkierron
+        [message] ohjauksen viesti koneen käyttäjälle
+        [figure] kuvan otsikko
+        [table] taulukon otsikko
+        [title] esimerkin otsikko
+        [term] sanaston termi
+        [log] rivi työkierron kirjoittamassa pöytäkirjassa
+        [diagnostic] ohjelman huomautus
+        [explanation] ohjelman selitys huomautukseen
+        [gap] sana argumentin tilalla
+        [command] komennon ohje tai viesti
+        [unit] yksikkö
+        [list] luettelon liitostapa
+        [page] ohjekirjan sivujen sana
+        [label] parametrin perässä oleva selite NC-ohjelmassa
+        [nc] työkierron nimi NC-ohjelmassa
+        [word] kentän painettu sana NC-ohjelmassa
+        [help] parametrin merkitys
+        [purpose] työkierron tarkoitus
+        [definition] termin määritelmä
+        [prompt] dialogin kysymys
+        [symbol] yksikön tunnus
+       *[other] ohjelman teksti
+    }.
+cli-texts-note-unit = Yksikkö: { $unit }.
+cli-texts-note-range = Sallittu alue: { $range } ({ $controls }).
+cli-texts-note-label = Enintään { $most } merkkiä: isoja kirjaimia, numeroita, välilyöntejä ja { $signs }
+cli-texts-note-capitals = Vain isoja kirjaimia, numeroita, välilyöntejä ja { $signs }
+cli-texts-note-cycles = { $more ->
+        [none] { $control }: { $cycles }
+       *[other] { $control }: { $cycles } ja { $more } muuta
+    }
+cli-texts-note-lines = Lähde ohjauksen { $control } käsikirjoissa, { $cycle }: { $lines }.
+cli-texts-note-page = Sivu: { $page }
+# Languages in the making, and the pseudo-language.
+cli-build-draft = Rakentaa yhden keskeneräisen kielen: puuttuva teksti on merkittynä englanniksi, ja jokainen sivu ilmoittaa siitä
+cli-draft = { $language }: { $count } tekstiä puuttuu; ne ovat englanniksi merkkien ⟦ ⟧ sisällä.
+cli-arg-pseudo = Näyttää tekstit pseudokielellä, jotta huomataan, mikä katkeaa tai on kääntämättä: accents (pidennetyt sanat, joissa on tarkkeita) tai bidi (lisäksi oikealta vasemmalle)

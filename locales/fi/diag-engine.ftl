@@ -54,7 +54,7 @@ diag-program-missing = Ohjelmaa { $name } ei ole.
 diag-radius-missing = Tästä lauseesta puuttuu säde R.
 diag-radius-too-small = Säde { NUMBER($radius) }{"\u00A0"}mm ei riitä jänteelle { NUMBER($chord, maximumFractionDigits: 4) }{"\u00A0"}mm.
 diag-recursive-call = Ohjelmanosa kutsuu itseään.
-diag-repeat-count = REP vaatii kokonaisluvun väliltä 0–65535; annettu luku on { NUMBER($found) }.
+diag-repeat-count = REP vaatii kokonaisluvun väliltä 0–65534; annettu luku on { NUMBER($found) }.
 diag-rotary-axis-missing = Koneessa ei ole kiertoakselia { $axis }.
 diag-rotary-axis-unsuitable = Kiertoakseli { $axis } ei käänny vinon asennon tasossa eikä voi kompensoida vinoa asentoa.
 diag-series-count = Toistojen määrän on oltava kokonaisluku eikä negatiivinen, ei { NUMBER($found) }.
@@ -81,6 +81,7 @@ diag-arc-scaled-unequally = Tason akseleilla on eri mittakertoimet: kaaresta tul
 diag-scaling-factor-zero = Mittakertoimen on oltava suurempi kuin nolla, ei { NUMBER($found) }.
 diag-shaft-collision = Kosketusvarren varsiosa osuu työkappaleeseen kohdassa X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Tämä työkalu ei voi koneistaa muotoa: tarvitaan vähintään { NUMBER($least) }{"\u00A0"}mm, käytettävissä on { NUMBER($found) }{"\u00A0"}mm.
+diag-cutting-width-missing = Työkalu { $tool } ei ole pistotyökalu: terän leveyden (CUTWIDTH) on oltava suurempi kuin 0 ja vähintään kaksi kertaa teräsäde (RS).
 diag-tilting-unreachable = Koneen kiertoakselit eivät voi asettaa työkalua kohtisuoraan tätä tasoa vastaan.
 diag-pattern-missing =
     { $name ->
@@ -93,9 +94,21 @@ diag-pattern-unreadable = ”{ $found }” ei kelpaa PATTERN DEF -lauseeseen.
 diag-position-incomplete = CYCL CALL POS vaatii kaikkien kolmen akselin koordinaatit.
 diag-value-not-predefined = Arvoksi on ohjelmoitu PREDEF, mutta mikään GLOBAL DEF ei ole määritellyt arvoa.
 diag-contour-crossing = Aliohjelman { $label } muoto leikkaa tai sivuaa itseään kohdassa: pääakseli { NUMBER($x) } mm, sivuakseli { NUMBER($y) } mm.
+diag-contour-begin-incomplete = Labelin { $label } muodon alussa ei ole kumpaakin koordinaattia X ja Y.
 diag-contour-data-undefined = Mikään työkierto ei ole vielä määritellyt muototietoja.
 diag-contour-elements = Muodoissa on yhteensä yli { NUMBER($limit) } muotoelementtiä.
 diag-contour-empty = Labelin { $label } aliohjelma ei kuvaa muotoa, joka rajaa alueen.
 diag-contour-not-defined = Mikään työkierto ei ole vielä nimennyt muodon aliohjelmia.
 diag-contour-open = Labelin { $label } muoto on avoin: se päättyy { NUMBER($distance) } mm:n päähän alkupisteestään.
 diag-contour-side-missing = Labelin { $label } muodosta puuttuu sädekorjaus RL tai RR, joka kertoo, onko se tasku vai saareke.
+diag-free-contour-contradicts = Mikään muoto ei täytä kaikkia arvoja, jotka tästä elementistä ja sitä edeltävistä on annettu.
+diag-free-contour-open =
+    { $what ->
+        [line] Tämän suoran paikka tai suunta ei määräydy: jokin arvo puuttuu.
+        [arc] Tämän kaaren keskipiste tai säde ei määräydy: jokin arvo puuttuu.
+       *[end] Tämän elementin loppupiste ei määräydy: jokin arvo puuttuu.
+    }
+diag-free-contour-reference = Lause { $block } ei ole tämän vapaan muodon elementti eikä sitä edeltävä paikoituslause.
+diag-free-contour-selection = Valinta FSELECT { $wanted } ei ole mahdollinen: ratkaisujen määrä tässä on { $solutions }.
+diag-free-contour-several = Vapaalla muodolla on tästä elementistä alkaen useita ratkaisuja ({ $solutions }), eikä niistä ole valittu yhtäkään sanalla FSELECT.
+diag-free-contour-word = Sanaa { $word } ei voi käyttää vapaassa muodossa näin.

@@ -3,3 +3,19 @@ diag-error-of-program = Ohjelma päättää itsensä virheeseen { $number } (FN 
 explain-error-of-program = FN 14: ERROR päättää ohjelman sen omaan virheeseen; numero valitsee ilmoituksen, jonka ohjaus näyttää. Ohjelmat käyttävät sitä, kun ne eivät voi jatkaa, esimerkiksi kun parametrin arvo ei kelpaa. Esimerkki: ”FN 14: ERROR = 1010”. Korjaus: tarkista lausetta edeltävä ehto ja anna parametreille arvot, joilla ohjelma voi toimia.
 diag-tool-setter-missing = Skenaariossa ei ole työkalukosketusjärjestelmää.
 explain-tool-setter-missing = Työkalun mittauksen työkierto tarvitsee skenaarioon kosketusjärjestelmän: missä sen mittauspinta on ja kuinka leveä se on. Esimerkki: ”tool_setter:”, jossa ”at: [300, 200, -50]” ja ”diameter: 40”. Korjaus: lisää se skenaarioon; docs/scene.md kuvaa avaimet.
+
+# --- kinematics ---
+diag-kinematics-not-saved = Nimellä ”{ $name }” ei ole tallennettu kinematiikkaa.
+explain-kinematics-not-saved = Vain tallennettu kinematiikka voidaan palauttaa tai poistaa. Esimerkki: tila 1 nimellä AB ennen kuin nimellä on tallennettu tilassa 0. Korjaus: tallenna ensin, korjaa nimi tai lisää muistipaikka skenaarion kohtaan ”kinematics: saved:”.
+diag-kinematics-differs = Nimellä ”{ $name }” tallennettu kinematiikka kuvaa toista konetta.
+explain-kinematics-differs = Tallennetut tiedot voidaan palauttaa vain samanlaiseen kinematiikkakuvaukseen: sama nimi ja samat kiertoakselit samassa järjestyksessä. Esimerkki: A- ja C-akselisen koneen tiedot palautetaan B- ja C-akseliseen koneeseen. Korjaus: valitse tämän koneen tiedot.
+diag-kinematics-memory-full = Kaikki kinematiikan { $count } muistipaikkaa ovat käytössä.
+explain-kinematics-memory-full = Ohjaus säilyttää rajallisen määrän tallennettuja kinematiikkoja. Esimerkki: seitsemästoista nimi ohjauksessa, jossa on 16 muistipaikkaa. Korjaus: poista tarpeeton tai tallenna jo käytössä olevalla nimellä.
+diag-kinematics-undetermined = Mittausasemista ei voi laskea { $axis }-akselin sijaintia.
+explain-kinematics-undetermined = Kiertoakselin sijainnin korjaamiseksi mittausasemien on erotuttava selvästi vertailuasemasta 0°. Esimerkki: yksi piste kulmassa 0,05° tai vain ohitettava piste kulmassa 0°. Korjaus: suurempi väli aloitus- ja lopetuskulman välillä tai enemmän mittauspisteitä. Kinematiikka säilyy ennallaan.
+diag-sphere-radius-differs = Kalibrointikuulan mitattu säde { $found } mm poikkeaa liikaa annetusta säteestä { $entered } mm.
+explain-sphere-radius-differs = Ohjaus mittaa jokaisessa asemassa ensin kuulan säteen; koneparametri rajoittaa sen poikkeamaa annetusta. Esimerkki: annettu 12,5, kuula 12,6 ja raja-arvo 0,05. Korjaus: anna tarkka säde tai kalibroi kosketusjärjestelmä.
+diag-measuring-position-at-zero = { $axis }-akselin mittausasema on kulmassa 0° tai 360°.
+explain-measuring-position-at-zero = Vertailumittaus tehdään kulmassa 0°, joten mittausasema siinä ei kerro mitään, ja iTNC 530 hylkää sen. Esimerkki: −90…+90 ja 3 pistettä. Korjaus: toinen pistemäärä tai toiset kulmat.
+diag-hirth-without-retraction = { $axis }-akselissa on Hirth-hammastus, joten se tarvitsee vetäytymiskorkeuden.
+explain-hirth-without-retraction = Hirth-hammastettu akseli poistuu rasteristaan paikoitusta varten, joten sitä ei voi mitata ilman vetäytymistä. Esimerkki: vetäytymiskorkeus 0 ja koneessa ”hirth: 3”. Korjaus: anna korkeus kuulan yläpuolelta.

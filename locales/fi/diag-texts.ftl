@@ -18,3 +18,7 @@ diag-texts-unit-not-read = Yksikössä ”{ $key }” ei ole käännöstä, tai 
 diag-texts-unit-codes = Yksikön ”{ $key }” koodit eivät täsmää: puuttuu { $missing }, ei sallittu { $foreign }.
 diag-texts-unit-incomplete = Yksikkö ”{ $key }” on yksi uuden tekstin muunnelmista; muut puuttuvat tai on hylätty.
 diag-texts-unit-refused = Yksikkö ”{ $key }” hylätään ({ $code }): { $finding }
+diag-texts-unit-markup = Yksikön ”{ $key }” käännös muuttaisi sivun muotoa: merkintöjä tai ympäröiviä lohkoja.
+diag-texts-unit-numbers = Yksikön ”{ $key }” luvut eroavat lähteestä: puuttuu { $missing }, lähteessä ei ole { $foreign }.
+diag-texts-unknown-topic = Proosasivua ”{ $topic }” ei ole.
+diag-draft-language = Luonnos tehdään yhdestä kielestä: ilmoita se valitsimella --lang, esimerkiksi ”--draft --lang de”.

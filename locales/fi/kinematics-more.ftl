@@ -64,3 +64,7 @@ note-kinematics-log-explained__preset-compensation = Mitattu hajonta: 68,3{"\u00
 title-compensate-preset = Kalibrointiohjelma
 title-match-interchangeable-head = Vaihtopään sovitus
 title-compensate-drift = Ryöminnän kompensointi
+
+# --- kinematics ---
+message-kinematics-limit-exceeded = Kinematiikkatiedot muuttuvat enemmän kuin sallittu raja-arvo. Vahvista niiden hyväksyntä NC-käynnistyksellä.
+message-delete-saved-kinematics = Useampi tallennettu kinematiikka vastaa nimeä. Vahvista, että ne kaikki poistetaan.

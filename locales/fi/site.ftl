@@ -3,6 +3,7 @@
 site-language-name = suomi
 site-skip = Siirry sisältöön
 site-manual = Työkiertojen käsikirja
+site-draft = Luonnos: hakasulkeissa ⟦ ⟧ olevia tekstejä ei ole vielä käännetty.
 site-overview = Yleiskuvaus
 site-languages = Kielet
 site-controls = Ohjaukset

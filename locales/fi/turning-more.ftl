@@ -101,6 +101,7 @@ step-lift-off-thread = Ohjaus nostaa työkalun pikaliikkeellä irti varmuusetäi
 step-infeed-at-angle = Ohjaus tekee asetusliikkeen. Asetusliikkeet noudattavat asetuskulmaa { $q-thread-infeed-angle }.
 until-thread-depth-reached = kierteen syvyys on saavutettu
 step-make-air-cuts = Ohjaus ajaa niin monta tyhjälastua kuin { $q-number-of-air-cuts } määrää.
+step-infeed-for-next-start = Seuraavaa kierteen päätä varten ohjaus vie työkalun takaisin ensimmäiseen asetukseen. Lastu alkaa karan kulmasta, joka on siirtynyt kierteen päiden jaon verran.
 until-all-thread-starts-cut = kierteen kaikki päät ({ $q-number-of-thread-starts }) on lastuttu
 
 # --- ehdot ---

@@ -1,6 +1,6 @@
 # La riga di comando: confrontare, verificare, correggere e impaginare i programmi.
 
-cli-check-fail-on = Il rilievo meno grave per cui il comando termina con 1: error (predefinito), warning, note
+cli-check-fail-on = La segnalazione meno grave per cui il comando termina con 1: error (predefinito), warning, note
 cli-compare = Dimostra che due programmi sono uguali per un controllo numerico o mostra dove differiscono
 cli-compare-a = Programma NC
 cli-compare-b = Programma NC con cui confrontarlo

@@ -13,7 +13,7 @@ cli-texts-missing = export: solo i testi mancanti; con --stale, entrambi
 cli-texts-cycle = export: solo i testi di questo ciclo; si può ripetere
 cli-texts-out = export: file da scrivere (predefinito: uscita standard)
 cli-texts-dry-run = import: verifica il file e ne riferisce, senza modificare nulla
-cli-texts-format = Forma dell’uscita: text (predefinita), json; per export: xliff (1.2, predefinita), xliff2 (2.0), po
+cli-texts-format = Forma dell’uscita: text (predefinita), json; per export: xliff (1.2, predefinita), xliff2 (2.0), po, tmx (testi approvati di tutte le lingue), tbx e csv (glossario e parametri)
 cli-texts-exported = { $count ->
         [one] { $count } unità esportata.
        *[other] { $count } unità esportate.
@@ -49,3 +49,57 @@ cli-examples-texts =
     ciklo texts accept --lang it --text step-approach
     ciklo texts export --to fi --stale --missing --out fi.xlf
     ciklo texts import fi.xlf --dry-run
+    ciklo texts export --format tbx --out terms.tbx
+cli-texts-topic = export: solo la pagina di questo argomento; si può ripetere
+cli-texts-base-url = export: l’indirizzo del sito generato, per i collegamenti alle pagine nelle note
+# What a translator is told about a text.
+cli-texts-note-kind = Questo testo è { $kind ->
+        [inserted] una parola che altri testi inseriscono nella forma richiesta
+        [topic] un segmento di una pagina di prosa
+        [group] il nome di un gruppo di cicli
+        [cycle] il nome di un ciclo
+        [parameter] il nome di un parametro
+        [step] una frase dell’esecuzione di un ciclo
+        [until] una condizione con cui termina una ripetizione
+        [condition] una condizione che completa «solo se»
+        [choice] una scelta di un parametro
+        [result] un risultato di un ciclo
+        [note] una nota su un ciclo
+        [guard] il motivo per cui il controllo rifiuta un ciclo
+        [message] un messaggio del controllo all’operatore
+        [figure] il titolo di una figura
+        [table] il titolo di una tabella
+        [title] il titolo di un esempio
+        [term] un termine del glossario
+        [log] una riga di un protocollo scritto da un ciclo
+        [diagnostic] una segnalazione del programma
+        [explanation] la spiegazione di una segnalazione
+        [gap] una parola al posto di un argomento
+        [command] un aiuto o messaggio di un comando
+        [unit] un’unità
+        [list] il modo di unire un elenco
+        [page] una parola delle pagine del manuale
+        [label] il commento dopo un parametro nei programmi NC
+        [nc] il nome del ciclo nei programmi NC
+        [word] la parola stampata di un campo nei programmi NC
+        [help] il significato di un parametro
+        [purpose] lo scopo di un ciclo
+        [definition] la definizione di un termine
+        [prompt] la domanda del dialogo
+        [symbol] il simbolo di un’unità
+       *[other] un testo del programma
+    }.
+cli-texts-note-unit = Unità: { $unit }.
+cli-texts-note-range = Campo ammesso: { $range } ({ $controls }).
+cli-texts-note-label = Al massimo { $most } caratteri: maiuscole, cifre, spazi e { $signs }
+cli-texts-note-capitals = Solo maiuscole, cifre, spazi e { $signs }
+cli-texts-note-cycles = { $more ->
+        [none] { $control }: { $cycles }
+       *[other] { $control }: { $cycles } e altri { $more }
+    }
+cli-texts-note-lines = Fonte nei manuali del { $control }, { $cycle }: { $lines }.
+cli-texts-note-page = Pagina: { $page }
+# Languages in the making, and the pseudo-language.
+cli-build-draft = Genera una lingua non completa: ciò che manca è in inglese, contrassegnato, e ogni pagina lo dice
+cli-draft = { $language }: mancano { $count } testi; sono in inglese, tra ⟦ ⟧.
+cli-arg-pseudo = Mostra i testi in una pseudolingua, per vedere che cosa è tagliato o non tradotto: accents (parole più lunghe con accenti) o bidi (anche da destra a sinistra)

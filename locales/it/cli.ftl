@@ -1,4 +1,4 @@
-# La riga di comando: guida, messaggi e rilievi su file e parole.
+# La riga di comando: guida, messaggi e segnalazioni su file e parole.
 
 cli-about = Specifiche di cicli CNC come dialoghi, blocchi NC, manuali, verifica ed esecuzione dei programmi
 cli-explain-more = «ciklo explain { $code }» spiega una segnalazione e il rimedio.
@@ -111,7 +111,7 @@ cli-examples-export =
 cli-summary = { $errors ->
         [0] { $warnings ->
             [0] { $notes ->
-                [0] Nessun rilievo.
+                [0] Nessuna segnalazione.
                *[other] Nessun errore, nessun avviso.
             }
             [one] Nessun errore, { $warnings } avviso.
@@ -218,7 +218,7 @@ diag-io-write = Impossibile scrivere { $path }: { $reason ->
         [too-large] un file non può essere così grande
        *[other] { $detail }
     }.
-diag-engine-start = Impossibile avviare il motore “{ $path }”: { $reason ->
+diag-engine-start = Impossibile avviare il motore «{ $path }»: { $reason ->
         [not-found] il programma non esiste
         [permission] permesso negato
        *[other] { $detail }

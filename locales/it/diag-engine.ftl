@@ -54,11 +54,12 @@ diag-program-missing = Manca il programma { $name }.
 diag-radius-missing = Il raggio R manca in questo blocco.
 diag-radius-too-small = Il raggio di { NUMBER($radius) } mm non basta per una corda di { NUMBER($chord, maximumFractionDigits: 4) } mm.
 diag-recursive-call = Una parte di programma chiama se stessa.
-diag-repeat-count = REP richiede un numero intero da 0 a 65535, non { NUMBER($found) }.
+diag-repeat-count = REP richiede un numero intero da 0 a 65534, non { NUMBER($found) }.
 diag-rotary-axis-missing = La macchina non ha un asse rotativo { $axis }.
 diag-rotary-axis-unsuitable = L’asse rotativo { $axis } non ruota nel piano della posizione obliqua e non la può compensare.
 diag-shaft-collision = Il gambo dello stilo tocca il pezzo in X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Questo utensile non può lavorare la forma: occorrono almeno { NUMBER($least) } mm, sono disponibili { NUMBER($found) } mm.
+diag-cutting-width-missing = L'utensile { $tool } non è un utensile per gole: la larghezza di taglio (CUTWIDTH) deve essere maggiore di 0 e almeno doppia del raggio del tagliente (RS).
 diag-series-count = Il numero di ripetizioni deve essere intero e non negativo, non { NUMBER($found) }.
 diag-series-limit = Il ciclo ripeterebbe i suoi passi più di { NUMBER($limit) } volte.
 diag-strategy-argument = Manca un argomento di una strategia.
@@ -92,9 +93,21 @@ diag-pattern-unreadable = «{ $found }» non si può usare in PATTERN DEF.
 diag-position-incomplete = CYCL CALL POS richiede le coordinate di tutti e tre gli assi.
 diag-value-not-predefined = È programmato PREDEF, ma nessun GLOBAL DEF ha definito il valore.
 diag-contour-crossing = Il profilo della label { $label } interseca o tocca sé stesso nel punto con asse principale { NUMBER($x) } mm e asse secondario { NUMBER($y) } mm.
+diag-contour-begin-incomplete = Il profilo della label { $label } non inizia con entrambe le coordinate X e Y.
 diag-contour-data-undefined = Nessun ciclo ha ancora definito i dati del profilo.
 diag-contour-elements = I profili hanno in totale più di { NUMBER($limit) } elementi.
 diag-contour-empty = Il sottoprogramma della label { $label } non descrive un profilo che racchiuda un'area.
 diag-contour-not-defined = Nessun ciclo ha ancora indicato i sottoprogrammi del profilo.
 diag-contour-open = Il profilo della label { $label } è aperto: termina a { NUMBER($distance) } mm dal punto di partenza.
 diag-contour-side-missing = Nel profilo della label { $label } manca la compensazione del raggio RL o RR, che stabilisce se si tratta di una tasca o di un'isola.
+diag-free-contour-contradicts = Nessun profilo soddisfa tutti i valori indicati per questo elemento e per quelli precedenti.
+diag-free-contour-open =
+    { $what ->
+        [line] La posizione o la direzione di questa retta non è determinata: manca un valore.
+        [arc] Il centro o il raggio di questo arco non è determinato: manca un valore.
+       *[end] La fine di questo elemento non è determinata: manca un valore.
+    }
+diag-free-contour-reference = Il blocco { $block } non è un elemento di questo profilo libero né il blocco di posizionamento che lo precede.
+diag-free-contour-selection = FSELECT { $wanted } non si può selezionare: il numero di soluzioni qui è { $solutions }.
+diag-free-contour-several = Da questo elemento in poi il profilo libero ha più soluzioni ({ $solutions }) e FSELECT non ne seleziona nessuna.
+diag-free-contour-word = { $word } non si può usare così in un profilo libero.

@@ -1,5 +1,21 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = Il programma termina da sé con l’errore { $number } (FN 14).
-explain-error-of-program = FN 14: ERROR termina il programma con un errore proprio; il numero sceglie il messaggio visualizzato dal controllo. I programmi lo usano quando non possono proseguire, ad esempio perché il valore di un parametro non è utilizzabile. Esempio: “FN 14: ERROR = 1010”. Rimedio: controllare la condizione che precede il blocco e assegnare ai parametri valori con cui il programma può lavorare.
+explain-error-of-program = FN 14: ERROR termina il programma con un errore proprio; il numero sceglie il messaggio visualizzato dal controllo. I programmi lo usano quando non possono proseguire, ad esempio perché il valore di un parametro non è utilizzabile. Esempio: «FN 14: ERROR = 1010». Rimedio: controllare la condizione che precede il blocco e assegnare ai parametri valori con cui il programma può lavorare.
 diag-tool-setter-missing = Lo scenario non ha un sistema di tastatura per utensili.
-explain-tool-setter-missing = Un ciclo di misura dell’utensile richiede nello scenario un sistema di tastatura da tavolo: dove si trova la sua superficie e quanto è larga. Esempio: “tool_setter:” con “at: [300, 200, -50]” e “diameter: 40”. Rimedio: aggiungerlo allo scenario; docs/scene.md ne descrive le chiavi.
+explain-tool-setter-missing = Un ciclo di misura dell’utensile richiede nello scenario un sistema di tastatura da tavolo: dove si trova la sua superficie e quanto è larga. Esempio: «tool_setter:» con «at: [300, 200, -50]» e «diameter: 40». Rimedio: aggiungerlo allo scenario; docs/scene.md ne descrive le chiavi.
+
+# --- kinematics ---
+diag-kinematics-not-saved = Con il nome «{ $name }» non è salvata alcuna cinematica.
+explain-kinematics-not-saved = Si può ripristinare o cancellare solo una cinematica salvata. Esempio: modo 1 con il nome AB prima di un salvataggio nel modo 0. Rimedio: salvare prima, correggere il nome oppure aggiungere la locazione in «kinematics: saved:» dello scenario.
+diag-kinematics-differs = La cinematica salvata come «{ $name }» descrive un’altra macchina.
+explain-kinematics-differs = I dati salvati si possono ripristinare solo in una descrizione della cinematica identica: stesso nome e stessi assi rotativi nello stesso ordine. Esempio: dati di una macchina con A e C su una con B e C. Rimedio: scegliere i dati di questa macchina.
+diag-kinematics-memory-full = Tutte le locazioni di memoria per le cinematiche ({ $count }) sono occupate.
+explain-kinematics-memory-full = Il controllo conserva un numero limitato di cinematiche salvate. Esempio: un diciassettesimo nome su un controllo con 16 locazioni. Rimedio: cancellarne una non più necessaria o salvare con un nome già in uso.
+diag-kinematics-undetermined = Le posizioni di misura non permettono di determinare la posizione dell’asse { $axis }.
+explain-kinematics-undetermined = Per correggere la posizione di un asse rotativo, le posizioni di misura devono differire chiaramente dalla posizione di riferimento a 0°. Esempio: un punto a 0,05° o solo un punto a 0°, che viene ignorato. Rimedio: un campo più ampio tra angolo di partenza e finale o più punti di misura. La cinematica resta invariata.
+diag-sphere-radius-differs = Il raggio misurato della sfera calibrata, { $found } mm, si scosta troppo dal raggio inserito, { $entered } mm.
+explain-sphere-radius-differs = In ogni posizione il controllo misura prima il raggio della sfera; un parametro macchina ne limita lo scostamento da quello inserito. Esempio: inserito 12,5, sfera da 12,6 e limite 0,05. Rimedio: inserire il raggio esatto o calibrare il sistema di tastatura.
+diag-measuring-position-at-zero = Una posizione di misura dell’asse { $axis } è a 0° o 360°.
+explain-measuring-position-at-zero = La misura di riferimento avviene a 0°, quindi una posizione di misura in quel punto non fornisce dati e l’iTNC 530 la rifiuta. Esempio: da −90 a +90 con 3 punti. Rimedio: un altro numero di punti o altri angoli.
+diag-hirth-without-retraction = L’asse { $axis } ha una dentatura Hirth e richiede un’altezza di ritorno.
+explain-hirth-without-retraction = Un asse con dentatura Hirth esce dalla dentatura per posizionarsi, quindi non può essere misurato senza ritorno. Esempio: altezza di ritorno 0 con «hirth: 3» nella macchina. Rimedio: inserire un’altezza sopra la sfera.

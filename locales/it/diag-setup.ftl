@@ -51,7 +51,7 @@ diag-tool-table-contradicts =
        *[type] { $value } non è adatto all'utensile { $tool }, che nella tabella utensili è di tipo { $other } (TYP).
     }
 diag-translate-encoding = Il file viene scritto in { $encoding }: vi ha gli stessi byte e vi sono tutte le lettere delle nuove etichette.
-diag-translate-encoding-unknown = Non esiste la codifica “{ $encoding }”; esistono { $known }.
+diag-translate-encoding-unknown = Non esiste la codifica «{ $encoding }»; esistono { $known }.
 diag-translate-encoding-wrong = { $path } non è in { $encoding }: alcuni byte non vi hanno significato.
 diag-translate-unread = { $cycle } ha una riga che non può essere letta, perciò il nome e le etichette restano come sono.
 related-preset-written-here = scritto qui

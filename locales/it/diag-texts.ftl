@@ -18,3 +18,7 @@ diag-texts-unit-not-read = L’unità «{ $key }» non ha traduzione, oppure ne 
 diag-texts-unit-codes = I codici dell’unità «{ $key }» non corrispondono: mancanti { $missing }, non ammessi { $foreign }.
 diag-texts-unit-incomplete = L’unità «{ $key }» è una delle varianti di un testo nuovo; le altre mancano o sono rifiutate.
 diag-texts-unit-refused = L’unità «{ $key }» è rifiutata ({ $code }): { $finding }
+diag-texts-unit-markup = La traduzione dell’unità «{ $key }» cambierebbe la forma della pagina: i suoi segni o i blocchi vicini.
+diag-texts-unit-numbers = I numeri dell’unità «{ $key }» non sono quelli del testo di partenza: mancanti { $missing }, estranei { $foreign }.
+diag-texts-unknown-topic = Non esiste una pagina di prosa «{ $topic }».
+diag-draft-language = Una bozza riguarda una sola lingua: indicarla con --lang, ad esempio «--draft --lang de».

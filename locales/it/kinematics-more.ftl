@@ -65,3 +65,7 @@ note-kinematics-log-explained__preset-compensation = Dispersione misurata: il 68
 title-compensate-preset = Programma di calibrazione
 title-match-interchangeable-head = Taratura di una testa intercambiabile
 title-compensate-drift = Compensazione deriva
+
+# --- kinematics ---
+message-kinematics-limit-exceeded = I dati cinematici cambiano oltre il valore limite ammesso. Confermarne l’acquisizione con Avvio NC.
+message-delete-saved-kinematics = Al nome corrispondono più cinematiche salvate. Confermare la cancellazione di tutte.

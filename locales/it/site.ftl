@@ -3,6 +3,7 @@
 site-language-name = italiano
 site-skip = Vai al contenuto
 site-manual = Manuale dei cicli
+site-draft = Bozza: i testi tra ⟦ ⟧ non sono ancora tradotti.
 site-overview = Panoramica
 site-languages = Lingue
 site-controls = Controlli

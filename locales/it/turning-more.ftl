@@ -101,6 +101,7 @@ step-lift-off-thread = Il controllo distacca l’utensile in rapido della distan
 step-infeed-at-angle = Il controllo esegue un incremento. Gli incrementi seguono l’angolo di incremento { $q-thread-infeed-angle }.
 until-thread-depth-reached = non è raggiunta la profondità del filetto
 step-make-air-cuts = Il controllo esegue tante passate a vuoto quante ne definisce { $q-number-of-air-cuts }.
+step-infeed-for-next-start = Per il principio successivo il controllo riporta l’utensile al primo incremento. Il taglio inizia a un angolo del mandrino spostato del passo angolare tra i principi.
 until-all-thread-starts-cut = non sono stati tagliati tanti principi quanti ne definisce { $q-number-of-thread-starts }
 
 # --- conditions ---

@@ -13,7 +13,7 @@ cli-texts-missing = export: só os textos em falta; com --stale, ambos
 cli-texts-cycle = export: só os textos deste ciclo; pode ser repetido
 cli-texts-out = export: ficheiro a escrever (predefinição: saída padrão)
 cli-texts-dry-run = import: verifica o ficheiro e informa, sem alterar nada
-cli-texts-format = Forma da saída: text (predefinição), json; de export: xliff (1.2, predefinição), xliff2 (2.0), po
+cli-texts-format = Forma da saída: text (predefinição), json; de export: xliff (1.2, predefinição), xliff2 (2.0), po, tmx (textos aceites de todos os idiomas), tbx e csv (glossário e parâmetros)
 cli-texts-exported = { $count ->
         [one] { $count } unidade exportada.
        *[other] { $count } unidades exportadas.
@@ -49,3 +49,57 @@ cli-examples-texts =
     ciklo texts accept --lang it --text step-approach
     ciklo texts export --to fi --stale --missing --out fi.xlf
     ciklo texts import fi.xlf --dry-run
+    ciklo texts export --format tbx --out terms.tbx
+cli-texts-topic = export: só a página deste tema; pode ser repetido
+cli-texts-base-url = export: o endereço do sítio gerado, para as ligações às páginas nas notas
+# What a translator is told about a text.
+cli-texts-note-kind = Este texto é { $kind ->
+        [inserted] uma palavra que outros textos inserem na forma pedida
+        [topic] um segmento de uma página de prosa
+        [group] o nome de um grupo de ciclos
+        [cycle] o nome de um ciclo
+        [parameter] o nome de um parâmetro
+        [step] uma frase da execução de um ciclo
+        [until] uma condição com que termina uma repetição
+        [condition] uma condição que completa «só se»
+        [choice] uma opção de um parâmetro
+        [result] um resultado de um ciclo
+        [note] uma nota sobre um ciclo
+        [guard] o motivo por que o comando recusa um ciclo
+        [message] uma mensagem do comando ao operador
+        [figure] o título de uma figura
+        [table] o título de uma tabela
+        [title] o título de um exemplo
+        [term] um termo do glossário
+        [log] uma linha de um protocolo que um ciclo escreve
+        [diagnostic] uma ocorrência assinalada pelo programa
+        [explanation] a explicação de uma ocorrência
+        [gap] uma palavra no lugar de um argumento
+        [command] uma ajuda ou mensagem de um comando
+        [unit] uma unidade
+        [list] o modo de juntar uma lista
+        [page] uma palavra das páginas do manual
+        [label] o comentário depois de um parâmetro em programas NC
+        [nc] o nome do ciclo em programas NC
+        [word] a palavra impressa de um campo em programas NC
+        [help] o significado de um parâmetro
+        [purpose] a finalidade de um ciclo
+        [definition] a definição de um termo
+        [prompt] a pergunta do diálogo
+        [symbol] o símbolo de uma unidade
+       *[other] um texto do programa
+    }.
+cli-texts-note-unit = Unidade: { $unit }.
+cli-texts-note-range = Gama permitida: { $range } ({ $controls }).
+cli-texts-note-label = No máximo { $most } caracteres: maiúsculas, algarismos, espaços e { $signs }
+cli-texts-note-capitals = Só maiúsculas, algarismos, espaços e { $signs }
+cli-texts-note-cycles = { $more ->
+        [none] { $control }: { $cycles }
+       *[other] { $control }: { $cycles } e mais { $more }
+    }
+cli-texts-note-lines = Fonte nos manuais do { $control }, { $cycle }: { $lines }.
+cli-texts-note-page = Página: { $page }
+# Languages in the making, and the pseudo-language.
+cli-build-draft = Gera um idioma que não está completo: o que falta fica em inglês, assinalado, e cada página o diz
+cli-draft = { $language }: faltam { $count } textos; estão em inglês, entre ⟦ ⟧.
+cli-arg-pseudo = Mostra os textos num pseudoidioma, para ver o que é cortado ou não está traduzido: accents (palavras mais longas com acentos) ou bidi (também da direita para a esquerda)

@@ -1,4 +1,4 @@
-# A linha de comandos: ajuda, mensagens e observações sobre ficheiros e palavras.
+# A linha de comandos: ajuda, mensagens e indicações sobre ficheiros e palavras.
 
 cli-about = Especificações de ciclos CNC como diálogos, frases NC, manuais, verificação e execução de programas
 cli-explain-more = «ciklo explain { $code }» explica uma indicação e o que fazer.
@@ -221,7 +221,7 @@ diag-io-write = Não é possível escrever { $path }: { $reason ->
         [too-large] um ficheiro não pode ser tão grande
        *[other] { $detail }
     }.
-diag-engine-start = Não é possível iniciar o motor “{ $path }”: { $reason ->
+diag-engine-start = Não é possível iniciar o motor «{ $path }»: { $reason ->
         [not-found] o programa não existe
         [permission] sem permissão
        *[other] { $detail }
@@ -268,8 +268,8 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
     }
 cli-stock-length = Percurso: { $feed } mm em avanço, dos quais { $cut } mm em movimentos que retiram material; { $rapid } mm em avanço rápido
 cli-stock-more = { $count ->
-        [one] Mais { $count } observação.
-       *[other] Mais { $count } observações.
+        [one] Mais { $count } indicação.
+       *[other] Mais { $count } indicações.
     }
 cli-stock-rate = Maior taxa de remoção: { $value } mm³/min (linha { $line })
 cli-stock-time = Tempo: { $all } s; { $feed } s em avanço, { $rapid } s em avanço rápido, { $dwell } s de tempo de espera

@@ -4,7 +4,7 @@ diag-approach-twice = Faz-se a aproximação ao contorno com a correção de rai
 diag-approach-without-compensation =
     { $what ->
         [approach] A aproximação ao contorno faz-se aqui sem RL nem RR.
-       *[departure] Sai-se aqui do contorno, mas nenhuma compensação do raio está ativa.
+       *[departure] Sai-se aqui do contorno, mas nenhuma correção do raio está ativa.
     }
 diag-arc-in-unequal-scaling = { $cycle } escala os eixos deste arco com fatores diferentes: o resultado não é um arco.
 diag-arc-too-narrow = O raio { $radius } no interior do contorno é menor do que o da ferramenta, { $tool }.
@@ -178,7 +178,7 @@ diag-labels-of-unknown-language =
     }
 diag-languages-mixed = A maioria das designações está num idioma ({ $language }); as definições nestas linhas estão noutro ({ $others }): { $lines }.
 diag-loop-endless = Este salto fecha uma repetição que nunca acaba.
-diag-machine-coordinates-compensated = Programam-se aqui coordenadas da máquina (M91, M92) com compensação do raio.
+diag-machine-coordinates-compensated = Programam-se aqui coordenadas da máquina (M91, M92) com correção do raio.
 diag-main-runs-into-subprogram = O programa principal continua aqui para dentro do subprograma { $label }: nem M2 nem M30 o termina.
 diag-measuring-height-below-floor = { $cycle } mede em { $parameter }={ $value }, abaixo do fundo em { $floor } que { $milling } aí deixa.
 diag-metric-values-in-inch = O programa está em polegadas, mas { $value } parece estar em milímetros.
@@ -200,7 +200,7 @@ diag-mode-wrong =
         [turning] { $cycle } torneia, mas aqui o comando não está em modo de torneamento (FUNCTION MODE TURN).
        *[data] { $cycle } é utilizado fora do modo de torneamento.
     }
-diag-name-of-another-cycle = “{ $name }” é o nome de { $other }, mas aqui está { $cycle }.
+diag-name-of-another-cycle = «{ $name }» é o nome de { $other }, mas aqui está { $cycle }.
 diag-no-result =
     Esta fórmula não tem resultado: { $why ->
         [division] divide por zero

@@ -54,7 +54,7 @@ diag-program-missing = Não existe o programa { $name }.
 diag-radius-missing = Falta o raio R nesta frase.
 diag-radius-too-small = O raio de { NUMBER($radius) } mm não chega para uma corda de { NUMBER($chord, maximumFractionDigits: 4) } mm.
 diag-recursive-call = Uma parte do programa chama-se a si própria.
-diag-repeat-count = REP exige um número inteiro de 0 a 65535, não { NUMBER($found) }.
+diag-repeat-count = REP exige um número inteiro de 0 a 65534, não { NUMBER($found) }.
 diag-rotary-axis-missing = A máquina não tem um eixo rotativo { $axis }.
 diag-rotary-axis-unsuitable = O eixo rotativo { $axis } não roda no plano da inclinação e não a pode compensar.
 diag-series-count = O número de repetições tem de ser um número inteiro e não negativo, e não { NUMBER($found) }.
@@ -81,6 +81,7 @@ diag-arc-scaled-unequally = Os eixos do plano têm fatores de escala diferentes:
 diag-scaling-factor-zero = Um fator de escala tem de ser maior do que zero, e não { NUMBER($found) }.
 diag-shaft-collision = A haste de apalpação, e não a esfera, toca na peça em X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Esta ferramenta não consegue maquinar a forma: são necessários pelo menos { NUMBER($least) } mm, há { NUMBER($found) } mm.
+diag-cutting-width-missing = A ferramenta { $tool } não é uma ferramenta de ranhurar: a largura de corte (CUTWIDTH) tem de ser superior a 0 e, no mínimo, o dobro do raio de corte (RS).
 diag-tilting-unreachable = Os eixos rotativos da máquina não conseguem posicionar a ferramenta perpendicular a este plano.
 diag-pattern-missing = { $name ->
         [none] Não está definida nenhuma figura nem tabela de pontos para a chamada do ciclo.
@@ -92,9 +93,21 @@ diag-pattern-unreadable = «{ $found }» não pode ser utilizado em PATTERN DEF.
 diag-position-incomplete = CYCL CALL POS precisa das coordenadas dos três eixos.
 diag-value-not-predefined = Está programado PREDEF, mas nenhum GLOBAL DEF definiu o valor.
 diag-contour-crossing = O contorno do label { $label } cruza-se ou toca-se a si próprio no ponto com eixo principal { NUMBER($x) } mm e eixo secundário { NUMBER($y) } mm.
+diag-contour-begin-incomplete = O contorno do label { $label } não começa com as duas coordenadas X e Y.
 diag-contour-data-undefined = Nenhum ciclo definiu ainda os dados do contorno.
 diag-contour-elements = Os contornos têm, no total, mais de { NUMBER($limit) } elementos.
 diag-contour-empty = O subprograma do label { $label } não descreve nenhum contorno que delimite uma área.
 diag-contour-not-defined = Nenhum ciclo indicou ainda os subprogramas do contorno.
 diag-contour-open = O contorno do label { $label } está aberto: termina a { NUMBER($distance) } mm do ponto inicial.
 diag-contour-side-missing = O contorno do label { $label } não tem correção de raio RL ou RR, que indica se se trata de uma caixa ou de uma ilha.
+diag-free-contour-contradicts = Nenhum contorno cumpre todos os valores indicados para este elemento e para os anteriores.
+diag-free-contour-open =
+    { $what ->
+        [line] A posição ou a direção desta reta não está determinada: falta um valor.
+        [arc] O centro ou o raio deste arco não está determinado: falta um valor.
+       *[end] O fim deste elemento não está determinado: falta um valor.
+    }
+diag-free-contour-reference = A frase { $block } não é um elemento deste contorno livre nem a frase de posicionamento anterior.
+diag-free-contour-selection = Não é possível selecionar FSELECT { $wanted }: o número de soluções aqui é { $solutions }.
+diag-free-contour-several = A partir deste elemento o contorno livre tem várias soluções ({ $solutions }) e FSELECT não seleciona nenhuma.
+diag-free-contour-word = { $word } não pode ser utilizado assim num contorno livre.

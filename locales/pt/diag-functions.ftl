@@ -1,5 +1,21 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = O programa termina por si próprio com o erro { $number } (FN 14).
-explain-error-of-program = FN 14: ERROR termina o programa com um erro próprio; o número escolhe a mensagem que o comando mostra. Os programas usam-no quando não podem continuar, por exemplo porque o valor de um parâmetro não serve. Exemplo: “FN 14: ERROR = 1010”. Solução: verificar a condição antes do bloco e dar aos parâmetros valores com que o programa possa trabalhar.
+explain-error-of-program = FN 14: ERROR termina o programa com um erro próprio; o número escolhe a mensagem que o comando mostra. Os programas usam-no quando não podem continuar, por exemplo porque o valor de um parâmetro não serve. Exemplo: «FN 14: ERROR = 1010». Solução: verificar a condição antes do bloco e dar aos parâmetros valores com que o programa possa trabalhar.
 diag-tool-setter-missing = O cenário não tem apalpador de ferramentas.
-explain-tool-setter-missing = Um ciclo de medição da ferramenta precisa de um apalpador de mesa no cenário: onde está a sua superfície e que largura tem. Exemplo: “tool_setter:” com “at: [300, 200, -50]” e “diameter: 40”. Solução: acrescentá-lo ao cenário; docs/scene.md descreve as chaves.
+explain-tool-setter-missing = Um ciclo de medição da ferramenta precisa de um apalpador de mesa no cenário: onde está a sua superfície e que largura tem. Exemplo: «tool_setter:» com «at: [300, 200, -50]» e «diameter: 40». Solução: acrescentá-lo ao cenário; docs/scene.md descreve as chaves.
+
+# --- kinematics ---
+diag-kinematics-not-saved = Não há nenhuma cinemática guardada com o nome «{ $name }».
+explain-kinematics-not-saved = Só se pode restaurar ou apagar uma cinemática guardada. Exemplo: modo 1 com o nome AB antes de guardar no modo 0. Solução: guardar primeiro, corrigir o nome ou acrescentar a posição em «kinematics: saved:» do cenário.
+diag-kinematics-differs = A cinemática guardada como «{ $name }» descreve outra máquina.
+explain-kinematics-differs = Os dados guardados só podem ser restaurados numa descrição de cinemática idêntica: o mesmo nome e os mesmos eixos rotativos pela mesma ordem. Exemplo: dados de uma máquina com A e C numa máquina com B e C. Solução: escolher dados desta máquina.
+diag-kinematics-memory-full = Todas as posições de memória para cinemáticas ({ $count }) estão ocupadas.
+explain-kinematics-memory-full = O comando conserva um número limitado de cinemáticas guardadas. Exemplo: um décimo sétimo nome num comando com 16 posições. Solução: apagar uma que já não seja necessária ou guardar com um nome em uso.
+diag-kinematics-undetermined = As posições de medição não permitem determinar a posição do eixo { $axis }.
+explain-kinematics-undetermined = Para corrigir a posição de um eixo rotativo, as posições de medição têm de diferir claramente da posição de referência a 0°. Exemplo: um ponto a 0,05° ou só um ponto a 0°, que é ignorado. Solução: maior intervalo entre ângulo inicial e final ou mais pontos de medição. A cinemática fica como estava.
+diag-sphere-radius-differs = O raio medido da esfera de calibração, { $found } mm, desvia-se demasiado do raio introduzido, { $entered } mm.
+explain-sphere-radius-differs = Em cada posição o comando mede primeiro o raio da esfera; um parâmetro de máquina limita o desvio em relação ao introduzido. Exemplo: introduzido 12,5, esfera de 12,6 e limite 0,05. Solução: introduzir o raio exato ou calibrar o apalpador.
+diag-measuring-position-at-zero = Uma posição de medição do eixo { $axis } está a 0° ou 360°.
+explain-measuring-position-at-zero = A medição de referência é feita a 0°, pelo que uma posição de medição aí nada diz e o iTNC 530 recusa-a. Exemplo: −90 a +90 com 3 pontos. Solução: outro número de pontos ou outros ângulos.
+diag-hirth-without-retraction = O eixo { $axis } tem dentes Hirth e precisa de uma altura de retração.
+explain-hirth-without-retraction = Um eixo com dentes Hirth sai da sua grelha para ser posicionado, pelo que não pode ser medido sem retração. Exemplo: altura de retração 0 com «hirth: 3» na máquina. Solução: introduzir uma altura acima da esfera.

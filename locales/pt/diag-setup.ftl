@@ -51,7 +51,7 @@ diag-tool-table-contradicts =
        *[type] { $value } não serve para a ferramenta { $tool }, que na tabela de ferramentas é do tipo { $other } (TYP).
     }
 diag-translate-encoding = O ficheiro é escrito em { $encoding }: tem aí os mesmos bytes e existem todas as letras das novas designações.
-diag-translate-encoding-unknown = Não existe a codificação “{ $encoding }”; existem { $known }.
+diag-translate-encoding-unknown = Não existe a codificação «{ $encoding }»; existem { $known }.
 diag-translate-encoding-wrong = { $path } não está em { $encoding }: alguns bytes não têm aí significado.
 diag-translate-unread = { $cycle } tem uma linha que não pode ser lida, por isso o nome e as designações ficam como estão.
 related-preset-written-here = escrito aqui

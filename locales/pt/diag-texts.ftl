@@ -18,3 +18,7 @@ diag-texts-unit-not-read = A unidade «{ $key }» não tem tradução, ou tem um
 diag-texts-unit-codes = Os códigos da unidade «{ $key }» não correspondem: em falta { $missing }, não permitidos { $foreign }.
 diag-texts-unit-incomplete = A unidade «{ $key }» é uma das variantes de um texto novo; as outras faltam ou foram recusadas.
 diag-texts-unit-refused = A unidade «{ $key }» foi recusada ({ $code }): { $finding }
+diag-texts-unit-markup = A tradução da unidade «{ $key }» mudaria a forma da página: as suas marcas ou os blocos em redor.
+diag-texts-unit-numbers = Os números da unidade «{ $key }» não são os do texto de partida: em falta { $missing }, alheios { $foreign }.
+diag-texts-unknown-topic = Não existe a página de prosa «{ $topic }».
+diag-draft-language = Um rascunho é de um só idioma: indique-o com --lang, por exemplo «--draft --lang de».

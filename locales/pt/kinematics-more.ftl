@@ -64,3 +64,7 @@ note-kinematics-log-explained__preset-compensation = Dispersão medida: 68,3% do
 title-compensate-preset = Programa de calibração
 title-match-interchangeable-head = Ajustar uma cabeça intercambiável
 title-compensate-drift = Compensar a deriva
+
+# --- kinematics ---
+message-kinematics-limit-exceeded = Os dados da cinemática alteram-se mais do que o valor limite permitido. Confirme a aceitação com arranque NC.
+message-delete-saved-kinematics = Ao nome correspondem várias cinemáticas guardadas. Confirme que todas devem ser apagadas.

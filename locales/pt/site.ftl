@@ -3,6 +3,7 @@
 site-language-name = português
 site-skip = Saltar para o conteúdo
 site-manual = Manual de ciclos
+site-draft = Rascunho: os textos entre ⟦ ⟧ ainda não estão traduzidos.
 site-overview = Vista geral
 site-languages = Idiomas
 site-controls = Comandos

@@ -101,6 +101,7 @@ step-lift-off-thread = O comando afasta a ferramenta em avanço rápido a distâ
 step-infeed-at-angle = O comando executa um passo. Os passos seguem o ângulo de passo { $q-thread-infeed-angle }.
 until-thread-depth-reached = seja atingida a profundidade da rosca
 step-make-air-cuts = O comando executa tantas passagens em vazio quantas { $q-number-of-air-cuts } indicar.
+step-infeed-for-next-start = Para a entrada de rosca seguinte, o comando leva a ferramenta de novo ao primeiro passo. O corte começa num ângulo da árvore deslocado do intervalo angular entre as entradas.
 until-all-thread-starts-cut = estejam cortadas tantas entradas de rosca quantas { $q-number-of-thread-starts } indicar
 
 # --- conditions ---

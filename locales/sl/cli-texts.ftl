@@ -13,7 +13,7 @@ cli-texts-missing = export: samo manjkajoča besedila; skupaj z --stale oboje
 cli-texts-cycle = export: samo besedila tega cikla; lahko se ponovi
 cli-texts-out = export: datoteka, ki se zapiše (privzeto: standardni izhod)
 cli-texts-dry-run = import: preveri datoteko in poroča, ne da bi kaj spremenil
-cli-texts-format = Oblika izpisa: text (privzeto), json; pri export: xliff (1.2, privzeto), xliff2 (2.0), po
+cli-texts-format = Oblika izpisa: text (privzeto), json; pri export: xliff (1.2, privzeto), xliff2 (2.0), po, tmx (potrjena besedila vseh jezikov), tbx in csv (slovar in parametri)
 cli-texts-exported = { $count ->
         [one] Izvožena { $count } enota.
         [two] Izvoženi { $count } enoti.
@@ -53,3 +53,57 @@ cli-examples-texts =
     ciklo texts accept --lang it --text step-approach
     ciklo texts export --to fi --stale --missing --out fi.xlf
     ciklo texts import fi.xlf --dry-run
+    ciklo texts export --format tbx --out terms.tbx
+cli-texts-topic = export: samo stran te teme; lahko se ponovi
+cli-texts-base-url = export: naslov zgrajenega spletnega mesta za povezave na strani v opombah
+# What a translator is told about a text.
+cli-texts-note-kind = To je { $kind ->
+        [inserted] beseda, ki jo druga besedila vstavijo v zahtevanem sklonu
+        [topic] odsek proznega besedila
+        [group] ime skupine ciklov
+        [cycle] ime cikla
+        [parameter] ime parametra
+        [step] stavek o poteku cikla
+        [until] pogoj, ob katerem se ponavljanje konča
+        [condition] pogoj, ki dopolni »samo če«
+        [choice] izbira parametra
+        [result] rezultat cikla
+        [note] opomba k ciklu
+        [guard] razlog, zakaj krmiljenje zavrne cikel
+        [message] sporočilo krmiljenja upravljavcu
+        [figure] naslov slike
+        [table] naslov tabele
+        [title] naslov primera
+        [term] izraz iz slovarja
+        [log] vrstica protokola, ki ga zapiše cikel
+        [diagnostic] ugotovitev programa
+        [explanation] razlaga ugotovitve
+        [gap] beseda na mestu argumenta
+        [command] pomoč ali sporočilo ukaza
+        [unit] enota
+        [list] način združevanja seznama
+        [page] beseda na straneh priročnika
+        [label] komentar za parametrom v NC-programih
+        [nc] ime cikla v NC-programih
+        [word] natisnjena beseda polja v NC-programih
+        [help] pomen parametra
+        [purpose] namen cikla
+        [definition] opredelitev izraza
+        [prompt] vprašanje pogovornega okna
+        [symbol] simbol enote
+       *[other] besedilo programa
+    }.
+cli-texts-note-unit = Enota: { $unit }.
+cli-texts-note-range = Dovoljeno območje: { $range } ({ $controls }).
+cli-texts-note-label = Največ { $most } znakov: velike črke, števke, presledki in { $signs }
+cli-texts-note-capitals = Samo velike črke, števke, presledki in { $signs }
+cli-texts-note-cycles = { $more ->
+        [none] { $control }: { $cycles }
+       *[other] { $control }: { $cycles } in še { $more }
+    }
+cli-texts-note-lines = Vir v priročnikih za { $control }, { $cycle }: { $lines }.
+cli-texts-note-page = Stran: { $page }
+# Languages in the making, and the pseudo-language.
+cli-build-draft = Zgradi en jezik, ki še ni popoln: manjkajoče je označeno v angleščini in vsaka stran to pove
+cli-draft = { $language }: manjkajočih besedil: { $count }; so v angleščini v oklepajih ⟦ ⟧.
+cli-arg-pseudo = Prikaže besedila v psevdojeziku, da se vidi, kaj je odrezano ali neprevedeno: accents (daljše besede z naglasi) ali bidi (tudi od desne proti levi)

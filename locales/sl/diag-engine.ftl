@@ -54,7 +54,7 @@ diag-program-missing = Programa { $name } ni.
 diag-radius-missing = V tem stavku manjka polmer R.
 diag-radius-too-small = Polmer { NUMBER($radius) }{"\u00A0"}mm ne zadošča za tetivo { NUMBER($chord, maximumFractionDigits: 4) }{"\u00A0"}mm.
 diag-recursive-call = Del programa priklicuje samega sebe.
-diag-repeat-count = REP zahteva celo število od 0 do 65535, ne { NUMBER($found) }.
+diag-repeat-count = REP zahteva celo število od 0 do 65534, ne { NUMBER($found) }.
 diag-rotary-axis-missing = Stroj nima rotacijske osi { $axis }.
 diag-rotary-axis-unsuitable = Rotacijska os { $axis } se ne vrti v ravnini poševnega položaja in ga ne more izravnati.
 diag-series-count = Število ponovitev mora biti celo in ne negativno, ne { NUMBER($found) }.
@@ -81,6 +81,7 @@ diag-arc-scaled-unequally = Osi ravnine imata različna faktorja merila: lok bi 
 diag-scaling-factor-zero = Faktor merila mora biti večji od nič, ne { NUMBER($found) }.
 diag-shaft-collision = Steblo tipalne glave se dotakne obdelovanca pri X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = S tem orodjem oblike ni mogoče obdelati: potrebnih je vsaj { NUMBER($least) }{"\u00A0"}mm, na voljo je { NUMBER($found) }{"\u00A0"}mm.
+diag-cutting-width-missing = Orodje { $tool } ni orodje za struženje utorov: rezalna širina (CUTWIDTH) mora biti večja od 0 in vsaj dvakratnik rezalnega polmera (RS).
 diag-tilting-unreachable = Rotacijske osi stroja orodja ne morejo postaviti pravokotno na to ravnino.
 diag-pattern-missing = { $name ->
         [none] Za priklic cikla ni definiran ne vzorec ne preglednica točk.
@@ -92,9 +93,21 @@ diag-pattern-unreadable = »{ $found }« v PATTERN DEF ni mogoče uporabiti.
 diag-position-incomplete = CYCL CALL POS potrebuje koordinate vseh treh osi.
 diag-value-not-predefined = Programiran je PREDEF, vrednosti pa ni določil noben GLOBAL DEF.
 diag-contour-crossing = Kontura oznake { $label } se križa ali dotika sama sebe v točki: glavna os { NUMBER($x) } mm, pomožna os { NUMBER($y) } mm.
+diag-contour-begin-incomplete = Kontura oznake { $label } se ne začne z obema koordinatama X in Y.
 diag-contour-data-undefined = Noben cikel še ni določil konturnih podatkov.
 diag-contour-elements = Konture imajo skupaj več kot { NUMBER($limit) } konturnih elementov.
 diag-contour-empty = Podprogram oznake { $label } ne opisuje konture, ki bi omejevala površino.
 diag-contour-not-defined = Noben cikel še ni navedel podprogramov konture.
 diag-contour-open = Kontura oznake { $label } je odprta: konča se { NUMBER($distance) } mm od začetne točke.
 diag-contour-side-missing = Kontura oznake { $label } nima popravka polmera RL ali RR, ki pove, ali gre za žep ali otok.
+diag-free-contour-contradicts = Nobena kontura ne ustreza vsem vrednostim tega elementa in elementov pred njim.
+diag-free-contour-open =
+    { $what ->
+        [line] Lega ali smer te premice ni določena: manjka vrednost.
+        [arc] Središče ali polmer tega loka ni določen: manjka vrednost.
+       *[end] Konec tega elementa ni določen: manjka vrednost.
+    }
+diag-free-contour-reference = Stavek { $block } ni niti element te proste konture niti pozicionirni stavek pred njo.
+diag-free-contour-selection = FSELECT { $wanted } ni mogoče izbrati: število rešitev tukaj je { $solutions }.
+diag-free-contour-several = Od tega elementa naprej ima prosta kontura več rešitev ({ $solutions }), z besedo FSELECT pa ni izbrana nobena.
+diag-free-contour-word = Besede { $word } v prosti konturi ni mogoče uporabiti tako.

@@ -3,3 +3,19 @@ diag-error-of-program = Program se sam konča z napako { $number } (FN 14).
 explain-error-of-program = FN 14: ERROR konča program z lastno napako; številka izbere sporočilo, ki ga pokaže krmiljenje. Programi ga uporabljajo, kadar ne morejo nadaljevati, na primer ko vrednost parametra ni uporabna. Primer: »FN 14: ERROR = 1010«. Rešitev: preverite pogoj pred blokom in parametrom dodelite vrednosti, s katerimi lahko program dela.
 diag-tool-setter-missing = Scena nima namiznega tipalnega sistema.
 explain-tool-setter-missing = Cikel za merjenje orodja potrebuje v sceni namizni tipalni sistem: kje je njegova merilna površina in kako široka je. Primer: »tool_setter:« z »at: [300, 200, -50]« in »diameter: 40«. Rešitev: dodajte ga v sceno; docs/scene.md opisuje ključe.
+
+# --- kinematics ---
+diag-kinematics-not-saved = Pod imenom »{ $name }« ni shranjena nobena kinematika.
+explain-kinematics-not-saved = Obnoviti ali izbrisati je mogoče samo shranjeno kinematiko. Primer: način 1 z imenom AB, preden je bilo to ime shranjeno v načinu 0. Rešitev: najprej shranite, popravite ime ali v sceni pod »kinematics: saved:« dodajte pomnilniško mesto.
+diag-kinematics-differs = Kinematika, shranjena kot »{ $name }«, opisuje drug stroj.
+explain-kinematics-differs = Shranjene podatke je mogoče obnoviti samo v enak opis kinematike: z istim imenom in istimi rotacijskimi osmi v istem zaporedju. Primer: podatki stroja z osema A in C na stroju z osema B in C. Rešitev: izberite podatke tega stroja.
+diag-kinematics-memory-full = Vsa pomnilniška mesta za kinematiko ({ $count }) so zasedena.
+explain-kinematics-memory-full = Krmiljenje hrani omejeno število shranjenih kinematik. Primer: sedemnajsto ime na krmiljenju s 16 mesti. Rešitev: izbrišite nepotrebno ali shranite pod imenom, ki je že v rabi.
+diag-kinematics-undetermined = Iz merilnih položajev ni mogoče določiti lege osi { $axis }.
+explain-kinematics-undetermined = Za popravek lege rotacijske osi se morajo merilni položaji jasno razlikovati od referenčnega položaja pri 0°. Primer: ena točka pri 0,05° ali le točka pri 0°, ki je prezrta. Rešitev: večje območje med začetnim in končnim kotom ali več merilnih točk. Kinematika ostane nespremenjena.
+diag-sphere-radius-differs = Izmerjeni polmer umeritvene krogle { $found } mm preveč odstopa od vnesenega polmera { $entered } mm.
+explain-sphere-radius-differs = Krmiljenje v vsakem položaju najprej izmeri polmer krogle; strojni parameter omejuje odstopanje od vnesenega. Primer: vneseno 12,5, krogla 12,6 in meja 0,05. Rešitev: vnesite točen polmer ali umerite tipalni sistem.
+diag-measuring-position-at-zero = Merilni položaj osi { $axis } je pri 0° ali 360°.
+explain-measuring-position-at-zero = Referenčna meritev se izvede pri 0°, zato merilni položaj tam ne pove ničesar in ga iTNC 530 zavrne. Primer: od −90 do +90 s 3 točkami. Rešitev: drugo število točk ali drugi koti.
+diag-hirth-without-retraction = Os { $axis } ima Hirthovo ozobje in potrebuje višino odmika.
+explain-hirth-without-retraction = Os s Hirthovim ozobjem se za pozicioniranje premakne iz zobja, zato je ni mogoče izmeriti brez odmika. Primer: višina odmika 0 in »hirth: 3« v stroju. Rešitev: vnesite višino nad kroglo.

@@ -18,3 +18,7 @@ diag-texts-unit-not-read = Enota »{ $key }« nima prevoda ali pa so v njem nezn
 diag-texts-unit-codes = Kode enote »{ $key }« se ne ujemajo: manjka { $missing }, ni dovoljeno { $foreign }.
 diag-texts-unit-incomplete = Enota »{ $key }« je ena od različic novega besedila; druge manjkajo ali so zavrnjene.
 diag-texts-unit-refused = Enota »{ $key }« je zavrnjena ({ $code }): { $finding }
+diag-texts-unit-markup = Prevod enote »{ $key }« bi spremenil obliko strani: njene oznake ali bloke okoli nje.
+diag-texts-unit-numbers = Števila enote »{ $key }« se razlikujejo od izvirnika: manjka { $missing }, v izvirniku ni { $foreign }.
+diag-texts-unknown-topic = Strani besedila »{ $topic }« ni.
+diag-draft-language = Osnutek je v enem jeziku: navedite ga z --lang, na primer »--draft --lang de«.

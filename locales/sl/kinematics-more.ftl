@@ -65,3 +65,7 @@ note-kinematics-log-explained__preset-compensation = Izmerjena razpršitev: 68,3
 title-compensate-preset = Program za umerjanje
 title-match-interchangeable-head = Uskladitev menjalne glave
 title-compensate-drift = Izravnava zdrsa
+
+# --- kinematics ---
+message-kinematics-limit-exceeded = Podatki o kinematiki se spremenijo za več, kot dovoljuje mejna vrednost. Prevzem potrdite z NC-zagonom.
+message-delete-saved-kinematics = Imenu ustreza več shranjenih kinematik. Potrdite, da se izbrišejo vse.

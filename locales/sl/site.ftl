@@ -3,6 +3,7 @@
 site-language-name = slovenščina
 site-skip = Preskočite na vsebino
 site-manual = Priročnik za cikle
+site-draft = Osnutek: besedila v oklepajih ⟦ ⟧ še niso prevedena.
 site-overview = Pregled
 site-languages = Jeziki
 site-controls = Krmiljenja

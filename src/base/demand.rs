@@ -156,22 +156,3 @@ impl<K: Ord + fmt::Debug, V: fmt::Debug> fmt::Debug for OnDemand<K, V> {
         f.debug_map().entries(self.iter()).finish()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_value_is_made_when_it_is_asked_for_and_kept() {
-        let map = OnDemand::new([1, 2, 3], |key: &u32| (*key != 2).then(|| key * 10));
-        assert_eq!(map.len(), 3);
-        assert_eq!(map.made().count(), 0);
-        assert_eq!(map.get(&3), Some(&30));
-        assert_eq!(map.get(&2), None);
-        assert_eq!(map.get(&4), None);
-        assert_eq!(map.made().collect::<Vec<_>>(), [&2, &3]);
-        assert_eq!(map.values().collect::<Vec<_>>(), [&10, &30]);
-        let deferred: Deferred<String> = Deferred::new(|| "made".to_owned());
-        assert_eq!(deferred.len(), 4);
-    }
-}

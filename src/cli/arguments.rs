@@ -11,6 +11,7 @@ use crate::language::locale::{Args, Ui};
 
 pub(super) const DATA: &str = "data";
 pub(super) const UI_LANGUAGE: &str = "ui-lang";
+pub(super) const PSEUDO: &str = "pseudo";
 const FORMAT: &str = "format";
 const FAIL_ON: &str = "fail-on";
 
@@ -47,6 +48,13 @@ pub(super) fn data(ui: &Ui) -> Arg {
 /// `--ui-lang LANG`, before or after the command.
 pub(super) fn ui_language(ui: &Ui) -> Arg {
     option(ui, UI_LANGUAGE, "LANG").global(true)
+}
+
+/// `--pseudo[=KIND]`, before or after the command.
+pub(super) fn pseudo(ui: &Ui) -> Arg {
+    let kinds = PossibleValuesParser::new(["accents", "bidi"]);
+    let arg = option(ui, PSEUDO, "KIND").global(true).value_parser(kinds).hide_possible_values(true);
+    arg.num_args(0..=1).require_equals(true).default_missing_value("accents")
 }
 
 /// One program.

@@ -6,15 +6,16 @@ use clap::ArgMatches;
 
 use super::progress::Progress;
 use super::session::{self, Session};
-use super::{Command, Failure, Outcome, arguments, cycle};
+use super::{Command, Failure, Outcome, arguments, cycle, texts};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::{Args, Ui};
 use crate::output::manual::{Book, Request, Site};
 use crate::system::{self, Staged};
+use crate::tools::exchange;
 
 pub(super) const COMMAND: Command = Command {
     name: "build",
-    usage: "[--out DIR] [--control CONTROL]… [--lang LANG]… [--format FORMAT] [--base-url URL]",
+    usage: "[--out DIR] [--control CONTROL]… [--lang LANG]… [--format FORMAT] [--base-url URL] [--draft]",
     arguments: own,
     run,
 };
@@ -29,13 +30,19 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::several(ui, "lang", "LANG", "cli-build-lang"),
         arguments::valued(ui, "format", "FORMAT", "cli-build-format").value_parser(["html", "epub"]),
         arguments::valued(ui, "base-url", "URL", "cli-build-base-url"),
+        arguments::switch(ui, "draft", "cli-build-draft"),
     ]
 }
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
+    let mut languages = arguments::all(matches, "lang");
+    let is_draft = matches.get_flag("draft");
+    if is_draft {
+        draft(session, &languages)?;
+    }
     let (catalogue, locales) = (session.whole_catalogue()?, session.whole_locales()?);
     let files = session.files()?;
-    let languages = arguments::all(matches, "lang");
+    languages.extend(session.pseudo().filter(|_| languages.is_empty()).map(|kind| kind.tag().to_owned()));
     let controls = cycle::controls(&catalogue, &arguments::all(matches, "control"))?;
     for tag in &languages {
         cycle::language(&locales, tag)?;
@@ -54,6 +61,9 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         base_url,
     };
     let mut site = Site::new(&request).map_err(session::in_texts(&locales))?;
+    if is_draft {
+        site.mark_as_draft();
+    }
     if matches.get_one::<String>("format").is_some_and(|format| format == "epub") {
         let books = site.books().map_err(session::in_texts(&locales))?;
         return write_books(session, Path::new(out), &books);
@@ -83,6 +93,18 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let line = session.ui.text("cli-built", &args.text("path", index));
     session.output.remark(&line);
     Ok(Outcome::Clean)
+}
+
+/// Fills the gaps of one language with the source texts, marked.
+fn draft(session: &mut Session, languages: &[String]) -> Result<(), Failure> {
+    let [tag] = languages else { return Err(Diagnostic::global("draft-language").into()) };
+    let tag = texts::translation(tag)?;
+    let (files, missing) = exchange::draft(&session.files()?, &tag)?;
+    session.replace(files);
+    let args = Args::new().text("language", tag).number("count", missing as f64);
+    let line = session.ui.text("cli-draft", &args);
+    session.output.remark(&line);
+    Ok(())
 }
 
 /// Writes each book as a file of its own. What else is in the directory stays.

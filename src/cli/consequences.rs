@@ -97,28 +97,3 @@ pub(super) fn by_file(found: &[Diagnostic], ui: &Ui) -> String {
     };
     counts.into_iter().map(line).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::base::diag::Source;
-
-    #[test]
-    fn uses_of_an_unknown_meaning_follow_from_it() {
-        let text = "parameters:\n  - {q: Q900, is: pause}\n  - {q: Q90, is: depth}\nrun: Q900 + Q90\n";
-        let source = Source::new("a.yaml", text);
-        let at = |word: &str| {
-            let start = text.find(word).unwrap_or_default();
-            Place::new(&source, start..start + word.len())
-        };
-        let mut found = vec![
-            Diagnostic::error(CAUSE, at("pause")).arg("name", "pause"),
-            Diagnostic::error("plan-unknown-name", at("Q900 +")).arg("name", "Q900"),
-            Diagnostic::error("plan-unknown-name", at("Q90\n")).arg("name", "Q90"),
-        ];
-        without_uses(&mut found);
-        let left: Vec<_> = found.iter().map(|finding| finding.code).collect();
-        assert_eq!(left, [CAUSE, "plan-unknown-name"]);
-        assert!(matches!(found[1].get("name"), Some(Arg::Text(name)) if name == "Q90"));
-    }
-}

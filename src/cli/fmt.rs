@@ -154,15 +154,3 @@ fn difference(path: &str, old: &str, new: &str) -> String {
     }
     text
 }
-
-#[cfg(test)]
-mod tests {
-    use super::difference;
-
-    #[test]
-    fn a_difference_names_its_lines() {
-        let head = "--- a\n+++ a\n";
-        assert_eq!(difference("a", "1\nb\nc\n", "1\n2\nc\n"), format!("{head}@@ -2,1 +2,1 @@\n-b\n+2\n"));
-        assert_eq!(difference("a", "1\nb\nc\n", "1\nc\n"), format!("{head}@@ -2,1 +2,0 @@\n-b\n"));
-    }
-}

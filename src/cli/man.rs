@@ -19,7 +19,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 }
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
-    let locales = interface();
+    let locales = interface(None);
     let root = usage::command_line(&Ui::source(&locales));
     let Some(out) = matches.get_one::<String>("out") else {
         let text = page(root)?;

@@ -70,37 +70,3 @@ pub(super) fn file(
     original.store(&mended, against)?;
     Ok((mended.findings(check::check_in(&mended.program, against, project)), edits.len()))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::base::data;
-    use crate::check::LabelBook;
-    use crate::language::locale::Locales;
-    use crate::spec::Catalogue;
-
-    #[test]
-    fn a_file_that_somebody_changed_meanwhile_is_left_alone() {
-        let files = data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files);
-        let on = catalogue.on("tnc640").unwrap();
-        let labels = LabelBook::new(on, &locales);
-        let against =
-            Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
-        let scratch = tempfile::tempdir().unwrap();
-        let path = scratch.path().join("a.h");
-        let (old, new) = ("1 L X+5 FMAX\n", "1  L X+5 FMAX\n");
-        let understood = |text: &str| program::understood_bytes(&path, text.into(), against.catalogue);
-        let put = |text: &str| {
-            std::fs::write(&path, text).unwrap();
-            let original = Original::of(&path, Seen::of(&path, old.as_bytes()), &understood(old), &against);
-            original.store(&understood(new), &against)
-        };
-        let Err(Failure::Trouble(trouble)) = put("1 L X+6 FMAX\n") else { panic!("it was written") };
-        assert_eq!(trouble.code, "fix-file-changed");
-        assert_eq!(std::fs::read_to_string(&path).unwrap(), "1 L X+6 FMAX\n");
-        assert!(put(old).is_ok());
-        assert_eq!(std::fs::read_to_string(&path).unwrap(), new);
-    }
-}

@@ -55,6 +55,7 @@ use clap::ArgMatches;
 use crate::base::diag::Diagnostic;
 use crate::language::locale::Ui;
 use crate::system;
+use crate::tools::exchange::Pseudo;
 use session::{Output, Session};
 
 /// How a command ended.
@@ -136,9 +137,10 @@ const EXIT_TROUBLE: u8 = 2;
 pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
     system::outlive_limits();
     let words: Vec<OsString> = words.into_iter().collect();
-    let locales = session::interface();
+    let pseudo = usage::pseudo(&words);
+    let locales = session::interface(pseudo);
     let mut output = Output::new();
-    let asked = usage::interface_language(&words);
+    let asked = usage::interface_language(&words).or_else(|| pseudo.map(|kind| kind.tag().to_owned()));
     let environment = ["LC_ALL", "LC_MESSAGES", "LANG"].map(system::variable);
     let environment: Vec<Option<&str>> = environment.iter().map(Option::as_deref).collect();
     let ui = match Ui::new(&locales, asked.as_deref(), &environment) {
@@ -150,7 +152,7 @@ pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let result = match usage::command_line(&ui).try_get_matches_from(words) {
-        Ok(matches) => carry_out(&ui, &mut output, &matches),
+        Ok(matches) => carry_out(&ui, &mut output, &matches, pseudo),
         Err(error) => usage::explain(&error, &ui, &mut output),
     };
     let result = result.and_then(|outcome| output.finish().map(|()| outcome));
@@ -168,11 +170,11 @@ pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-fn carry_out(ui: &Ui, output: &mut Output, matches: &ArgMatches) -> Result<Outcome, Failure> {
+fn carry_out(ui: &Ui, output: &mut Output, matches: &ArgMatches, pseudo: Option<Pseudo>) -> Result<Outcome, Failure> {
     let Some((name, own)) = matches.subcommand() else { return Ok(Outcome::Clean) };
     let Some(command) = COMMANDS.iter().find(|command| command.name == name) else { return Ok(Outcome::Clean) };
     let data = matches.get_one::<std::path::PathBuf>(arguments::DATA);
-    let mut session = Session::new(*ui, output, data.map(std::path::PathBuf::as_path));
+    let mut session = Session::new(*ui, output, data.map(std::path::PathBuf::as_path)).with_pseudo(pseudo);
     let outcome = (command.run)(&mut session, own);
     session.sound().and(outcome)
 }

@@ -452,21 +452,3 @@ impl Project for CheckedProgram<'_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_file_has_one_path_and_standard_input_has_none() {
-        let given = ["-", "Cargo.toml", "-", "./Cargo.toml", "src/../Cargo.toml"];
-        let library = Library::new(given.into_iter().map(PathBuf::from).collect());
-        let path = library.spelled(Path::new("Cargo.toml"));
-        assert!(path.is_absolute());
-        assert!(given.iter().filter(|own| **own != "-").all(|own| library.spelled(Path::new(own)) == path));
-        assert_eq!(library.spelled(Path::new("-")), Path::new("-"));
-        assert!(matches!(library.file(Path::new("-"), "sub"), Found::Unknown));
-        assert!(matches!(library.file(&path, "none"), Found::Missing));
-        assert!(matches!(library.file(&path, "CARGO.LOCK"), Found::File(lock) if lock.ends_with("Cargo.lock")));
-    }
-}

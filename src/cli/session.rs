@@ -14,6 +14,7 @@ use crate::language::locale::render::{render, to_json_line};
 use crate::language::locale::{Args, Locales, Ui};
 use crate::spec::Catalogue;
 use crate::system;
+use crate::tools::exchange::{self, Pseudo};
 
 /// The directories of a working copy that hold data.
 const TOPS: [&str; 3] = ["cycle-specs", "locales", "templates"];
@@ -23,15 +24,17 @@ const OF_ENGINE: [&str; 2] = ["cycle-specs/machines/", "templates/logs/"];
 const INTERFACE: [&str; 5] = ["diag-", "explain-", "cli", "interface", "units"];
 
 /// The program's own texts, in all languages.
-pub(super) fn interface() -> Locales {
-    if let Some(data) = data::prepared() {
+pub(super) fn interface(pseudo: Option<Pseudo>) -> Locales {
+    if let Some(data) = data::prepared().filter(|_| pseudo.is_none()) {
         return Locales::open(data);
     }
-    let files = data::embedded();
-    let own = files.iter().filter(|(path, _)| {
+    let mut files = data::embedded();
+    files.retain(|(path, _)| {
         path.rsplit('/').next().is_some_and(|name| INTERFACE.iter().any(|prefix| name.starts_with(prefix)))
     });
-    Locales::load(own.map(|(path, text)| (path, text))).0
+    let more = pseudo.map_or_else(Vec::new, |kind| exchange::pseudo(&files, kind));
+    files.extend(more);
+    Locales::load(files.iter().map(|(path, text)| (path, text))).0
 }
 
 /// Standard output, buffered, and standard error.
@@ -106,6 +109,9 @@ pub(super) struct Session<'s> {
     pub(super) ui: Ui<'s>,
     pub(super) output: &'s mut Output,
     data: Option<&'s Path>,
+    pseudo: Option<Pseudo>,
+    /// Whether the files are not those of the data.
+    is_replaced: bool,
     files: OnceCell<Rc<Files>>,
     /// What is found in data while the command reads them.
     mistakes: RefCell<Vec<Mistakes>>,
@@ -113,7 +119,24 @@ pub(super) struct Session<'s> {
 
 impl<'s> Session<'s> {
     pub(super) fn new(ui: Ui<'s>, output: &'s mut Output, data: Option<&'s Path>) -> Self {
-        Self { ui, output, data, files: OnceCell::new(), mistakes: RefCell::default() }
+        let (files, mistakes) = (OnceCell::new(), RefCell::default());
+        Self { ui, output, data, pseudo: None, is_replaced: false, files, mistakes }
+    }
+
+    /// The same with a pseudo-language among the others.
+    pub(super) fn with_pseudo(self, pseudo: Option<Pseudo>) -> Self {
+        Self { pseudo, ..self }
+    }
+
+    /// The pseudo-language that was asked for.
+    pub(super) const fn pseudo(&self) -> Option<Pseudo> {
+        self.pseudo
+    }
+
+    /// Uses other files than those of the data from now on.
+    pub(super) fn replace(&mut self, files: Files) {
+        self.files = OnceCell::from(Rc::new(files));
+        self.is_replaced = true;
     }
 
     /// The directory of the working copy, if one is used instead of the embedded data.
@@ -126,10 +149,12 @@ impl<'s> Session<'s> {
         if let Some(files) = self.files.get() {
             return Ok(Rc::clone(files));
         }
-        let files = match self.data {
+        let mut files = match self.data {
             None => data::embedded(),
             Some(root) => working_copy(root)?,
         };
+        let more = self.pseudo.map_or_else(Vec::new, |kind| exchange::pseudo(&files, kind));
+        files.extend(more);
         Ok(Rc::clone(self.files.get_or_init(|| Rc::new(files))))
     }
 
@@ -142,7 +167,7 @@ impl<'s> Session<'s> {
 
     /// The embedded files as they were prepared, if they are what everything is made from.
     fn prepared(&self) -> Option<&'static Prepared> {
-        data::prepared().filter(|_| self.data.is_none())
+        data::prepared().filter(|_| self.data.is_none() && self.pseudo.is_none() && !self.is_replaced)
     }
 
     /// The catalogue: of the embedded files, which were checked when they were made, what is asked for; of a working

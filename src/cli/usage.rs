@@ -7,11 +7,12 @@ use std::ffi::OsString;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction};
 
-use super::arguments::{self, UI_LANGUAGE};
+use super::arguments::{self, PSEUDO, UI_LANGUAGE};
 use super::session::Output;
 use super::{COMMANDS, Command, Failure, Outcome};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::{Args, Ui};
+use crate::tools::exchange::Pseudo;
 
 /// Columns of the help where the width of the terminal is not known, and at most.
 const WIDTH: usize = 100;
@@ -32,6 +33,17 @@ pub(super) fn interface_language(words: &[OsString]) -> Option<String> {
     None
 }
 
+/// The pseudo-language asked for by `--pseudo`, looked for in the same way.
+pub(super) fn pseudo(words: &[OsString]) -> Option<Pseudo> {
+    let words = words.iter().map(|word| word.to_string_lossy()).take_while(|word| word != "--");
+    let mut kinds = words.filter_map(|word| match word.strip_prefix("--")?.strip_prefix(PSEUDO)? {
+        "" | "=accents" => Some(Pseudo::Accents),
+        "=bidi" => Some(Pseudo::Bidi),
+        _ => None,
+    });
+    kinds.next()
+}
+
 /// The whole command line.
 pub(super) fn command_line(ui: &Ui) -> clap::Command {
     let about = ui.text("cli-about", &Args::new());
@@ -47,6 +59,7 @@ pub(super) fn command_line(ui: &Ui) -> clap::Command {
         .subcommand_required(true)
         .arg(arguments::data(ui))
         .arg(arguments::ui_language(ui))
+        .arg(arguments::pseudo(ui))
         .arg(flag(ui, "version", 'V', ArgAction::Version))
         .subcommands(commands);
     headed(root, ui)

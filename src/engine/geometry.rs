@@ -116,6 +116,20 @@ impl RotaryAxis {
     }
 }
 
+/// The tip of a tool across a rotary axis of the table: what cylinder coordinates are to the workpiece.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Around {
+    /// The coordinate of the rotary axis in the program, degrees.
+    pub turn: f64,
+    /// How far the tool is beside the rotary axis, mm; positive in the direction in which a growing coordinate takes the
+    /// tool over the workpiece.
+    pub across: f64,
+    /// The position along the rotary axis, mm from the datum; positive as the letter of the axis counts.
+    pub along: f64,
+    /// The distance from the rotary axis in the direction of the tool, mm.
+    pub height: f64,
+}
+
 /// The working plane that belongs to a tool axis: main and secondary axis turn right-handed about it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WorkingPlane {

@@ -38,7 +38,11 @@ pub fn next_line() -> Result<Option<String>, Trouble> {
     line_of(&mut io::stdin().lock()).map_err(|error| Trouble::new("io-read", Path::new("-"), &error))
 }
 
-fn line_of(input: &mut impl BufRead) -> io::Result<Option<String>> {
+/// The next line of an input, as [`next_line`] takes them.
+///
+/// # Errors
+/// Those of the input.
+pub fn line_of(input: &mut impl BufRead) -> io::Result<Option<String>> {
     let first = line(input)?;
     if first.len() <= LONGEST_LINE || first.ends_with(b"\n") {
         return Ok((!first.is_empty()).then(|| text(&first)));
@@ -185,30 +189,5 @@ fn take_in(output: ChildStdout, tell: &SyncSender<Option<String>>) {
         if line.is_empty() || tell.send((!too_long).then(|| text(&line))).is_err() || too_long {
             return;
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_line_is_taken_whatever_bytes_it_has() {
-        let mut input = &b"{\"a\"}\r\n\xff\xfe\n\nlast"[..];
-        let mut next = || line_of(&mut input).unwrap();
-        assert_eq!(next().as_deref(), Some("{\"a\"}"));
-        assert_eq!(next().as_deref(), Some("\u{fffd}\u{fffd}"));
-        assert_eq!(next().as_deref(), Some(""));
-        assert_eq!(next().as_deref(), Some("last"));
-        assert_eq!(next(), None);
-    }
-
-    #[test]
-    fn a_line_that_is_too_long_is_passed_over() {
-        let mut input = io::BufReader::new(io::repeat(b'a').take(LONGEST_LINE as u64 * 3).chain(&b"\nnext\n"[..]));
-        assert_eq!(line_of(&mut input).unwrap().as_deref(), Some(""));
-        assert_eq!(line_of(&mut input).unwrap().as_deref(), Some("next"));
-        let mut longest = io::BufReader::new(io::repeat(b'a').take(LONGEST_LINE as u64).chain(&b"\n"[..]));
-        assert_eq!(line_of(&mut longest).unwrap().map(|line| line.len()), Some(LONGEST_LINE));
     }
 }

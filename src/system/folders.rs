@@ -143,36 +143,3 @@ impl Folder {
         self.files.get(&name.to_ascii_lowercase())?.first().map(|own| self.directory.join(own))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_file_is_found_in_any_case_and_a_directory_is_none() {
-        let root = tempfile::tempdir().unwrap();
-        let names = |folder: &Folder, name| folder.file(name).map(|path| path.file_name().unwrap().to_owned());
-        fs::create_dir(root.path().join("dir.h")).unwrap();
-        for name in ["Part.H", "other.i"] {
-            fs::write(root.path().join(name), "").unwrap();
-        }
-        let folder = Folder::of(root.path()).unwrap();
-        assert_eq!(names(&folder, "pART.h").unwrap(), "Part.H");
-        assert_eq!(names(&folder, "OTHER.I").unwrap(), "other.i");
-        assert_eq!(names(&folder, "dir.h"), None);
-        assert!(Folder::of(&root.path().join("none")).is_err());
-    }
-
-    #[test]
-    fn a_path_has_one_spelling() {
-        let root = tempfile::tempdir().unwrap();
-        let folder = root.path().join("a");
-        fs::create_dir(&folder).unwrap();
-        let own = spelled(&folder.join("x.h"));
-        assert_eq!(spelled(&folder.join("../a/./x.h")), own);
-        assert_eq!(spelled(Path::new("Cargo.toml")), spelled(Path::new("./Cargo.toml")));
-        // A file without a directory has neighbours without one.
-        assert!(beside(Path::new("Cargo.toml"), "lock").unwrap().contains(&PathBuf::from("Cargo.lock")));
-        assert!(beside(Path::new("./Cargo.toml"), "toml").unwrap().iter().all(|path| path.starts_with(".")));
-    }
-}

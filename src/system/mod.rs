@@ -16,9 +16,9 @@ use std::{env, fs};
 
 use crate::base::diag::Diagnostic;
 
-pub use answering::{Answering, LONGEST_LINE, NoAnswer, next_line};
+pub use answering::{Answering, LONGEST_LINE, NoAnswer, line_of, next_line};
 pub use folders::{Below, Folder, beside, files_below, nearest, seen_from, spelled};
-pub use replace::{Seen, write, write_parts};
+pub use replace::{Seen, write, write_all, write_parts};
 pub use staged::Staged;
 
 /// So many bytes are read from standard input, a pipe or a device.

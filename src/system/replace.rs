@@ -100,26 +100,73 @@ fn put_parts<'p>(file: impl io::Write, mut parts: impl Iterator<Item = &'p [u8]>
     file.flush()
 }
 
+/// A new file next to the one whose place it will take.
+struct Beside {
+    target: PathBuf,
+    file: tempfile::NamedTempFile,
+    /// Whether there is an old one.
+    known: bool,
+    /// Dropped last, when the file is gone.
+    _leftover: leftover::Leftover,
+}
+
+/// Writes several files so that either all of them are the new ones or none is.
+///
+/// # Errors
+/// `io-write` with the first that cannot be written; all are then as they were, new ones are gone.
+pub fn write_all(files: &[(PathBuf, &[u8])]) -> Result<(), Trouble> {
+    let trouble = |path: &Path, error: &io::Error| Trouble::new("io-write", path, error);
+    let mut ready = Vec::new();
+    for (path, bytes) in files {
+        let old = fs::read(path).ok();
+        ready.push((beside(path, iter::once(*bytes)).map_err(|error| trouble(path, &error))?, old));
+    }
+    place_all(&ready).map_err(|(at, error)| trouble(files.get(at).map_or(Path::new(""), |(path, _)| path), &error))?;
+    for (new, _) in &ready {
+        sync_directory(parent(&new.target)).map_err(|error| trouble(&new.target, &error))?;
+    }
+    Ok(())
+}
+
+/// Puts the new files in their places; if one cannot be, those before it go back, and its number is reported.
+fn place_all(ready: &[(Beside, Option<Vec<u8>>)]) -> Result<(), (usize, io::Error)> {
+    leftover::undisturbed(|| {
+        for (at, (new, _)) in ready.iter().enumerate() {
+            let swapped = if new.known { exchange(new.file.path(), &new.target) } else { Ok(false) };
+            let put = swapped.and_then(|swapped| match swapped {
+                true => Ok(()),
+                false => fs::rename(new.file.path(), &new.target),
+            });
+            if let Err(error) = put {
+                ready.iter().take(at).rev().for_each(|(done, old)| done.take_back(old.as_deref()));
+                return Err((at, error));
+            }
+        }
+        Ok(())
+    })
+}
+
+impl Beside {
+    /// Puts the old file back.
+    fn take_back(&self, old: Option<&[u8]>) {
+        let is_old = |path: &Path| fs::read(path).ok().as_deref() == old;
+        // There is no one left to report a second failure to: the first one is reported.
+        let _ = match old {
+            None => fs::remove_file(&self.target),
+            Some(_) if is_old(&self.target) => Ok(()),
+            Some(_) if is_old(self.file.path()) => exchange(self.file.path(), &self.target).map(|_| ()),
+            Some(bytes) => fs::write(&self.target, bytes),
+        };
+    }
+}
+
 /// Whether the file was replaced; it is not if it is another one than was read.
 fn write_beside<'p>(path: &Path, from: Option<&Seen>, parts: impl Iterator<Item = &'p [u8]>) -> io::Result<bool> {
     // A device such as /dev/stdout or a pipe cannot be replaced by renaming.
     if is_no_file(path) {
         return put_parts(fs::File::create(path)?, parts).map(|()| true);
     }
-    let target = target(path)?;
-    let known = fs::metadata(&target).ok();
-    if known.is_some() {
-        // Whoever may rename in a directory may not change every file in it.
-        fs::OpenOptions::new().write(true).open(&target)?;
-    }
-    leftover::clear(parent(&target));
-    let (_leftover, mut file) = leftover::make(|| temporary(parent(&target)), |file| Made::at(file.path()))?;
-    put_parts(&mut file, parts)?;
-    if let Some(known) = &known {
-        keep_owner(file.as_file(), known);
-        file.as_file().set_permissions(known.permissions())?;
-    }
-    file.as_file().sync_all()?;
+    let Beside { target, file, known, _leftover } = beside(path, parts)?;
     // Nothing that takes time comes between this and the exchange.
     if let Some(from) = from
         && !from.is_unchanged(&target)?
@@ -127,11 +174,30 @@ fn write_beside<'p>(path: &Path, from: Option<&Seen>, parts: impl Iterator<Item 
         return Ok(false);
     }
     let replaced = match from {
-        Some(from) if known.is_some() => exchange_if_unchanged(file, &target, from)?,
+        Some(from) if known => exchange_if_unchanged(file, &target, from)?,
         _ => file.persist(&target).map(|_| true).map_err(|error| error.error)?,
     };
     sync_directory(parent(&target))?;
     Ok(replaced)
+}
+
+/// Writes the new file next to the old one, whole and on the disk.
+fn beside<'p>(path: &Path, parts: impl Iterator<Item = &'p [u8]>) -> io::Result<Beside> {
+    let target = target(path)?;
+    let known = fs::metadata(&target).ok();
+    if known.is_some() {
+        // Whoever may rename in a directory may not change every file in it.
+        fs::OpenOptions::new().write(true).open(&target)?;
+    }
+    leftover::clear(parent(&target));
+    let (leftover, mut file) = leftover::make(|| temporary(parent(&target)), |file| Made::at(file.path()))?;
+    put_parts(&mut file, parts)?;
+    if let Some(known) = &known {
+        keep_owner(file.as_file(), known);
+        file.as_file().set_permissions(known.permissions())?;
+    }
+    file.as_file().sync_all()?;
+    Ok(Beside { target, file, known: known.is_some(), _leftover: leftover })
 }
 
 /// Puts the new file in the place of the old one, and back if the old one turns out to have changed in between.
@@ -221,74 +287,4 @@ fn temporary(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
 #[cfg(not(unix))]
 fn temporary(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
     tempfile::Builder::new().prefix(leftover::PREFIX).tempfile_in(directory)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::read;
-    use super::*;
-
-    #[test]
-    fn a_file_is_replaced_whole_and_keeps_its_permissions() {
-        let root = tempfile::tempdir().unwrap();
-        let path = root.path().join("a.h");
-        write(&path, b"one").unwrap();
-        write(&path, b"two").unwrap();
-        assert_eq!(read(&path).unwrap(), b"two");
-        assert_eq!(fs::read_dir(root.path()).unwrap().count(), 1);
-        let missing = read(&root.path().join("none")).unwrap_err();
-        assert_eq!(missing.reason, "not-found");
-        assert!(write(&root.path().join("none/a.h"), b"").is_err());
-    }
-
-    #[test]
-    fn what_was_read_is_replaced_only_as_it_was_read() {
-        let root = tempfile::tempdir().unwrap();
-        let (path, other) = (root.path().join("a.h"), root.path().join("b.h"));
-        let replace = |target: &Path, seen: &Seen| write_parts(target, Some(seen), iter::once(&b"new"[..]));
-        fs::write(&path, "old").unwrap();
-        let seen = Seen::of(&path, b"old");
-        // Another one may be any.
-        fs::write(&other, "any").unwrap();
-        replace(&other, &seen).unwrap();
-        // Somebody writes while the new one is written.
-        let parts = [&b"n"[..], b"ew"].into_iter().inspect(|part| {
-            if *part == b"ew" {
-                fs::write(&path, "theirs").unwrap();
-            }
-        });
-        assert_eq!(write_parts(&path, Some(&seen), parts).unwrap_err().code, "fix-file-changed");
-        assert_eq!(read(&path).unwrap(), b"theirs");
-        assert_eq!(replace(&root.path().join("./a.h"), &seen).unwrap_err().code, "fix-file-changed");
-        fs::write(&path, "old").unwrap();
-        replace(&path, &seen).unwrap();
-        assert_eq!(read(&path).unwrap(), b"new");
-        assert_eq!(fs::read_dir(root.path()).unwrap().count(), 2, "nothing temporary is left");
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn links_stay_and_what_they_name_is_written() {
-        use std::os::unix::fs::symlink;
-        let root = tempfile::tempdir().unwrap();
-        let at = |name: &str| root.path().join(name);
-        fs::create_dir(at("deep")).unwrap();
-        symlink("deep/second", at("first")).unwrap();
-        symlink("../a.h", at("deep/second")).unwrap();
-        for text in [&b"one"[..], b"two"] {
-            write(&at("first"), text).unwrap();
-            assert_eq!(read(&at("a.h")).unwrap(), text);
-        }
-        let seen = Seen::of(&at("a.h"), b"two");
-        fs::write(at("a.h"), "theirs").unwrap();
-        let replaced = write_parts(&at("first"), Some(&seen), iter::once(&b"three"[..]));
-        assert_eq!(replaced.unwrap_err().code, "fix-file-changed");
-        symlink("loop", at("loop")).unwrap();
-        assert!(write(&at("loop"), b"").is_err());
-        symlink("none/a.h", at("nowhere")).unwrap();
-        assert!(write(&at("nowhere"), b"").is_err());
-        for link in ["first", "deep/second", "loop", "nowhere"] {
-            assert!(fs::symlink_metadata(at(link)).unwrap().is_symlink(), "{link}");
-        }
-    }
 }

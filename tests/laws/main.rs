@@ -7,16 +7,20 @@ mod built;
 #[path = "../support/cases.rs"]
 mod cases;
 mod contours;
+mod cylinder;
+mod digitizing;
 mod drilling;
 mod envelope;
 #[path = "../support/in_inches.rs"]
 mod in_inches;
 mod inch;
+mod kinematics;
 mod machining;
 mod measuring;
 mod milling;
 mod patterns;
 mod probing;
+mod recess;
 mod region;
 mod rotary;
 mod special_cycles;
@@ -28,4 +32,6 @@ mod tool_setter;
 mod touch;
 mod transforms;
 mod turning;
+mod turning_contours;
+mod turning_threads;
 mod worked;

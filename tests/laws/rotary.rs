@@ -226,3 +226,63 @@ proptest! {
         prop_assert!(!table || near(stands(&events, 0.0), turn), "{}: {} is not {turn}", machine.name, stands(&events, 0.0));
     }
 }
+
+proptest! {
+    #![proptest_config(crate::cases::config(40))]
+
+    /// `TABLE ROT`: a table that stands level takes over the rotation of the plane, so that its main axis is that of the
+    /// machine and the axis ends at the angle of the plane; a table that is tilted is where it is without the words.
+    #[test]
+    fn a_level_table_turns_instead_of_the_coordinates(turn in -179..180_i32, tilt in 1..60_i32, datum in -40..40_i32) {
+        let machine = Machine::named("mill-table-ac", &built().files).expect("a machine");
+        let text = format!("scene: 1\nmachine: {}\ntools: [{{T: 1, L: 100, R: 5}}]\nstart: [0, 0, 300]\n", machine.name);
+        let program = |angle: i32, words: &str| format!(
+            "BEGIN PGM LAW MM\nTOOL CALL 1 Z S1000 F500\nCYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X+{}\n\
+             PLANE SPATIAL SPA+{angle} SPB+0 SPC{turn:+} TURN FMAX {words}\n\
+             L X+0 Y+0 Z+50 R0 FMAX\nL X+10 R0\nEND PGM LAW MM\n", datum.abs()
+        );
+        let ended = |program: &str| {
+            let (outcome, events) = run("tnc640", program, &text);
+            let places: Vec<_> = events.iter().filter_map(|event| match event {
+                EventKind::Move { machine, .. } => Some(*machine),
+                _ => None,
+            }).collect();
+            (outcome, places)
+        };
+        let (outcome, places) = ended(&program(0, "TABLE ROT"));
+        prop_assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+        let way = places[places.len() - 1] - places[places.len() - 2];
+        prop_assert!((way - glam::DVec3::X * 10.0).length() < 1e-9, "it went {way}");
+        let off = (outcome.angles.z - f64::from(turn)).rem_euclid(360.0);
+        prop_assert!(off.min(360.0 - off) < 1e-9, "C is at {}, not at {turn}", outcome.angles.z);
+        let tilted = [ended(&program(tilt, "TABLE ROT")), ended(&program(tilt, "COORD ROT"))];
+        prop_assert_eq!(tilted[0].0.status, Status::Done);
+        prop_assert!((tilted[0].0.angles - tilted[1].0.angles).length() < 1e-9);
+    }
+
+    /// `M130`: in a tilted plane a straight block leads where it leads without the tilt.
+    #[test]
+    fn untilted_blocks_go_where_they_go_without_a_tilt(
+        tilt in 1..60_i32, turn in -90..90_i32, x in -80..80_i32, y in -80..80_i32, z in 1..90_i32, shift in -30..30_i32
+    ) {
+        let machine = Machine::named("mill-table-ac", &built().files).expect("a machine");
+        let text = format!("scene: 1\nmachine: {}\ntools: [{{T: 1, L: 100, R: 5}}]\nstart: [0, 0, 300]\n", machine.name);
+        let ended = |plane: &str, word: &str| {
+            let program = format!(
+                "BEGIN PGM LAW MM\nTOOL CALL 1 Z S1000 F500\nCYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X{shift:+}\n{plane}\n\
+                 L X{x:+} Y{y:+} R0 FMAX {word}\nL Z{z:+} FMAX {word}\nEND PGM LAW MM\n"
+            );
+            let (outcome, events) = run("tnc640", &program, &text);
+            let last = events.iter().rev().find_map(|event| match event {
+                EventKind::Move { machine, .. } => Some(*machine),
+                _ => None,
+            });
+            (outcome, last.expect("a move"))
+        };
+        let plane = format!("PLANE SPATIAL SPA+{tilt} SPB+0 SPC{turn:+} TURN FMAX");
+        let (level, tilted) = (ended("", ""), ended(&plane, "M130"));
+        prop_assert_eq!(level.0.status, Status::Done);
+        prop_assert_eq!(tilted.0.status, Status::Done, "{:?}", tilted.0.fault);
+        prop_assert!((level.1 - tilted.1).length() < 1e-9, "{} is not {}", tilted.1, level.1);
+    }
+}

@@ -39,6 +39,7 @@ fn points(from: DVec3, leg: &Leg) -> Vec<DVec3> {
             };
             (1..=90).map(at).collect()
         }
+        Leg::InStep { here, .. } => vec![here],
     }
 }
 
@@ -63,6 +64,7 @@ fn is_continuous(from: DVec3, legs: &[Leg]) -> bool {
                 ((here - centre).truncate().length() - (to - centre).truncate().length()).abs() < NEAR
             }
             Leg::Upright { centre, to, .. } => (here.distance(centre) - to.distance(centre)).abs() < NEAR,
+            Leg::InStep { .. } => false,
         };
         here = leg.end();
         ok
@@ -177,7 +179,7 @@ proptest! {
                     Leg::Line { to, .. } => ((*to - here).truncate().length(), here.z - to.z),
                     // Half a turn each, the last one a whole turn.
                     Leg::Arc { to, .. } => (std::f64::consts::PI * radius, here.z - to.z),
-                    Leg::Upright { .. } => panic!("{leg:?} is no leg of a plunge"),
+                    Leg::Upright { .. } | Leg::InStep { .. } => panic!("{leg:?} is no leg of a plunge"),
                 };
                 prop_assert!(drop <= way * angle.to_radians().tan() + NEAR, "{leg:?} from {here}");
                 here = leg.end();

@@ -254,6 +254,20 @@ fn c25(place: DVec2) -> Column {
     Some(vec![[-40.0, if far < 10.0 { -20.0 } else { 0.0 }]])
 }
 
+/// Two circles, radius 30 about (30, 30) and radius 20, 55 mm away from it at 60 degrees, and a channel of 20 between their
+/// centres: all corners of the pocket are outside corners of the material, so that a tool of radius 7.5 reaches them.
+fn c20(place: DVec2) -> Column {
+    let (centre, way) = (at(30.0, 30.0), at(0.5, 0.75_f64.sqrt()));
+    let arm = place - centre;
+    let (along, across) = (arm.dot(way), arm.perp_dot(way).abs());
+    let channel = (across - 10.0).max(-along).max(along - 55.0);
+    let pocket = (arm.length() - 30.0).min(arm.distance(way * 55.0) - 20.0).min(channel);
+    if pocket.abs() < EDGE {
+        return None;
+    }
+    Some(vec![[-40.0, if pocket < 0.0 { -20.0 } else { 0.0 }]])
+}
+
 const WORKED: &[Worked] = &[
     Worked { name: "c200", end: DVec3::new(90.0, 10.0, 250.0), part: c200 },
     Worked { name: "pattern", end: DVec3::new(90.0, 10.0, 100.0), part: pattern },
@@ -261,6 +275,8 @@ const WORKED: &[Worked] = &[
     Worked { name: "c210", end: DVec3::new(50.0, 50.0, 250.0), part: c210 },
     // The last hole: 35 mm from (90, 25) at 210 degrees.
     Worked { name: "circles", end: DVec3::new(59.689_110_867_544_6, 7.5, 250.0), part: circles },
+    // Where roughing ends the manual leaves open.
+    Worked { name: "c20", end: DVec3::new(f64::NAN, f64::NAN, 250.0), part: c20 },
     // The 25th line leads away from X+0 again; line and steps end a radius beside the surface and at its border.
     // Where the last wall is left the manual leaves open.
     Worked { name: "c21", end: DVec3::new(f64::NAN, f64::NAN, 250.0), part: c21 },
@@ -368,33 +384,50 @@ fn contours_of_formulas_leave_the_part_that_labels_leave() {
     assert_eq!(fault("DECLARE CONTOUR QC1 = \"SQUARE\"\nQC2 = QC1 \\ QC1"), "contour-not-defined");
 }
 
-/// Programs with contour cycles and cylinder surfaces stop where the first of them would move, and say so.
-#[test]
-fn contour_cycles_are_refused_by_name() {
-    let data = Data::new();
+/// A machine with a head B and a table C, as the programs on cylinders want it, and the cylinder: 80 high on the table.
+const HEAD_AND_TABLE: &str = "scene: 1\nmachine: {spindle: Z, pivot: 150, \
+    axes: [{axis: X, min: -1000, max: 1000, rapid: 20000}, {axis: Y, min: -1000, max: 1000, rapid: 20000}, {axis: Z, min: -1000, max: 1000, rapid: 15000}], \
+    rotary: [{axis: C, carries: workpiece, rapid: 7200}, {axis: B, carries: tool, min: -120, max: 120, rapid: 3600}]}\n\
+    tools: [{T: 1, L: 80, R: 3.5}]\nstart: [0, 0, 300]\nstock: {cylinder: {axis: Z, centre: [0, 0], diameter: 50, from: FROM, to: TO}}\n";
+
+/// A program as the manual prints it.
+fn printed(name: &str) -> String {
+    let head = format!("BEGIN PGM {name} MM");
     let text = include_str!("../manuals/001.txt");
-    for (name, code) in [
-        // Its contour is programmed with free elements.
-        ("C20", "unsupported-path"),
-        ("C27", "strategy-pending"),
-        ("C28", "strategy-pending"),
-    ] {
-        let head = format!("BEGIN PGM {name} MM");
-        let blocks = text.lines().filter_map(|line| line.split_once('\t')).map(|(_, block)| block.trim_end());
-        let mut program = String::new();
-        for block in blocks.skip_while(|block| !block.ends_with(&head)) {
-            program += &format!("{block}\n");
-            if block.contains("END PGM") {
-                break;
-            }
+    let blocks = text.lines().filter_map(|line| line.split_once('\t')).map(|(_, block)| block.trim_end());
+    let mut program = String::new();
+    for block in blocks.skip_while(|block| !block.ends_with(&head)) {
+        program += &format!("{block}\n");
+        if block.contains("END PGM") {
+            break;
         }
-        assert!(program.lines().count() > 10, "{name}: {program}");
-        // Cylinder surfaces need a rotary table.
-        let (outcome, _) = data.run(
-            &program,
-            "scene: 1\nmachine: mill-table-ac\ntools: [{T: 1, L: 80, R: 5, ANGLE: 10, LCUTS: 30}]\nstart: [0, 0, 300]\n",
-        );
-        let fault = outcome.fault.unwrap_or_else(|| panic!("{name} was executed"));
-        assert_eq!((&*fault.code, fault.class.status()), (code, outcome.status), "{name}: {fault:?}");
     }
+    program
+}
+
+/// Both programs on cylinders run to their end, without a rapid move through material, and leave the cylinder where the
+/// contours are not: a slot of 10, 7 deep, and a contour along whose inner side a tool of 7 goes.
+#[test]
+fn programs_on_cylinders_run_to_their_end() {
+    let data = Data::new();
+    for (name, misprint, from, to) in [("C27", ("", ""), 0, 80), ("C28", ("X+60 X+0", "X+60 Y+0"), -80, 0)] {
+        let program = printed(name).replace(misprint.0, misprint.1);
+        let scene = HEAD_AND_TABLE.replace("FROM", &from.to_string()).replace("TO", &to.to_string());
+        let (outcome, machined) = data.run(&program, &scene);
+        assert_eq!((outcome.status, outcome.fault), (Status::Done, None), "{name}");
+        let (_, report) = machined.expect("a stock");
+        assert!(report.findings.is_empty(), "{name}: {:?}", report.findings);
+        // Round the cylinder, the way times the width times the mean of the circumferences at floor and surface.
+        let wanted = match name {
+            // 3.5 beside the contour: a rectangle of 13 by 33 with corners of 4, and from the beginning to the end twice.
+            "C27" => (2.0 * (13.0 + 33.0) - 8.0 * 4.0 + 8.0 * std::f64::consts::PI) * 7.0,
+            // 35 along, an oblique piece of 20 by 17.5, 17.5 along, and half a tool at both ends.
+            _ => (35.0 + 17.5 + 17.5_f64.hypot(20.0) + 7.0) * 10.0,
+        } * 7.0;
+        let share = report.removed / wanted;
+        assert!((0.8..1.1).contains(&share), "{name}: {} of {wanted}", report.removed);
+    }
+    // The first block of the printed contour names X twice.
+    let (outcome, _) = data.run(&printed("C28"), &HEAD_AND_TABLE.replace("FROM", "-80").replace("TO", "0"));
+    assert_eq!(outcome.fault.map(|fault| fault.code.into_owned()).as_deref(), Some("contour-begin-incomplete"));
 }

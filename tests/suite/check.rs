@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::{env, fs};
 
 use ciklo::base::diag::{Diagnostic, Severity, Source};
+use ciklo::base::renamed;
 use ciklo::check::{
     ALLOW_CODES, Against, Called, Callee, Facts, LabelBook, Machine, Project, RULES, Rows, ToolName, check, check_in,
     named,
@@ -17,6 +18,8 @@ use ciklo::language::locale::{Locales, Ui};
 use ciklo::program::syntax::{Program, parse};
 use ciklo::spec::{Catalogue, OnControl};
 use proptest::prelude::*;
+
+use crate::cases;
 
 struct Data {
     catalogue: &'static Catalogue,
@@ -414,5 +417,54 @@ fn what_mistakes_are_planted_into_is_good() {
     for path in files("tests/check/planted", "h") {
         let found: String = found_in(&data, &path).iter().map(line).collect();
         assert_eq!(found, "", "{}", path.display());
+    }
+}
+
+#[test]
+fn old_names_of_codes_are_in_order_and_none_is_both_old_and_present() {
+    assert!(renamed::RENAMED.is_sorted_by(|one, next| one.0 < next.0), "{:?}", renamed::RENAMED);
+    for (old, new) in renamed::RENAMED {
+        assert_eq!((renamed::present(old), renamed::present(new)), (*new, *new));
+    }
+}
+
+/// The parameters of cycle 200 in the order of the control.
+const DRILLING: [&str; 8] = [
+    "Q200=2 ;SET-UP CLEARANCE",
+    "Q201=-15 ;DEPTH",
+    "Q206=250 ;FEED RATE FOR PLNGNG",
+    "Q202=5 ;PLUNGING DEPTH",
+    "Q210=0 ;DWELL TIME AT TOP",
+    "Q203=+20 ;SURFACE COORDINATE",
+    "Q204=100 ;2ND SET-UP CLEARANCE",
+    "Q211=0 ;DWELL TIME AT DEPTH",
+];
+
+/// How many numbers can stay where they are so that they rise, by trying every choice.
+fn most_that_rise(numbers: &[usize]) -> u32 {
+    let rises = |choice: u32| {
+        let kept = (0..numbers.len()).filter(|at| choice & 1 << at != 0).map(|at| numbers[at]);
+        kept.is_sorted()
+    };
+    (0..1_u32 << numbers.len()).filter(|choice| rises(*choice)).map(u32::count_ones).max().unwrap_or_default()
+}
+
+proptest! {
+    #![proptest_config(cases::config(60))]
+
+    /// A definition is in order, or one parameter is named that must move: the others have as long an order without it.
+    #[test]
+    fn the_parameter_that_is_named_is_one_that_must_move(order in Just((0..8_usize).collect::<Vec<_>>()).prop_shuffle()) {
+        let rows: String = order.iter().map(|own| format!("  {}\n", DRILLING[*own])).collect();
+        let text = format!("0 BEGIN PGM A MM\n1 CYCL DEF 200 DRILLING\n{rows}2 END PGM A MM\n");
+        let mut found = Data::new().check("tnc640", &parse(&Source::new("a.h", text)));
+        found.retain(|finding| finding.code == "misordered-parameter");
+        prop_assert_eq!(found.len(), usize::from(!order.is_sorted()));
+        if let Some(finding) = found.first() {
+            let line = finding.place.as_ref().expect("a place").start().line;
+            let mut others = order.clone();
+            others.remove(line - 3);
+            prop_assert_eq!(most_that_rise(&others), most_that_rise(&order));
+        }
     }
 }

@@ -12,8 +12,11 @@ use ciklo::language::locale::Locales;
 use ciklo::program::syntax::encoding::{Charset, Encoding};
 use ciklo::program::syntax::parse;
 use ciklo::spec::Catalogue;
-use ciklo::tools::compare::compare;
+use ciklo::tools::compare::{Difference, Statement, compare, statements};
 use ciklo::tools::translate::translate;
+use proptest::prelude::*;
+
+use crate::cases;
 
 const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
 
@@ -100,4 +103,94 @@ fn another_value_is_another_program() {
             assert!(!data.same(control, &text, &text.replacen(line, &changed, 1)), "{name}: {changed}");
         }
     }
+}
+
+/// Blocks of a program and what they are compared with: the same numbers, signs and blanks in another spelling.
+#[test]
+fn numbers_have_one_spelling() {
+    let data = Data::new();
+    for (written, same) in [
+        ("CALL  PGM TNC:\\A\\01.H ", "CALL PGM TNC:\\A\\01.H"),
+        ("L X+10.000 Y-0,50 F MAX M03", "L X10 Y-.5 FMAX M3"),
+        ("Q1 = + 5.", "q1 =5"),
+        ("Q1 = Q2 + 5", "Q1=Q2+5.0"),
+        ("Q1 = Q2 + +5", "Q1 = Q2 + 5"),
+        ("L X+Q1", "L XQ1"),
+        ("FN 0: Q1 = +-5", "FN 0: Q1 = -5"),
+        ("C X+1 DR+ R0", "C X1 DR+  R0"),
+    ] {
+        assert!(data.same("tnc640", &block(written), &block(same)), "{written}");
+    }
+}
+
+#[test]
+fn what_means_something_stays() {
+    let data = Data::new();
+    for (one, other) in [
+        ("CALL PGM 01", "CALL PGM 1"),
+        ("L X+10", "L X-10"),
+        ("L X+1", "L X+10"),
+        ("L X1 0", "L X10"),
+        ("C DR+", "C DR-"),
+        ("Q1 = Q2 + 3", "Q1 = Q2 - 3"),
+        ("Q1 = Q2 + 3", "Q1 = Q23"),
+        ("Q1 = Q2 + Q3", "Q1 = Q2 Q3"),
+        ("Q1 = PI + 3", "Q1 = PI 3"),
+        ("Q1 = ( 1 + 2 ) + 3", "Q1 = ( 1 + 2 ) 3"),
+        ("QS1 = \"a  b\"", "QS1 = \"a b\""),
+        ("QS1 = \"a\"", "QS1 = \"A\""),
+        ("LBL \"01\"", "LBL \"1\""),
+    ] {
+        assert!(!data.same("tnc640", &block(one), &block(other)), "{one}");
+    }
+}
+
+/// A program with that block.
+fn block(text: &str) -> String {
+    format!("0 BEGIN PGM A MM\n1 {text}\n2 END PGM A MM\n")
+}
+
+proptest! {
+    #![proptest_config(cases::config(150))]
+
+    /// What is not in a difference is equal in both programs, and a program has no difference from itself.
+    #[test]
+    fn between_the_differences_all_is_equal(
+        a in proptest::collection::vec(0..6_u8, 0..40),
+        b in proptest::collection::vec(0..6_u8, 0..40),
+    ) {
+        let program = |steps: &[u8]| {
+            let blocks: String = steps.iter().map(|step| format!("L X+{step}\n")).collect();
+            parse(&Source::new("a.h", format!("BEGIN PGM A MM\n{blocks}END PGM A MM\n")))
+        };
+        let (one, other) = (program(&a), program(&b));
+        Data::new().with("tnc640", |against| {
+            let found = compare(&one, &other, against);
+            let kept = |program, side: &dyn Fn(&Difference) -> Vec<usize>| {
+                let gone: Vec<usize> = found.iter().flat_map(side).collect();
+                let all = statements(program, against).into_iter();
+                all.filter(|own| !gone.contains(&own.line)).map(|own| own.text).collect::<Vec<_>>()
+            };
+            let lines = |own: &[Statement]| own.iter().map(|own| own.line).collect();
+            prop_assert_eq!(kept(&one, &|own| lines(&own.a)), kept(&other, &|own| lines(&own.b)));
+            prop_assert!(found.iter().all(|own| !own.a.is_empty() || !own.b.is_empty()));
+            prop_assert!(compare(&one, &one, against).is_empty());
+            Ok(())
+        })?;
+    }
+}
+
+/// Programs that have hardly a block in common are compared as quickly as others.
+#[test]
+fn long_programs_without_a_common_block_are_compared() {
+    let program = |step: &dyn Fn(usize) -> usize| {
+        let blocks: String = (0..20_000).map(|at| format!("L X+{}\n", step(at))).collect();
+        parse(&Source::new("a.h", format!("BEGIN PGM A MM\n{blocks}END PGM A MM\n")))
+    };
+    let differ = |one: &dyn Fn(usize) -> usize, other: &dyn Fn(usize) -> usize| {
+        let (one, other) = (program(one), program(other));
+        Data::new().with("tnc640", |against| !compare(&one, &other, against).is_empty())
+    };
+    assert!(differ(&|at| at % 7, &|at| (at * 3) % 11));
+    assert!(differ(&|at| at, &|at| 20_000 - at));
 }

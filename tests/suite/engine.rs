@@ -157,14 +157,14 @@ fn names_labels_and_axes_are_read_as_they_are_checked() {
     };
     // What is read goes on to the first thing that the engine does not have.
     let cases = [
-        (memory("QS409=\"AB\""), "strategy-pending"),
-        (memory("Q409=5"), "strategy-pending"),
+        (memory("QS409=\"AB\""), "kinematics-not-saved"),
+        (memory("Q409=5"), "kinematics-not-saved"),
         (memory("Q409=\"AB\""), "text-or-number"),
         (memory("QS409=5"), "text-or-number"),
         (contour("1/2/3"), ""),
         (contour("0/1"), "parameter-out-of-range"),
         (contour("1/2.5"), "field-unknown"),
-        (lines("ORDER: Y- / X-"), "strategy-pending"),
+        (lines("ORDER: Y- / X-"), "probe-missing"),
         (lines("ORDER: Y- / X"), "field-unknown"),
         (lines("ORDER: A- / X-"), "unsupported-axis"),
         (lines("ORDER: Y-"), "field-missing"),

@@ -1,6 +1,6 @@
 //! Texts on their way to translators and back: what is unchanged keeps every byte, what is not sound is refused.
 use ciklo::spec::Catalogue;
-use ciklo::tools::exchange::{self, Form, Imported, Why};
+use ciklo::tools::exchange::{self, Form, Imported, Why, markdown};
 
 const FORMS: [Form; 3] = [Form::Xliff, Form::Xliff2, Form::Po];
 const ENGLISH: &str = "# A comment.\na = Move to { $depth } at { $feed }.\nb =\n    First line\n    second line\n    .tip = Tip & \"more\"\nholes = { $count ->\n        [one] { $count } hole\n       *[other] { $count } holes\n    }\n-probe = touch probe\nc = The { -probe } waits.\n";
@@ -142,4 +142,263 @@ fn what_is_not_final_is_passed_over() {
         export(&files, "fi", Form::Xliff2).replace("state=\"final\"", "state=\"translated\"").replace("Aja ", "X ");
     let imported = import(&files, "fi", &text);
     assert_eq!((imported.passed_over, imported.taken.len(), imported.files.len()), (8, 0, 0));
+}
+
+/// A translation of texts of the shipped data into a language that has none yet.
+fn into_german(texts: &[(&str, &str)]) -> Imported {
+    let files = ciklo::base::data::embedded();
+    let (locales, _) = ciklo::language::locale::Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let units = exchange::units(&locales, &ciklo::language::locale::Meanings::new(), "de").unwrap();
+    let received = texts.iter().map(|(id, words)| {
+        let unit = units.iter().find(|unit| unit.id == *id).unwrap();
+        let target = Some(vec![exchange::Piece::Text((*words).to_owned())]);
+        let source = Some(unit.source.clone());
+        exchange::Received { id: unit.id.clone(), at: 0, is_final: true, source, target }
+    });
+    let (catalogue, _) = Catalogue::load(&files);
+    exchange::import(&catalogue, &files, "de", received.collect()).unwrap()
+}
+
+#[test]
+fn labels_of_a_new_language_obey_the_rules_of_the_controls() {
+    let long = "SICHERHEITSABSTAND ZUR OBERFLAECHE DES WERKSTUECKS";
+    let imported = into_german(&[
+        ("cycle-drilling", "Bohren"),
+        ("cycle-drilling.nc", "De BOHREN"),
+        ("cycle-reaming.nc", "REIBEN"),
+        ("parameter-depth.label", "TIEFE Ω"),
+        ("parameter-set-up-clearance.label", long),
+    ]);
+    let code = |refusal: &exchange::Refusal| match &refusal.why {
+        Why::Found(found) => (refusal.id.clone(), found.code),
+        other => panic!("{other:?}"),
+    };
+    let mut refused: Vec<(String, &str)> = imported.refused.iter().map(code).collect();
+    refused.sort();
+    let expected = [
+        ("cycle-drilling.nc", "label-lower-case"),
+        ("parameter-depth.label", "label-character"),
+        ("parameter-set-up-clearance.label", "label-too-long"),
+    ];
+    assert_eq!(refused, expected.map(|(id, code)| (id.to_owned(), code)));
+    assert_eq!(imported.taken, ["cycle-drilling", "cycle-reaming.nc"]);
+}
+
+/// All pages of the shipped data, with a page of prose in a language that does not have it.
+fn pages() -> Vec<(String, String)> {
+    let page = "# Threads\n\nUse [cycle 206](cycle:CYCL-DEF-206) for **all** threads up to 12 mm.\n\n| Sign | Sense |\n|---|---|\n| + | right |\n\n- first\n- second\n";
+    let finnish = "# Kierteet\n\nKäytä [työkiertoa 206](cycle:CYCL-DEF-206) **kaikille** kierteille\n12 mm:iin saakka.\n\n| Merkki   | Suunta |\n|---|---|\n| + | oikea |\n\n* eka\n* toka\n";
+    let mut all = files(FINNISH);
+    all.push(("locales/en/topics/threads.md".to_owned(), page.to_owned()));
+    all.push(("locales/fi/topics/threads.md".to_owned(), finnish.to_owned()));
+    all
+}
+
+#[test]
+fn an_edit_of_a_page_changes_its_own_segment_and_no_other_byte() {
+    let files = pages();
+    for form in FORMS {
+        let text = export(&files, "fi", form);
+        let same = import(&files, "fi", &text);
+        assert!(same.refused.is_empty() && same.files.is_empty(), "{form:?} {same:?}");
+        assert_eq!(same.unchanged, 8 + 7, "segments of the page: title, sentence, three cells with words, two items");
+        for (old, new) in [("oikea", "oikealle"), ("Kierteet", "Kierteistä"), ("toka", "toinen")] {
+            let imported = import(&files, "fi", &text.replace(old, new));
+            let page = &files.last().unwrap().1;
+            let expected = [("locales/fi/topics/threads.md".to_owned(), page.replace(old, new))];
+            assert_eq!(imported.files.last(), expected.first(), "{form:?}");
+        }
+    }
+}
+
+#[test]
+fn facts_and_marks_of_a_page_are_kept() {
+    let files = pages();
+    let text = export(&files, "fi", Form::Xliff);
+    let why = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from} in {text}");
+        let imported = import(&files, "fi", &text.replace(from, to));
+        assert!(imported.files.is_empty());
+        imported.refused.into_iter().map(|refusal| refusal.why).next()
+    };
+    let numbers = why("12 mm:iin", "10 mm:iin");
+    assert!(
+        matches!(&numbers, Some(Why::Numbers { missing, foreign }) if missing == "12" && foreign == "10"),
+        "{numbers:?}"
+    );
+    let code = "<ph id=\"1\" equiv-text=\"[\">[</ph>työkiertoa";
+    assert!(matches!(why(code, "työkiertoa"), Some(Why::Codes { .. })), "a mark is missing");
+    // A sign that would be a mark is written so that it is none.
+    let imported = import(&files, "fi", &text.replace("oikea<", "oikea | *kyllä*<"));
+    assert!(imported.files.last().unwrap().1.contains("| oikea \\| \\*kyllä\\* |"), "{imported:?}");
+    assert_eq!(import(&files, "fi", &text.replace(">eka<", "># eka<")).files.len(), 1, "no heading in an item");
+}
+
+#[test]
+fn a_page_that_is_new_needs_all_of_its_segments() {
+    let mut files = pages();
+    files.pop();
+    let text = export(&files, "fi", Form::Po);
+    let translated = |text: &str| {
+        let mut page = false;
+        let mut id = String::new();
+        text.lines()
+            .map(|line| {
+                page = if line.starts_with("msgctxt") { line.contains("topics/") } else { page };
+                id = line.strip_prefix("msgid ").map_or(id.clone(), str::to_owned);
+                if page && line == "msgstr \"\"" { format!("msgstr {id}\n") } else { format!("{line}\n") }
+            })
+            .collect::<String>()
+    };
+    let whole = translated(&text);
+    let imported = import(&files, "fi", &whole);
+    assert_eq!(imported.files, [("locales/fi/topics/threads.md".to_owned(), files.last().unwrap().1.clone())]);
+    assert!(imported.confirmed.contains(&"topics/threads".to_owned()));
+    let one_less = whole.replace("msgstr \"second\"", "msgstr \"\"");
+    let imported = import(&files, "fi", &one_less);
+    assert!(
+        imported.files.is_empty() && imported.refused.iter().all(|it| matches!(it.why, Why::Incomplete)),
+        "{imported:?}"
+    );
+}
+
+#[test]
+fn all_shipped_texts_come_back_without_a_change() {
+    let files = ciklo::base::data::embedded();
+    let (locales, _) = ciklo::language::locale::Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let (catalogue, _) = Catalogue::load(&files);
+    let meanings = ciklo::language::consistency::meanings(&catalogue);
+    for (tag, form) in [("fi", Form::Xliff), ("sl", Form::Xliff2), ("it", Form::Po), ("pt", Form::Xliff)] {
+        let units = exchange::units(&locales, &meanings, tag).unwrap();
+        let open = units.iter().filter(|unit| unit.state.is_some()).count();
+        let count = units.len() - open;
+        let returned = exchange::read(&exchange::write(&units, tag, form)).unwrap();
+        let imported = exchange::import(&catalogue, &files, tag, returned.units).unwrap();
+        assert!(imported.refused.is_empty(), "{tag}: {:?}", imported.refused);
+        assert_eq!((imported.files.len(), imported.unchanged, imported.passed_over), (0, count, open), "{tag}");
+        let segments = units.iter().filter(|unit| unit.key.starts_with("topics/"));
+        assert!(segments.clone().count() > 1000 && segments.clone().all(|unit| !unit.target.is_empty()), "{tag}");
+    }
+}
+
+#[test]
+fn memories_have_what_is_accepted_and_termbases_every_language() {
+    let files = ciklo::base::data::embedded();
+    let (locales, _) = ciklo::language::locale::Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let (catalogue, _) = Catalogue::load(&files);
+    let meanings = ciklo::language::consistency::meanings(&catalogue);
+    let tags = ["fi", "pt"].map(str::to_owned);
+    let entries = exchange::entries(&locales, &meanings, &tags).unwrap();
+    let tmx = exchange::tmx(&entries);
+    let root = quick_xml::Reader::from_str(&tmx).read_event().is_ok();
+    assert!(root && tmx.matches("<tu ").count() == entries.len());
+    let depth = entries.iter().find(|entry| entry.unit.id == "parameter-depth").unwrap();
+    assert_eq!(depth.translations.keys().collect::<Vec<_>>(), ["fi", "pt"]);
+    let ids: std::collections::BTreeSet<&str> = entries.iter().map(|entry| entry.unit.id.as_str()).collect();
+    assert_eq!(ids.len(), entries.len(), "each identifier once");
+
+    let concepts = exchange::concepts(&locales, &tags);
+    let clearance = concepts.iter().find(|concept| concept.id == "term-set-up-clearance").unwrap();
+    let languages: Vec<&str> = clearance.words.iter().map(|words| words.language.as_str()).collect();
+    assert_eq!(languages, ["en", "fi", "pt"]);
+    let finnish = &clearance.words[1];
+    assert_eq!(
+        (finnish.term.as_str(), &*finnish.forbidden),
+        ("Varmuusetäisyys", &["turvaetäisyy".to_owned(), "turvallisuusetäisyy".to_owned()][..])
+    );
+    let csv = exchange::csv(&concepts);
+    assert!(csv.contains(
+        "\r\nterm-set-up-clearance,fi,Varmuusetäisyys,,varmuusetäisyy | varmuusraja,turvaetäisyy | turvallisuusetäisyy,"
+    ));
+    let tbx = exchange::tbx(&concepts);
+    assert!(tbx.contains("<term>turvaetäisyy</term>\n            <termNote type=\"termType\">variant</termNote>\n            <termNote type=\"administrativeStatus\">deprecatedTerm-admn-sts"));
+}
+
+/// Words that are the same in all languages: units, and names that a control prints.
+fn is_name(word: &str) -> bool {
+    matches!(word, "mm" | "min" | "inch" | "rpm" | "s" | "rev" | "px") || word.chars().skip(1).any(char::is_uppercase)
+}
+
+#[test]
+fn the_pseudo_language_leaves_nothing_in_english_and_cuts_nothing() {
+    let mut files = ciklo::base::data::embedded();
+    let kind = exchange::Pseudo::Accents;
+    files.extend(exchange::pseudo(&files, kind));
+    let (locales, found) = ciklo::language::locale::Locales::load(files.iter().map(|(path, text)| (path, text)));
+    assert!(found.is_empty(), "{:?}", found.first());
+    let (catalogue, _) = Catalogue::load(&files);
+    let (source, own) = (locales.source().unwrap(), locales.language(kind.tag()).unwrap());
+    let mut lengths = (0, 0);
+    for on in catalogue.controls.values() {
+        for cycle in on.cycles.values() {
+            let text = |language| {
+                let dialog = ciklo::output::dialog::dialog(on, cycle, language).unwrap();
+                ciklo::output::dialog::render(&dialog, language).unwrap()
+            };
+            let (english, pseudo) = (text(source), text(own));
+            assert_eq!(pseudo.matches('⟦').count(), pseudo.matches('⟧').count(), "{pseudo}");
+            lengths = (lengths.0 + english.chars().count(), lengths.1 + pseudo.chars().count());
+            // Fields of the old form are called by their names in the specification.
+            let fields = cycle.params.iter().map(|param| param.label_in(cycle.key.number));
+            let pseudo = fields.fold(pseudo, |text, field| text.replace(&field, ""));
+            for word in pseudo.split(|c: char| !c.is_alphanumeric()).filter(|word| !is_name(word)) {
+                let is_english = |c: char| c.is_ascii_lowercase() && !"bfmpqvx".contains(c);
+                assert!(!word.contains(is_english), "{word} in {}: {pseudo}", cycle.key);
+            }
+        }
+    }
+    assert!(lengths.1 * 10 > lengths.0 * 12, "{lengths:?}");
+    // Labels keep their length and the rules of the controls.
+    let labels = ciklo::language::label::check(&catalogue, &locales);
+    assert!(labels.is_empty(), "{:?}", labels.first());
+}
+
+#[test]
+fn a_draft_has_every_text_and_marks_those_that_are_missing() {
+    let files = files("a = Aja { $depth } { $feed }.\n");
+    let (all, missing) = exchange::draft(&files, "fi").unwrap();
+    assert_eq!(missing, 5, "b, b.tip, holes, the term, c");
+    let (_, text) = all.iter().find(|(path, _)| path == "locales/fi/a.ftl").unwrap();
+    assert!(text.starts_with("a = Aja { $depth } { $feed }.\n"), "{text}");
+    assert!(text.contains("c = ⟦The { -probe } waits.⟧") && text.contains("[one] ⟦{ $count } hole⟧"), "{text}");
+    assert!(text.contains("-probe = touch probe\n"), "a term has no marks: it stands in marked texts\n{text}");
+    let (locales, found) = ciklo::language::locale::Locales::load(all.iter().map(|(path, text)| (path, text)));
+    assert!(found.is_empty() && locales.audit("fi").unwrap().missing.is_empty(), "{found:?}");
+    assert_eq!(all.len(), files.len());
+}
+
+fn said(page: &str) -> Vec<(String, String, usize)> {
+    let codes =
+        |pieces: &[exchange::Piece]| pieces.iter().filter(|piece| matches!(piece, exchange::Piece::Code(_))).count();
+    let all = markdown::segments(page).into_iter();
+    all.map(|segment| (segment.kind.clone(), markdown::written(&segment.pieces, false), codes(&segment.pieces)))
+        .collect()
+}
+
+#[test]
+fn words_are_segments_and_marks_are_codes() {
+    let page = "# Title\n\nOne **two** [three](cycle:A)\nand `four` 2 \\* 3.\n\n- item\n  more\n- \n\n| a | [b](topic:x) |\n|---|---|\n| | 5 |\n\n```\nx\n y\n```\n";
+    let expected = [
+        ("h1", "Title", 0),
+        ("p", "One **two** [three](cycle:A) and `four` 2 \\* 3.", 5),
+        ("item", "item more", 0),
+        ("cell", "a", 0),
+        ("cell", "[b](topic:x)", 2),
+        ("cell", "5", 0),
+        ("code", "x\n y", 0),
+    ];
+    let expected = expected.map(|(kind, text, codes)| (kind.to_owned(), text.to_owned(), codes));
+    assert_eq!(said(page), expected);
+    for segment in markdown::segments(page).iter().filter(|segment| segment.kind != markdown::CODE) {
+        assert_eq!(markdown::inline(&markdown::written(&segment.pieces, false)), segment.pieces, "the same alone");
+    }
+}
+
+#[test]
+fn words_change_and_everything_else_stays() {
+    let file = "# Comment here\nfirst = Move to { $depth } in { -axis(case: \"x\") }, FMAX\n    .label = SET-UP 2\n    .help =\n        One line\n        and one more\nunit-mm = { $value } mm\nempty =\n    .nc = A B\nholes = { $count ->\n        [one] a hole\n       *[other] { $count } holes\n    }\n";
+    let expected = "# Comment here\nfirst = ⟦Möövéé ťöö { $depth } íín { -axis(case: \"x\") }, FMAX⟧\n    .label = ŠÉŤ-ÜP 2\n    .help =\n        ⟦Öñéé ĺííñéé\n        ààñď ööñéé möřéé⟧\nunit-mm = { $value } mm\nempty =\n    .nc = À B\nholes = { $count ->\n        [one] ⟦àà ĥööĺéé⟧\n       *[other] ⟦{ $count } ĥööĺééš⟧\n    }\n";
+    let expected = expected.replace("íín", "ííñ").replace("möřéé", "mööřéé");
+    let made = exchange::pseudo(&[("locales/en/a.ftl".to_owned(), file.to_owned())], exchange::Pseudo::Accents);
+    assert_eq!(made, [(format!("locales/{}/a.ftl", exchange::Pseudo::Accents.tag()), expected)]);
 }

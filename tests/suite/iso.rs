@@ -389,8 +389,13 @@ fn programs_of_the_manuals_come_back() {
         if path.extension().is_none_or(|extension| extension != "h") {
             continue;
         }
-        let program = read("part.h", &fs::read_to_string(&path).expect("a program"));
-        let (iso, back) = by_way_of_iso(&codes, &program).expect("nothing is refused");
+        let text = fs::read_to_string(&path).expect("a program");
+        let program = read("part.h", &text);
+        let Some((iso, back)) = by_way_of_iso(&codes, &program) else {
+            // DIN/ISO has no words for free contours.
+            assert!(text.contains("FPOL"), "{} is refused", path.display());
+            continue;
+        };
         let differences = data.differences("tnc640", &program, &back);
         assert!(differences.is_empty(), "{}:\n{iso}\n{differences:#?}", path.display());
         count += 1;

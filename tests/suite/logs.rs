@@ -99,8 +99,12 @@ fn written() -> &'static BTreeMap<String, Vec<Written>> {
 }
 
 /// The manuals: every cycle that measures a workpiece by itself, apart from 0 and 1, can write a log (001:12498, 000:4544,
-/// 003:1658), by Q281; 444 always does (004:80-88). Nothing speaks of a log of the datum, rotation and calibration cycles.
-const CYCLES: [&str; 11] = ["420", "421", "422", "423", "424", "425", "426", "427", "430", "431", "444"];
+/// 003:1658), by Q281; 444 always does (004:80-88), and so do those of the kinematics (001:14104-14130, 14455-14476). Nothing speaks of a log of the datum, rotation and calibration cycles.
+const CYCLES: [&str; 14] =
+    ["420", "421", "422", "423", "424", "425", "426", "427", "430", "431", "444", "450", "451", "452"];
+
+/// Those that always write a file, and nothing on the screen.
+const ALWAYS: [&str; 4] = ["444", "450", "451", "452"];
 
 #[test]
 fn the_cycles_that_the_manuals_name_write_logs() {
@@ -115,8 +119,8 @@ fn the_cycles_that_the_manuals_name_write_logs() {
         for on in described {
             let own: Vec<&Written> = logs.iter().filter(|log| log.control == on.id()).collect();
             assert!(own.iter().any(|log| log.to != "screen"), "{cycle} on {} writes no file", on.id());
-            // The oldest control knows no log on the screen, and 444 writes its file always.
-            let screen = cycle != "444" && on.id() != "tnc426-430";
+            // The oldest control knows no log on the screen.
+            let screen = !ALWAYS.contains(&cycle.as_str()) && on.id() != "tnc426-430";
             assert_eq!(own.iter().any(|log| log.to == "screen"), screen, "{cycle} on {}", on.id());
             let ending = if cycle == "444" { "html" } else { "TXT" };
             let files = own.iter().filter(|log| log.to != "screen");
@@ -257,7 +261,7 @@ fn logs_have_the_printed_layout() {
         "log-end",
     ];
     let words = order.map(word);
-    for (cycle, logs) in written().iter().filter(|(cycle, _)| *cycle != "444") {
+    for (cycle, logs) in written().iter().filter(|(cycle, _)| !ALWAYS.contains(&cycle.as_str())) {
         for log in logs {
             let lines: Vec<&str> = log.texts["en"].lines().collect();
             let places: Vec<Option<usize>> =

@@ -14,6 +14,7 @@ mod compare;
 mod conform;
 mod consistency;
 mod convert;
+mod courses;
 mod coverage;
 mod documents;
 mod engine;
@@ -22,6 +23,7 @@ mod exchange;
 mod export;
 mod expr;
 mod figures;
+mod files;
 mod habits;
 #[path = "../support/html.rs"]
 mod html;
@@ -35,11 +37,14 @@ mod manuals;
 #[path = "../support/mistakes.rs"]
 mod mistakes;
 mod on_demand;
+mod page_parts;
 mod plain_lines;
 mod presets;
+mod settings;
 #[path = "../support/small.rs"]
 mod small;
 mod specs;
+mod spheres;
 mod strategies;
 mod syntax;
 mod tidy;

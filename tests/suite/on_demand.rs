@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use ciklo::base::data;
+use ciklo::base::demand::{Deferred, OnDemand};
 use ciklo::base::diag::{Diagnostic, Source};
 use ciklo::check::{Against, LabelBook, check};
 use ciklo::language::locale::{Key, Language, Locales, Scope};
@@ -149,4 +150,18 @@ fn a_check_reads_the_cycles_of_the_program_and_no_others() {
         // Some thousand are there.
         assert!(language.read_so_far().len() < 300, "{}", language.read_so_far().len());
     }
+}
+
+#[test]
+fn a_value_is_made_when_it_is_asked_for_and_kept() {
+    let map = OnDemand::new([1, 2, 3], |key: &u32| (*key != 2).then(|| key * 10));
+    assert_eq!(map.len(), 3);
+    assert_eq!(map.made().count(), 0);
+    assert_eq!(map.get(&3), Some(&30));
+    assert_eq!(map.get(&2), None);
+    assert_eq!(map.get(&4), None);
+    assert_eq!(map.made().collect::<Vec<_>>(), [&2, &3]);
+    assert_eq!(map.values().collect::<Vec<_>>(), [&10, &30]);
+    let deferred: Deferred<String> = Deferred::new(|| "made".to_owned());
+    assert_eq!(deferred.len(), 4);
 }

@@ -4,21 +4,27 @@ use std::path::Path;
 use std::sync::Arc;
 use std::{env, fs};
 
+use ciklo::base::diag::Source;
 use ciklo::base::expr::Type;
-use ciklo::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
+use ciklo::engine::geometry::{Around, Axis, Frame, RotaryAxis, WorkingPlane};
+use ciklo::engine::machine::{Arm, Machine, MemoryReport, SavedKinematics, Survey, matches_pattern};
 use ciklo::engine::region::contours::Contour;
 use ciklo::engine::region::{Edge, Way};
 use ciklo::engine::run::Fault;
 use ciklo::engine::strategy::action::{
-    Calibrated, Function, Kept, KnownSetter, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System,
-    Tables, ToolSetter,
+    Calibrated, Course, Felt, Function, Kept, Kinematics, KnownSetter, Probe, Probing, Programs, Rotary, RotaryAxes,
+    Running, Spindle, Stopped, Stylus, System, Tables, ToolSetter, Turntable,
 };
 use ciklo::engine::strategy::contour::{self, Contours};
+use ciklo::engine::strategy::digitized::Digitizing;
 use ciklo::engine::strategy::pending::PENDING;
 use ciklo::engine::strategy::{
     Action, Calculation, Cutter, Done, Leg, Milling, Mm, OverContours, STRATEGIES, Strategy,
 };
-use ciklo::engine::strategy::{datum, face, measure, pocket, probing, program, rotary, rotation, spindle, stud, train};
+use ciklo::engine::strategy::{
+    cylinder, datum, face, font, measure, memory, pocket, probing, program, rotary, rotation, spindle, stud, train,
+    wall,
+};
 use ciklo::engine::table::{Cell, TableKind};
 use ciklo::spec::{Argument, Quantity, Verb};
 use glam::{DVec2, DVec3};
@@ -193,8 +199,18 @@ fn lines_meet_where_they_cross() {
 
 #[test]
 fn a_text_of_a_tolerance_is_a_band() {
-    let band = measure::ToleranceBand { text: Arc::from("0.4-0.1") }.calculate(flat()).expect("a band");
-    assert_eq!((band.upper, band.lower, band.monitored), (0.4, -0.1, 1.0));
+    let band = |text: &str| {
+        let band = measure::ToleranceBand { text: Arc::from(text) }.calculate(flat()).expect("a band");
+        (band.upper, band.lower, band.monitored)
+    };
+    // The rows of the manual (004, lines 151-162) and what the example of the NC block says.
+    assert_eq!(band("0.4-0.1"), (0.4, -0.1, 1.0));
+    assert_eq!(band("0.4"), (0.4, 0.0, 1.0));
+    assert_eq!(band("-0.1"), (0.0, -0.1, 1.0));
+    assert_eq!(band("1-1"), (1.0, -1.0, 1.0));
+    for none in [" ", "", "0", "0.1+0.1", "x", "-", "--1", "1e3", "0.1-"] {
+        assert_eq!(band(none), (0.0, 0.0, 0.0), "{none:?}");
+    }
 }
 
 /// A control that writes down what is done to it. Its parts are there for the strategies that ask for them.
@@ -208,7 +224,165 @@ struct Notebook {
     pressed: bool,
     cells: Vec<(TableKind, f64, String, f64)>,
     contours: Contours,
+    digitizing: Digitizing,
+    around: Around,
+    memories: Vec<SavedKinematics>,
     done: Vec<String>,
+}
+
+impl Stylus for Notebook {
+    fn stylus(&self) -> Result<(DVec3, f64), Fault> {
+        Ok((DVec3::new(0.0, 0.0, 100.0), 300.0))
+    }
+
+    fn feel(&self, _: Course) -> Result<Option<Felt>, Fault> {
+        Ok(None)
+    }
+
+    fn touches(&self, _: DVec3, _: f64) -> Result<bool, Fault> {
+        Ok(false)
+    }
+
+    fn fly(&mut self, to: DVec3, feed: Option<f64>) -> Done {
+        self.done.push(format!("fly to {to} at {feed:?}"));
+        Ok(())
+    }
+
+    fn slide(&mut self, to: DVec3, out: DVec3, feed: f64) -> Done {
+        self.done.push(format!("slide to {to} at {feed}, away {out}"));
+        Ok(())
+    }
+
+    fn digitizing(&mut self) -> &mut Digitizing {
+        &mut self.digitizing
+    }
+
+    fn check_coordinates(&self, _: bool) -> Result<(), Fault> {
+        Ok(())
+    }
+
+    fn points_of_table(&self, _: &str) -> Result<Vec<DVec3>, Fault> {
+        Ok(Vec::new())
+    }
+
+    fn write_data(&mut self) -> Done {
+        self.done.push(format!("write {} rows", self.digitizing.rows.len()));
+        Ok(())
+    }
+}
+
+impl Kinematics for Notebook {
+    fn kinematics(&self) -> Machine {
+        let text = "machine: 1\nname: shop\naxes: [{axis: X, min: 0, max: 1, rapid: 1}]\n";
+        Machine::parse(&Source::new("machine.yaml", text)).expect("a machine")
+    }
+
+    fn set_kinematics(&mut self, machine: Machine) {
+        self.done.push(format!("kinematics of {}", machine.name));
+    }
+
+    fn memories(&self) -> Vec<SavedKinematics> {
+        self.memories.clone()
+    }
+
+    fn set_memories(&mut self, memories: Vec<SavedKinematics>) {
+        self.memories = memories;
+    }
+
+    fn name_given(&self, meaning: &str) -> Result<String, Fault> {
+        Ok(meaning.to_owned())
+    }
+
+    fn moment(&self) -> String {
+        "01-01-2000 0:00:00".to_owned()
+    }
+
+    fn keep_memory_report(&mut self, report: MemoryReport) {
+        self.done.push(format!("report on {}", report.name));
+    }
+
+    fn survey(&self) -> Result<Survey, Fault> {
+        unreachable!("nothing is measured")
+    }
+
+    fn keep_survey(&mut self, _: Survey) {}
+
+    fn limit(&self, _: &str) -> Option<f64> {
+        None
+    }
+
+    fn angles(&self) -> DVec3 {
+        DVec3::ZERO
+    }
+
+    fn angle_datum(&self) -> DVec3 {
+        DVec3::ZERO
+    }
+
+    fn preset_in_effect(&self) -> (f64, DVec3) {
+        (0.0, DVec3::ZERO)
+    }
+
+    fn linear(&self) -> DVec3 {
+        DVec3::ZERO
+    }
+
+    fn arm(&self) -> Result<Arm, Fault> {
+        Ok(Arm::default())
+    }
+
+    fn probing(&self) -> Result<Probing, Fault> {
+        Ok(Probing { set_up: 2.0, feed: 1000.0, radius: 2.0 })
+    }
+
+    fn release_tip(&mut self) -> Done {
+        Ok(())
+    }
+
+    fn go_turning(&mut self, turns: &[(RotaryAxis, f64)], to: DVec3, feed: f64) -> Done {
+        self.done.push(format!("turn {turns:?} and go to {to} at {feed}"));
+        Ok(())
+    }
+
+    fn touch(&mut self, way: DVec3) -> Done<DVec3> {
+        self.done.push(format!("touch {way}"));
+        Ok(DVec3::ZERO)
+    }
+}
+
+/// Of 001:14070-14079.
+#[test]
+fn wildcards_stand_for_one_sign_or_a_chain() {
+    let fits = [
+        ("AB", "AB", true),
+        ("AB", "ABC", false),
+        ("A?", "A1", true),
+        ("A?", "A", false),
+        ("A$", "Ab", true),
+        ("A$", "A1", false),
+        ("A#", "A1", true),
+        ("A#", "AB", false),
+        ("*", "", true),
+        ("*B*", "ABBA", true),
+        ("A*C", "ABCBC", true),
+        ("A*C", "ABCB", false),
+        ("", "A", false),
+    ];
+    for (pattern, name, wanted) in fits {
+        assert_eq!(matches_pattern(pattern, name), wanted, "{pattern} and {name}");
+    }
+}
+
+#[test]
+fn a_memory_is_overwritten_and_the_last_one_is_not_exceeded() {
+    let mut control = Notebook::default();
+    let save = memory::SaveKinematics { most: 1.0 };
+    save.act(&mut control).expect("the first");
+    save.act(&mut control).expect("the same again");
+    assert_eq!(control.memories.len(), 1);
+    control.memories[0].name = "other".to_owned();
+    assert!(save.act(&mut control).is_err());
+    memory::RestoreKinematics {}.act(&mut control).expect_err("another name");
 }
 
 impl ToolSetter for Notebook {
@@ -259,6 +433,25 @@ impl ToolSetter for Notebook {
     }
 }
 
+impl Turntable for Notebook {
+    fn around(&self) -> Result<Around, Fault> {
+        Ok(self.around)
+    }
+
+    fn datum_off_table(&self) -> Result<f64, Fault> {
+        Ok(0.0)
+    }
+
+    fn go_around(&mut self, to: Around, radius: f64, feed: f64) -> Done {
+        if to != self.around {
+            let Around { turn, across, along, height } = to;
+            self.done.push(format!("{turn:.3}° {across:.3} {along:.3} {height:.3} on {radius} at {feed}"));
+        }
+        self.around = to;
+        Ok(())
+    }
+}
+
 impl Kept for Notebook {
     fn kept(&self, name: &str) -> Option<f64> {
         Some(name.len() as f64)
@@ -274,12 +467,30 @@ impl Kept for Notebook {
         Ok(())
     }
 
+    fn read_developed_contour(&mut self, mm_in_degree: Option<f64>) -> Done {
+        self.contours = train();
+        self.done.push(format!("read the development, {mm_in_degree:?} mm in a degree"));
+        Ok(())
+    }
+
+    fn read_turned_contour(&mut self) -> Done<Way> {
+        Ok(train().open[0].way.clone())
+    }
+
     fn contours(&self) -> &Contours {
         &self.contours
     }
 
+    fn keep_thread(&mut self, thread: ciklo::engine::strategy::turning_thread::TurnedThread) {
+        self.contours.thread = Some(thread);
+    }
+
     fn keep_turned(&mut self, turned: ciklo::engine::strategy::turned::Turned) {
         self.contours.turned = Some(turned);
+    }
+
+    fn keep_groove(&mut self, groove: ciklo::engine::strategy::groove::Groove) {
+        self.contours.groove = Some(groove);
     }
 
     fn tool_radius(&self) -> f64 {
@@ -323,6 +534,48 @@ fn a_contour_is_followed_on_its_side_forwards_in_climb_and_backwards_in_up_cut()
     let ends: Vec<DVec3> = path.legs.iter().map(|leg| leg.end()).collect();
     assert_eq!(ends, [DVec3::new(44.0, 30.0, 50.0), DVec3::new(0.0, 6.0, 50.0)]);
     assert!(over.path(&control.contours, TOOL, DVec3::new(0.0, 6.0, 50.0)).legs.is_empty());
+}
+
+#[test]
+fn a_contour_is_wrapped_on_a_cylinder() {
+    let mut control = Notebook { around: Around { height: 90.0, ..Around::default() }, ..Notebook::default() };
+    let wrap = |radius: f64, dimensions: f64| cylinder::WrapOnCylinder { radius, dimensions };
+    let found = wrap(100.0, 1.0).act(&mut control).expect("a contour");
+    assert_eq!((found.height, found.centred), (90.0, 1.0));
+    for wrong in [wrap(0.0, 1.0), wrap(100.0, 2.0)] {
+        assert!(wrong.act(&mut control).is_err());
+    }
+    // Six millimetres on its left; a radian of a radius of 100 is 57.296 degrees.
+    let over = cylinder::MoveOverWrappedContour { radius: 100.0, allowance: 1.0, height: 107.0 };
+    over.act(&mut control).expect("room");
+    cylinder::PlungeIntoCylinder { level: 97.0, at: 100.0 }.act(&mut control).expect("room");
+    let follow = cylinder::FollowWrappedContour { level: 97.0, radius: 100.0, allowance: 1.0, at: 300.0 };
+    follow.act(&mut control).expect("room");
+    cylinder::RetractFromCylinder { height: 107.0 }.act(&mut control).expect("room");
+    let wanted = [
+        "read the development, None mm in a degree",
+        "0.000° 0.000 0.000 107.000 on 100 at 99999.999",
+        "0.000° 0.000 6.000 107.000 on 100 at 99999.999",
+        "0.000° 0.000 6.000 97.000 on 1 at 100",
+        "25.210° 0.000 6.000 97.000 on 100 at 300",
+        "25.210° 0.000 30.000 97.000 on 100 at 300",
+        "25.210° 0.000 30.000 107.000 on 1 at 99999.999",
+    ];
+    assert_eq!(control.done, wanted);
+}
+
+#[test]
+fn walls_are_reworked_as_often_as_the_tolerance_asks_for() {
+    // Half of the radius at the floor: 0.5 / (2 √0.5) is the tangent of 19.47°. With an arm of 5 and 0.02 mm the angle
+    // of two passes is 2 acos(0.996) = 10.25° at most: two passes more, by 0.2929 / (2 · 0.8409), 9.88°.
+    let radii = wall::radii_of_walls(40.0, 20.0, 5.0, 0.02, 10).expect("few");
+    let wanted = [40.0 * 0.5_f64.sqrt(), 20.0];
+    assert!(
+        radii.len() == 2 && radii.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-9),
+        "{radii:?}"
+    );
+    assert_eq!(wall::radii_of_walls(40.0, 20.0, 0.01, 0.02, 10), Some(Vec::new()));
+    assert_eq!(wall::radii_of_walls(40.0, 20.0, 5.0, 1e-9, 10), None);
 }
 
 #[test]
@@ -585,4 +838,32 @@ fn a_tolerance_without_a_contour_is_that_of_the_machine() {
     keep(None).act(&mut control).expect("a tolerance");
     keep(Some(0.02)).act(&mut control).expect("a tolerance");
     assert_eq!(control.done, ["tolerance None", "tolerance Some([0.02, 0.0, 0.0])"]);
+}
+
+#[test]
+fn every_character_is_within_its_box_and_no_arc_is_bent() {
+    for character in font::characters() {
+        let glyph = font::glyph(character).expect("a character");
+        assert!(!glyph.strokes.is_empty(), "{character}");
+        for way in &glyph.strokes {
+            assert!(way.length() > 0.5, "{character} has a stroke without a length");
+            for part in 0..=100 {
+                let at = way.shortened(way.length() * f64::from(part) / 100.0).end();
+                let inside = (-0.01..=glyph.width + 0.01).contains(&at.x) && (-4.01..=13.01).contains(&at.y);
+                assert!(inside, "{character} goes to {at}");
+            }
+            let mut from = way.start;
+            for edge in &way.edges {
+                if let Edge::Arc { to, centre, .. } = edge {
+                    assert!((from.distance(*centre) - to.distance(*centre)).abs() < 1e-9, "{character} at {to}");
+                }
+                from = edge.to();
+            }
+        }
+    }
+    let all: BTreeSet<char> = font::characters().collect();
+    assert_eq!(all.len(), font::characters().count(), "a character is there twice");
+    // Letters, digits, and what the manual lists besides (TNC 640, 001:7213-7217).
+    let wanted = ('A'..='Z').chain('a'..='z').chain('0'..='9').chain("!#$%&'()*+,-./:;<=>?@[\\]_".chars());
+    assert!(wanted.clone().all(|own| all.contains(&own)) && wanted.count() == all.len());
 }

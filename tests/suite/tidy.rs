@@ -62,7 +62,10 @@ const LAYERS: &[(&str, &[&str])] = &[
         ],
     ),
     ("tools::coverage", &["base::diag", "base::expr", "spec", "language::locale", "engine"]),
-    ("tools::exchange", &["base::diag", "spec", "language::locale", "language::label", "language::consistency"]),
+    (
+        "tools::exchange",
+        &["base::diag", "spec", "language::locale", "language::text", "language::label", "language::consistency"],
+    ),
     ("output::export", &["base::diag", "spec", "language::locale", "language::text"]),
     ("output::dialog", &["base::diag", "spec", "language::locale", "language::text", "output::export"]),
     (
@@ -374,4 +377,12 @@ fn rules_are_in_the_order_of_their_names() {
     let list = text.split("pub const RULES").nth(1).and_then(|rest| rest.split("];").next()).expect("the list");
     let names: Vec<&str> = list.lines().filter_map(|line| line.trim().strip_suffix("::RULE,")).collect();
     assert!(names.len() > 100 && names.is_sorted(), "{:?}", names.windows(2).find(|pair| pair[0] > pair[1]));
+}
+
+/// The library and the program are not built for tests inside of them: such tests would never run.
+#[test]
+fn tests_are_not_in_the_sources() {
+    let hidden: Vec<_> =
+        all().into_iter().filter(|(_, text)| text.contains("cfg(test)")).map(|(file, _)| file).collect();
+    assert!(hidden.is_empty(), "{hidden:?}");
 }

@@ -69,6 +69,9 @@ fn never_ends<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut
     if jump.relation == Relation::NotEqual && misses(facts, &mut body, jump, from..=own.block) {
         return true;
     }
+    if ends_at_once(facts, &body, jump, &(from..=own.block)) {
+        return false;
+    }
     let changes = |operand: &Operand| match operand.amount {
         Amount::Q { q, .. } => body.written.contains(&q),
         _ => false,
@@ -89,6 +92,25 @@ fn goes_away(body: &Loop<'_>, side: &Operand, relation: Relation, left: bool) ->
     match relation {
         Relation::Less => (grows <= 0.0) == left || grows == 0.0,
         Relation::Greater => (grows >= 0.0) == left || grows == 0.0,
+        _ => false,
+    }
+}
+
+/// Whether the jump is not taken after the first time: from values that are written once before the loop, and a step.
+fn ends_at_once(facts: &Facts<'_>, body: &Loop<'_>, jump: &FnJump, blocks: &RangeInclusive<usize>) -> bool {
+    let after_first = |operand: &Operand| match operand.amount {
+        Amount::Number(number) => Some(number),
+        Amount::Q { q, negative } => {
+            let step = if body.written.contains(&q) { body.step_of(q)? } else { 0.0 };
+            let value = set_once(facts, q, blocks)? + step;
+            Some(if negative { -value } else { value })
+        }
+        Amount::Text(_) => None,
+    };
+    let (Some(a), Some(b)) = (after_first(&jump.a), after_first(&jump.b)) else { return false };
+    match jump.relation {
+        Relation::Less => a >= b,
+        Relation::Greater => a <= b,
         _ => false,
     }
 }

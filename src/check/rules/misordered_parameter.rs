@@ -71,34 +71,3 @@ fn rising(numbers: &[usize]) -> Vec<usize> {
     found.reverse();
     found
 }
-
-#[cfg(test)]
-mod tests {
-    use super::rising;
-
-    /// The same by looking at all numbers before each.
-    fn rising_by_all(numbers: &[usize]) -> Vec<usize> {
-        let mut best: Vec<(usize, Option<usize>)> = Vec::new();
-        for (at, own) in numbers.iter().enumerate() {
-            let before = (0..at).rev().filter(|other| numbers[*other] <= *own).max_by_key(|other| best[*other].0);
-            best.push((before.map_or(1, |other| best[other].0 + 1), before));
-        }
-        let mut at = (0..best.len()).rev().max_by_key(|at| best[*at].0);
-        let mut found = Vec::new();
-        while let Some(place) = at {
-            found.push(place);
-            at = best[place].1;
-        }
-        found.reverse();
-        found
-    }
-
-    proptest::proptest! {
-        #[test]
-        fn the_rows_found_quickly_are_those_found_by_looking_at_all(
-            numbers in proptest::collection::vec(0_usize..9, 0..24),
-        ) {
-            proptest::prop_assert_eq!(rising(&numbers), rising_by_all(&numbers));
-        }
-    }
-}

@@ -1,4 +1,6 @@
 //! `ciklo texts accept`: translations recorded as good for the English texts of today.
+use std::path::Path;
+
 use clap::ArgMatches;
 
 use super::shared::{Texts, writable};
@@ -27,31 +29,60 @@ pub(in crate::cli) fn changed(session: &mut Session, option: &str) -> Result<Out
     write(session, option, &[], Accept::Changed)
 }
 
-/// Accepts the texts of a language that came back from a translator.
-pub(super) fn named(session: &mut Session, tag: &str, keys: &[String]) -> Result<Outcome, Failure> {
-    write(session, "texts import", &[tag.to_owned()], Accept::Named(keys))
+/// What accepting texts changes: files of the working copy, and what is said about it.
+pub(super) struct Locks {
+    /// Paths below the working copy with their new texts.
+    pub(super) files: Vec<(String, String)>,
+    said: Vec<(String, Accepted)>,
+}
+
+impl Locks {
+    /// Accepts texts of the languages that are named, of all without a name.
+    pub(super) fn of(texts: &Texts, languages: &[String], which: Accept) -> Result<Self, Failure> {
+        let chosen = texts.chosen(languages)?;
+        let mut all = Vec::new();
+        for tag in texts.chosen(&[])? {
+            // Of a language that was not chosen nothing is accepted, but the English that it depends on is kept.
+            let which = if chosen.contains(&tag) { which } else { Accept::Named(&[]) };
+            all.push((texts.locales.accept(&tag, &texts.meanings, which)?, tag));
+        }
+        known(&all, which)?;
+        let locks: Vec<String> = all.iter().map(|(accepted, _)| accepted.lock.clone()).collect();
+        let originals = texts.locales.originals(&locks)?;
+        let mut files = vec![(format!("locales/{SOURCE_LANGUAGE}/accepted.lock"), originals)];
+        let mut said = Vec::new();
+        for (accepted, tag) in all.into_iter().filter(|(_, tag)| chosen.contains(tag)) {
+            files.push((format!("locales/{tag}/source.lock"), accepted.lock.clone()));
+            said.push((tag, accepted));
+        }
+        Ok(Self { files, said })
+    }
+
+    /// Says what was accepted and what was not.
+    pub(super) fn report(&self, session: &mut Session) {
+        self.said.iter().for_each(|(tag, accepted)| report(session, tag, accepted));
+    }
 }
 
 fn write(session: &mut Session, option: &str, languages: &[String], which: Accept) -> Result<Outcome, Failure> {
     let root = writable(session, option)?;
-    let texts = Texts::of(&session::working_copy(&root)?);
-    let chosen = texts.chosen(languages)?;
-    let mut all = Vec::new();
-    for tag in texts.chosen(&[])? {
-        // Of a language that was not chosen nothing is accepted, but the English that it depends on is kept.
-        let which = if chosen.contains(&tag) { which } else { Accept::Named(&[]) };
-        all.push((texts.locales.accept(&tag, &texts.meanings, which)?, tag));
-    }
-    known(&all, which)?;
-    let folder = root.join("locales");
-    let locks: Vec<String> = all.iter().map(|(accepted, _)| accepted.lock.clone()).collect();
-    let originals = texts.locales.originals(&locks)?;
-    system::write(&folder.join(SOURCE_LANGUAGE).join("accepted.lock"), originals.as_bytes())?;
-    for (accepted, tag) in all.iter().filter(|(_, tag)| chosen.contains(tag)) {
-        system::write(&folder.join(tag).join("source.lock"), accepted.lock.as_bytes())?;
-        report(session, tag, accepted);
-    }
+    let locks = Locks::of(&Texts::of(&session::working_copy(&root)?), languages, which)?;
+    put(&root, &locks.files)?;
+    locks.report(session);
     Ok(Outcome::Clean)
+}
+
+/// Writes files of the working copy, all of them or none.
+pub(super) fn put(root: &Path, files: &[(String, String)]) -> Result<(), Failure> {
+    let mut all = Vec::new();
+    for (path, text) in files {
+        let target = system::inside(root, path);
+        if let Some(folder) = target.parent() {
+            system::create_directory(folder)?;
+        }
+        all.push((target, text.as_bytes()));
+    }
+    Ok(system::write_all(&all)?)
 }
 
 /// Refuses keys that no text has that could be accepted.

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use clap::ArgMatches;
 
 use super::accept;
-use super::shared::{language, writable};
+use super::shared::{Texts, language, writable};
 use crate::base::diag::{Diagnostic, Place, Source};
 use crate::cli::session::{self, Session};
 use crate::cli::{Failure, Outcome, arguments};
-use crate::language::locale::Args;
+use crate::language::locale::{Accept, Args};
 use crate::spec::Catalogue;
 use crate::system;
 use crate::tools::exchange::{self, Refusal, Why};
@@ -40,14 +40,18 @@ pub(super) fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome
     let found: Vec<Diagnostic> = imported.refused.iter().map(|refusal| diagnostic(session, &source, refusal)).collect();
     let is_sound = found.is_empty();
     let dry = matches.get_flag("dry-run");
+    let mut locks = None;
     if !dry {
-        for (path, text) in &imported.files {
-            let target = system::inside(&root, path);
-            if let Some(folder) = target.parent() {
-                system::create_directory(folder)?;
-            }
-            system::write(&target, text.as_bytes())?;
+        let mut changed = imported.files.clone();
+        if !imported.confirmed.is_empty() {
+            let kept = files.into_iter().filter(|(path, _)| !imported.files.iter().any(|(own, _)| own == path));
+            let after: Vec<(String, String)> = kept.chain(imported.files.iter().cloned()).collect();
+            let named = Accept::Named(&imported.confirmed);
+            let accepted = accept::Locks::of(&Texts::of(&after), std::slice::from_ref(&tag), named)?;
+            changed.extend(accepted.files.iter().cloned());
+            locks = Some(accepted);
         }
+        accept::put(&root, &changed)?;
     }
     session.report(found, arguments::chosen_format(matches))?;
     let args = Args::new()
@@ -59,8 +63,8 @@ pub(super) fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome
         .number("refused", imported.refused.len() as f64);
     let line = session.ui.text("cli-texts-imported", &args);
     session.output.remark(&line);
-    if !dry && !imported.confirmed.is_empty() {
-        accept::named(session, &tag, &imported.confirmed)?;
+    if let Some(locks) = locks {
+        locks.report(session);
     }
     Ok(if is_sound { Outcome::Clean } else { Outcome::Errors })
 }
@@ -72,13 +76,15 @@ fn diagnostic(session: &Session, source: &Arc<Source>, refusal: &Refusal) -> Dia
         Why::SourceChanged => "texts-unit-source-changed",
         Why::NotRead => "texts-unit-not-read",
         Why::Codes { .. } => "texts-unit-codes",
+        Why::Markup => "texts-unit-markup",
+        Why::Numbers { .. } => "texts-unit-numbers",
         Why::Incomplete => "texts-unit-incomplete",
         Why::Found(_) => "texts-unit-refused",
     };
     let place = Place::new(source, refusal.at..refusal.at);
     let diagnostic = Diagnostic::error(code, place).arg("key", refusal.id.as_str());
     match &refusal.why {
-        Why::Codes { missing, foreign } => {
+        Why::Codes { missing, foreign } | Why::Numbers { missing, foreign } => {
             let none = |list: &str| if list.is_empty() { "–".to_owned() } else { list.to_owned() };
             diagnostic.arg("missing", none(missing)).arg("foreign", none(foreign))
         }

@@ -9,6 +9,7 @@ use clap::ArgMatches;
 use clap::builder::PossibleValuesParser;
 
 pub(super) use accept::changed as accept_changed;
+pub(super) use shared::language as translation;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments};
@@ -16,7 +17,7 @@ use crate::language::locale::Ui;
 
 pub(super) const COMMAND: Command = Command {
     name: "texts",
-    usage: "status|accept|export|import [FILE] [--data DIR] [--lang LANG]… [--file FILE]… [--text KEY]… [--changed] [--all] [--to LANG] [--stale] [--missing] [--cycle CYCLE]… [--out FILE] [--dry-run] [--format FORMAT]",
+    usage: "status|accept|export|import [FILE] [--data DIR] [--lang LANG]… [--file FILE]… [--text KEY]… [--changed] [--all] [--to LANG] [--stale] [--missing] [--cycle CYCLE]… [--topic TOPIC]… [--base-url URL] [--out FILE] [--dry-run] [--format FORMAT]",
     arguments: own,
     run,
 };
@@ -25,7 +26,7 @@ pub(super) const COMMAND: Command = Command {
 const ACTIONS: [&str; 4] = ["status", "accept", "export", "import"];
 
 /// Forms of reports, then those of files for translators.
-const FORMATS: [&str; 5] = ["text", "json", "xliff", "xliff2", "po"];
+const FORMATS: [&str; 8] = ["text", "json", "xliff", "xliff2", "po", "tmx", "tbx", "csv"];
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     let action = arguments::argument(ui, "action", "cli-texts-action").value_name("ACTION").required(true);
@@ -41,6 +42,8 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::switch(ui, "stale", "cli-texts-stale"),
         arguments::switch(ui, "missing", "cli-texts-missing"),
         arguments::several(ui, "cycle", "CYCLE", "cli-texts-cycle"),
+        arguments::several(ui, "topic", "TOPIC", "cli-texts-topic"),
+        arguments::valued(ui, "base-url", "URL", "cli-texts-base-url"),
         arguments::valued(ui, "out", "FILE", "cli-texts-out"),
         arguments::switch(ui, "dry-run", "cli-texts-dry-run"),
         arguments::valued(ui, "format", "FORMAT", "cli-texts-format").value_parser(FORMATS).hide_possible_values(true),

@@ -43,7 +43,7 @@ pub(super) fn writable(session: &Session, option: &str) -> Result<PathBuf, Failu
 }
 
 /// A tag that can be the name of a folder of translations.
-pub(super) fn language(tag: &str) -> Result<String, Failure> {
+pub(in crate::cli) fn language(tag: &str) -> Result<String, Failure> {
     let is_tag = tag.len() > 1 && tag.chars().all(|c| c.is_ascii_alphanumeric() || c == '-');
     if !is_tag || tag == SOURCE_LANGUAGE {
         return Err(Diagnostic::global("texts-no-language").arg("language", tag).into());

@@ -131,6 +131,11 @@ impl Contour {
         self.blamed
     }
 
+    /// Blames a block for a fault that comes.
+    pub(crate) const fn blame(&mut self, block: (usize, usize)) {
+        self.blamed = Some(block);
+    }
+
     /// Nothing goes on tangentially from here.
     pub(crate) fn forget(&mut self) {
         self.last = None;

@@ -5,12 +5,13 @@
 //! asks is not known here.
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::base::expr::{QKind, Value};
 use crate::engine::flow::calls::{Call, program_key};
 use crate::engine::flow::sources::{Of, Selected, Sources};
 use crate::engine::flow::state::Run;
+use crate::engine::geometry::Axis;
 use crate::engine::region::contours::Contour;
 use crate::engine::region::formula::{self, Unknown};
 use crate::engine::region::{Edge, Flaw, Region, Way};
@@ -19,12 +20,15 @@ use crate::engine::report::fault::Fault;
 use crate::engine::solid::Path;
 use crate::engine::strategy::contour::Contours;
 use crate::engine::world::coordinates::System;
+use crate::engine::world::state::ASIDE;
 use crate::program::syntax::{ContourFormula, NamedWord, Statement, ValueKind};
 
 /// Contours have at most so many elements together (TNC 640 manual, line 4363).
 const MOST_ELEMENTS: usize = 16_384;
 /// What a definition remembers that names the labels of contours.
 pub(super) const LABELS: &str = "contour";
+/// Where a contour begins that is so near to where the tool stands aside, mm, nothing was programmed.
+const LEFT_OUT: f64 = 1e-6;
 /// The feed of contours that are only read: any will do.
 const ANY_FEED: f64 = 1.0;
 
@@ -54,6 +58,59 @@ impl<'e> Run<'_, 'e> {
     /// Reads the first contour that the definition in effect names, open or closed.
     pub(super) fn read_first_contour(&mut self) -> Done {
         let open = self.contours_of_labels(1)?.into_iter().map(|(_, contour)| contour).collect();
+        self.cycles.contours = Contours { open, ..Contours::default() };
+        Ok(())
+    }
+
+    /// The first contour that the definition in effect names, open or closed, as one that is turned: `x` along the
+    /// rotary axis, `y` a radius. Circles, roundings and chamfers lie in the plane of the tool axis and the main axis.
+    pub(super) fn read_turned_contour(&mut self) -> Done<Way> {
+        let Some(Value::Text(labels)) = self.cycles.remembered.get(LABELS).cloned() else {
+            return Err(Fault::program("contour-not-defined").into());
+        };
+        let label = labels.split('/').map(str::trim).find(|label| !label.is_empty());
+        let label = label.ok_or_else(|| Fault::program("contour-not-defined"))?.trim_matches('"');
+        let contour = self.described(|run, before| {
+            let across = before.plane.secondary;
+            let mut half = System::clone(before);
+            half.set_plane(across);
+            run.drives.world.system.set_plane(across);
+            run.drives.world.renew();
+            run.contour_of(&Of::Label(label.into()), &half)
+        })?;
+        if contour.way.edges.len() > MOST_ELEMENTS {
+            return Err(Fault::control("contour-elements").arg("limit", MOST_ELEMENTS as f64).into());
+        }
+        Ok(contour.way)
+    }
+
+    /// Reads the first contour that the definition in effect names, in the development of a cylinder: X is the way round
+    /// it, in degrees if there are so many mm in one, and Y the way along it, whatever the axes of the machine are
+    /// (TNC 640 manual, lines 5105-5109).
+    pub(super) fn read_developed_contour(&mut self, mm_in_degree: Option<f64>) -> Done {
+        let (here, machine) = (self.drives.world.here, self.drives.world.machine);
+        let plane = self.drives.world.system.plane;
+        if plane.tool != Axis::Z {
+            let axis = plane.tool.letter().to_string();
+            return Err(Fault::unsupported("unsupported-axis").arg("axis", axis).into());
+        }
+        // Its first block has both coordinates (line 5133): what it leaves out shows by being where nothing is.
+        let aside = here + DVec3::new(0.0, ASIDE, 0.0);
+        self.drives.world.here = aside;
+        self.drives.world.machine = self.drives.world.to_machine(aside);
+        self.drives.world.system.unrolled = mm_in_degree;
+        let read = self.contours_of_labels(1);
+        self.drives.world.system.unrolled = None;
+        (self.drives.world.here, self.drives.world.machine) = (here, machine);
+        let read = read?;
+        let nowhere = aside.truncate() + DVec2::new(ASIDE, 0.0);
+        if let Some((label, contour)) = read.first() {
+            let left_out = (contour.way.start - nowhere).abs().min_element() < LEFT_OUT;
+            if left_out {
+                return Err(Fault::program("contour-begin-incomplete").arg("label", &**label).into());
+            }
+        }
+        let open = read.into_iter().map(|(_, contour)| contour).collect();
         self.cycles.contours = Contours { open, ..Contours::default() };
         Ok(())
     }
@@ -250,7 +307,9 @@ impl<'e> Run<'_, 'e> {
     fn contour_of_moves(&self, moves: &[Path], before: &System, side: i8) -> Option<Contour> {
         let system = before;
         let (back, up) = (system.back(), system.frame().vector(system.plane.tool.unit()));
-        let flat = |point: DVec3| system.in_plane(back.point(point)).truncate();
+        // The axes of the machine, and the tip that a turned head has moved.
+        let swung = self.drives.world.swung();
+        let flat = |point: DVec3| system.in_plane(back.point(point + swung)).truncate();
         let (lead, elements) = moves.split_first()?;
         let edge = |path: &Path| {
             let to = flat(path.at(1.0));

@@ -1,28 +1,35 @@
 //! The control on which strategies act: a run, as far as they may see it.
 //!
 //! Invariant: nothing is decided here; each function does the one thing that its trait says.
+use std::sync::Arc;
+
 use glam::DVec3;
 
-use crate::base::expr::Value;
+use crate::base::expr::{QKind, QRef, Value};
+use crate::engine::flow::definition::FieldValue;
 use crate::engine::flow::exec::Exec;
 use crate::engine::flow::state::Run;
-use crate::engine::geometry::{Frame, RotaryAxis, WorkingPlane};
-use crate::engine::machine::Carried;
+use crate::engine::geometry::{Around, Axis, Frame, RotaryAxis, WorkingPlane};
+use crate::engine::machine::{Arm, Carried, Machine, MemoryReport, SavedKinematics, Survey};
 use crate::engine::motion::drives::{Spindle as Turning, Switched};
 use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::Speed;
 use crate::engine::motion::probe::ProbingStroke;
+use crate::engine::region::Way;
 use crate::engine::report::ending::Done;
 use crate::engine::report::event::EventKind;
-use crate::engine::report::fault::Fault;
+use crate::engine::report::fault::{Class, Fault};
 use crate::engine::scene::{ParameterValue, Plate, Preset};
 use crate::engine::strategy::action::{
-    Calibrated, Function, Kept, KnownSetter, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System,
-    Tables, ToolSetter,
+    Calibrated, Course, Felt, Function, Kept, Kinematics, KnownSetter, Probe, Probing, Programs, Rotary, RotaryAxes,
+    Running, Spindle, Stopped, Stylus, System, Tables, ToolSetter, Turntable,
 };
 use crate::engine::strategy::contour::Contours;
+use crate::engine::strategy::digitized::Digitizing;
+use crate::engine::strategy::groove::Groove;
 use crate::engine::strategy::turned::Turned;
-use crate::engine::table::{Cell, TableKind};
+use crate::engine::strategy::turning_thread::TurnedThread;
+use crate::engine::table::{Cell, TableError, TableKind};
 use crate::engine::world::setter::Pose;
 
 /// A run while a cycle is executed.
@@ -104,6 +111,13 @@ impl Tables for OfRun<'_, '_, '_, '_> {
     }
 
     fn write(&mut self, table: TableKind, row: f64, column: &str, cell: &Cell) -> Done {
+        if let (TableKind::Preset, Cell::Number(number)) = (table, cell) {
+            // Rows do not know what the kinematics displace.
+            let base = self.run.drives.world.kinematics().base;
+            let displaced = Axis::ALL.into_iter().find(|axis| column == axis.letter().to_string());
+            let number = number - displaced.map_or(0.0, |axis| axis.of(base));
+            return self.run.write_cell(table, row, column, &Cell::Number(number));
+        }
         self.run.write_cell(table, row, column, cell)
     }
 
@@ -116,7 +130,7 @@ impl RotaryAxes for OfRun<'_, '_, '_, '_> {
     fn rotary(&self, axis: RotaryAxis) -> Result<Rotary, Fault> {
         let (drives, world) = (&self.run.drives, &self.run.drives.world);
         let data = drives.rotary_axis(axis)?;
-        let about = world.scene.machine.turning(data, world.angles).direction;
+        let about = world.kinematics().turning(data, world.angles).direction;
         Ok(Rotary { about, carries_workpiece: data.carries == Carried::Workpiece })
     }
 
@@ -245,16 +259,135 @@ impl Kept for OfRun<'_, '_, '_, '_> {
         self.run.read_first_contour()
     }
 
+    fn read_turned_contour(&mut self) -> Done<Way> {
+        self.run.read_turned_contour()
+    }
+
+    fn read_developed_contour(&mut self, mm_in_degree: Option<f64>) -> Done {
+        self.run.read_developed_contour(mm_in_degree)
+    }
+
     fn contours(&self) -> &Contours {
         &self.run.cycles.contours
+    }
+
+    fn keep_groove(&mut self, groove: Groove) {
+        self.run.cycles.contours.groove = Some(groove);
     }
 
     fn keep_turned(&mut self, turned: Turned) {
         self.run.cycles.contours.turned = Some(turned);
     }
 
+    fn keep_thread(&mut self, thread: TurnedThread) {
+        self.run.cycles.contours.thread = Some(thread);
+    }
+
     fn tool_radius(&self) -> f64 {
         self.run.cutter().radius
+    }
+}
+
+impl Kinematics for OfRun<'_, '_, '_, '_> {
+    fn kinematics(&self) -> Machine {
+        self.run.drives.world.kinematics().clone()
+    }
+
+    fn set_kinematics(&mut self, machine: Machine) {
+        let drives = &mut self.run.drives;
+        let before = drives.world.system.reported();
+        let moved = machine.base - drives.world.kinematics().base;
+        let origin = drives.world.system.origin + moved;
+        drives.world.set_kinematics(machine);
+        drives.world.system.set_origin(origin);
+        drives.transformed(before);
+    }
+
+    fn memories(&self) -> Vec<SavedKinematics> {
+        self.run.drives.world.memories().to_vec()
+    }
+
+    fn set_memories(&mut self, memories: Vec<SavedKinematics>) {
+        self.run.drives.world.set_memories(memories);
+    }
+
+    fn name_given(&self, meaning: &str) -> Result<String, Fault> {
+        let cycle = self.exec.definition.cycle;
+        let param = cycle.params.iter().find(|param| param.is.as_str() == meaning);
+        let q = param.and_then(|param| param.q).unwrap_or(QRef::q(0));
+        let name = QRef { kind: QKind::Qs, number: q.number };
+        match self.run.params.text(name) {
+            Ok(name) => Ok(name.to_string()),
+            Err(_) => Ok(self.run.params.number(q)?.to_string()),
+        }
+    }
+
+    fn moment(&self) -> String {
+        let clock = self.run.drives.world.scene.clock;
+        let date = format!("{:02}-{:02}-{:04}", clock.day, clock.month, clock.year);
+        format!("{date} {}:{:02}:{:02}", clock.hour, clock.minute, clock.second)
+    }
+
+    fn keep_memory_report(&mut self, report: MemoryReport) {
+        self.run.drives.world.memory_report = Some(Arc::new(report));
+    }
+
+    fn survey(&self) -> Result<Survey, Fault> {
+        let survey = self.run.drives.world.survey.as_deref().cloned();
+        survey.ok_or_else(|| Fault::new(Class::Internal, "strategy-argument"))
+    }
+
+    fn keep_survey(&mut self, survey: Survey) {
+        self.run.drives.world.survey = Some(Arc::new(survey));
+    }
+
+    fn limit(&self, name: &str) -> Option<f64> {
+        let printed = self.exec.definition.on.datum(name).unwrap_or(name);
+        self.run.drives.world.machine_parameter(printed)
+    }
+
+    fn angles(&self) -> DVec3 {
+        self.run.drives.world.angles
+    }
+
+    fn angle_datum(&self) -> DVec3 {
+        self.run.drives.world.system.angle_datum()
+    }
+
+    fn preset_in_effect(&self) -> (f64, DVec3) {
+        let system = &self.run.drives.world.system;
+        (system.preset, system.origin)
+    }
+
+    fn linear(&self) -> DVec3 {
+        self.run.drives.world.machine
+    }
+
+    fn arm(&self) -> Result<Arm, Fault> {
+        let world = &self.run.drives.world;
+        let probe = world.probe()?;
+        let up = world.system.plane.tool.unit();
+        let offset = world.offset_of_straight_head(&probe);
+        Ok(Arm { pivot: world.to_pivot(), ball: up * probe.effective_radius, offset })
+    }
+
+    fn probing(&self) -> Result<Probing, Fault> {
+        let probe = self.run.drives.world.probe()?;
+        let feed = if probe.machine_rapid { f64::INFINITY } else { probe.fmax };
+        Ok(Probing { set_up: probe.set_up, feed, radius: probe.effective_radius })
+    }
+
+    fn release_tip(&mut self) -> Done {
+        if self.run.drives.world.system.tip_held { self.run.drives.hold_tip(false) } else { Ok(()) }
+    }
+
+    fn go_turning(&mut self, turns: &[(RotaryAxis, f64)], to: DVec3, feed: f64) -> Done {
+        let drives = &mut self.run.drives;
+        drives.turn_and_go(turns, drives.world.to_program(to), Some(to), Speed::of_feed(feed), None)
+    }
+
+    fn touch(&mut self, way: DVec3) -> Done<DVec3> {
+        self.run.drives.touch_along(way)
     }
 }
 
@@ -330,5 +463,93 @@ impl ToolSetter for OfRun<'_, '_, '_, '_> {
 
     fn first_edge(&self) -> f64 {
         self.run.drives.first_edge()
+    }
+}
+
+impl Stylus for OfRun<'_, '_, '_, '_> {
+    fn stylus(&self) -> Result<(DVec3, f64), Fault> {
+        let drives = &self.run.drives;
+        let probe = drives.world.probe()?;
+        Ok((drives.stylus_at(&probe), probe.feed))
+    }
+
+    fn feel(&self, course: Course) -> Result<Option<Felt>, Fault> {
+        let drives = &self.run.drives;
+        let probe = drives.world.probe()?;
+        let found = match course {
+            Course::Line { from, to } => drives.feel(&probe, from, to, None)?,
+            Course::Arc { centre, from, sweep } => drives.feel(&probe, from, from, Some((centre, sweep)))?,
+        };
+        Ok(found.map(|(at, out)| Felt { at, out }))
+    }
+
+    fn touches(&self, at: DVec3, nearer: f64) -> Result<bool, Fault> {
+        let drives = &self.run.drives;
+        drives.touches_at(&drives.world.probe()?, at, nearer)
+    }
+
+    fn fly(&mut self, to: DVec3, feed: Option<f64>) -> Done {
+        let drives = &mut self.run.drives;
+        let probe = drives.world.probe()?;
+        let to = to - drives.world.calibrated_offset(&probe);
+        let speed = feed.map_or(Ok(Speed::Rapid), Speed::of_feed);
+        drives.straight_to(to, None, speed)
+    }
+
+    fn slide(&mut self, to: DVec3, out: DVec3, feed: f64) -> Done {
+        let drives = &mut self.run.drives;
+        let probe = drives.world.probe()?;
+        drives.slide(&probe, to, out, feed)
+    }
+
+    fn digitizing(&mut self) -> &mut Digitizing {
+        &mut self.run.cycles.digitizing
+    }
+
+    fn check_coordinates(&self, all: bool) -> Result<(), Fault> {
+        for (_, value) in &self.exec.definition.fields {
+            let FieldValue::Coords(coords) = value else { continue };
+            if let Some(rotary) = coords.iter().find(|coord| coord.rotary) {
+                let letter = RotaryAxis(rotary.axis).letter().to_string();
+                return Err(Fault::unsupported("digitizing-rotary-axis").arg("axis", letter));
+            }
+            let lacks = |axis: &Axis| coords.iter().all(|coord| coord.axis != *axis);
+            if let Some(axis) = Axis::ALL.into_iter().find(lacks).filter(|_| all) {
+                let fault = Fault::program("digitizing-range-incomplete");
+                return Err(fault.arg("axis", axis.letter().to_string()));
+            }
+        }
+        Ok(())
+    }
+
+    fn points_of_table(&self, name: &str) -> Result<Vec<DVec3>, Fault> {
+        let found = self.run.drives.world.scene.points.iter().find(|table| table.is_named(name));
+        let table = found.ok_or_else(|| TableError::NoTable { file: name.to_owned() })?;
+        let number = |row, column| table.number(row, column).map(Option::unwrap_or_default);
+        let point = |row| Ok(DVec3::new(number(row, "X")?, number(row, "Y")?, number(row, "Z")?));
+        table.rows().map(point).collect()
+    }
+
+    fn write_data(&mut self) -> Done {
+        let (plane, mm) = (self.plane(), self.run.drives.unit());
+        let kept = &self.run.cycles.digitizing;
+        let Some(range) = &kept.range else { return Ok(()) };
+        let (name, text) = kept.file(range, plane, mm);
+        self.run.write_file(name, text);
+        Ok(())
+    }
+}
+
+impl Turntable for OfRun<'_, '_, '_, '_> {
+    fn around(&self) -> Result<Around, Fault> {
+        self.run.drives.around_table()
+    }
+
+    fn datum_off_table(&self) -> Result<f64, Fault> {
+        self.run.drives.datum_off_table()
+    }
+
+    fn go_around(&mut self, to: Around, radius: f64, feed: f64) -> Done {
+        self.run.drives.go_around_table(to, radius, Speed::of_feed(feed))
     }
 }

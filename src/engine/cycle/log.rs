@@ -8,6 +8,7 @@ use minijinja::{Environment, UndefinedBehavior};
 
 use crate::base::diag::Arg;
 use crate::base::expr::Value;
+use crate::engine::cycle::kinematics_log;
 use crate::engine::flow::exec::Exec;
 use crate::engine::flow::state::Run;
 use crate::engine::report::ending::Done;
@@ -21,6 +22,8 @@ const FUEL: u64 = 10_000_000;
 const TEXT: &str = "text[\"";
 /// How a template names the one that it fills in.
 const EXTENDS: &str = "extends \"";
+/// How a template asks for what was measured or saved of the kinematics.
+const KINEMATICS: &str = "kinematics";
 /// The log that is named after the cycle.
 const OF_CYCLE: &str = "of-cycle";
 
@@ -62,6 +65,13 @@ impl<'e> Run<'_, 'e> {
         }
         self.drives.report.report(EventKind::Log { file: Some(file), text });
         Ok(())
+    }
+
+    /// Writes a file of a cycle, in place of one of that name.
+    pub(crate) fn write_file(&mut self, file: String, text: String) {
+        self.records.logs.retain(|(known, _)| *known != file);
+        self.records.logs.push((file.clone(), text.clone()));
+        self.drives.report.report(EventKind::Log { file: Some(file), text });
     }
 
     /// The extension of a log, its template, and the templates that this one fills in.
@@ -106,6 +116,9 @@ impl<'e> Run<'_, 'e> {
         context.insert("date".to_owned(), format!("{:02}-{:02}-{:04}", clock.day, clock.month, clock.year).into());
         context.insert("time".to_owned(), format!("{}:{:02}:{:02}", clock.hour, clock.minute, clock.second).into());
         context.insert("program".to_owned(), (*self.drives.report.at().program).into());
+        if templates.iter().any(|(_, template)| template.contains(KINEMATICS)) {
+            context.insert(KINEMATICS.to_owned(), kinematics_log::context(&self.drives.world));
+        }
         let mut words: BTreeMap<String, minijinja::Value> = BTreeMap::new();
         let asked = templates.iter().flat_map(|(_, template)| template.split(TEXT).skip(1));
         for part in asked {

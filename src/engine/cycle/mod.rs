@@ -7,6 +7,7 @@ mod act;
 mod contours;
 mod control;
 mod execute;
+mod kinematics_log;
 mod log;
 mod pattern;
 mod rehearsal;

@@ -130,24 +130,3 @@ impl<'e> Run<'_, 'e> {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::infeeds;
-
-    /// from, to, by, less, least → ends, counted by hand.
-    #[test]
-    fn infeeds_decrease_and_end_at_the_depth() {
-        let ends = |from, to, by, less, least| infeeds(from, to, by, less, least, 100).map_err(|f| f.code.to_string());
-        assert_eq!(ends(0.0, -20.0, 5.0, 0.0, 0.0), Ok(vec![-5.0, -10.0, -15.0, -20.0]));
-        assert_eq!(ends(0.0, -18.0, 5.0, 0.0, 0.0), Ok(vec![-5.0, -10.0, -15.0, -18.0]));
-        assert_eq!(ends(2.0, -8.0, 5.0, 1.0, 3.0), Ok(vec![-3.0, -7.0, -8.0]));
-        assert_eq!(ends(0.0, 20.0, 30.0, 0.0, 0.0), Ok(vec![20.0]));
-        assert_eq!(ends(0.0, -20.0, 0.0, 0.0, 0.0), Ok(vec![-20.0]));
-        assert_eq!(ends(0.0, -20.0, 5.0, 1.0, 0.0), Err("infeeds-never-reach-depth".to_owned()));
-        assert_eq!(ends(0.0, -15.0, 5.0, 1.0, 0.0), Ok(vec![-5.0, -9.0, -12.0, -14.0, -15.0]));
-        assert_eq!(ends(0.0, -20.0, 0.1, 0.0, 0.0), Err("series-limit".to_owned()));
-        // A least infeed above the first one does not make the first one larger.
-        assert_eq!(ends(0.0, -6.0, 2.0, 0.5, 5.0), Ok(vec![-2.0, -4.0, -6.0]));
-    }
-}

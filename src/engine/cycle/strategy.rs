@@ -50,6 +50,14 @@ impl<'e> Run<'_, 'e> {
 
     /// Moves along a path; then comes why it ends early.
     fn follow(&mut self, path: Path) -> Done {
+        let switched = self.drives.switched;
+        let ended = self.follow_legs(path);
+        // Moves in step with the turning spindle end with their path.
+        (self.drives.switched.turned, self.drives.switched.per_revolution) = (switched.turned, switched.per_revolution);
+        ended
+    }
+
+    fn follow_legs(&mut self, path: Path) -> Done {
         for leg in path.legs {
             let system = &self.drives.world.system;
             match leg {
@@ -63,6 +71,7 @@ impl<'e> Run<'_, 'e> {
                     let turn = Turn { plane, centre, direction: sweep.signum(), sweep: Some(sweep) };
                     self.drives.arc_by(turn, to, Speed::of_feed(feed))?;
                 }
+                Leg::InStep { angle, diameter, .. } => self.drives.keep_step(angle, diameter),
                 Leg::Arc { centre, to, direction, sweep, feed } => {
                     let (centre, to) = (system.axes(centre), system.axes(to));
                     self.drives.arc_to(centre, to, direction, sweep, Speed::of_feed(feed))?;

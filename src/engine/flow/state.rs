@@ -3,10 +3,10 @@
 //! Its parts know nothing of each other: the drives move the machine, the contour holds back what the next element
 //! decides, calls know where the program is, parameters have values. What needs several of them is written for the run:
 //! values and calls of programs here in `flow`, execution of plans in `engine::cycle`, blocks in `engine::run`.
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::calls::Calls;
 use super::code::Prepared;
@@ -15,6 +15,7 @@ use super::memory::Memory;
 use super::settings::{Settings, Watching};
 use super::sources::Sources;
 use crate::base::expr::Value;
+use crate::engine::contour::element::Element;
 use crate::engine::contour::path::Contour;
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::motion::drives::Drives;
@@ -26,6 +27,7 @@ use crate::engine::report::event::Event;
 use crate::engine::report::fault::{Class, Fault};
 use crate::engine::report::outcome::{Noted, Shown};
 use crate::engine::strategy::contour::Contours;
+use crate::engine::strategy::digitized::Digitizing;
 use crate::program::syntax::{Motion, Path};
 use crate::spec::{Cycle, CycleKey, OnControl};
 
@@ -47,6 +49,8 @@ pub(crate) struct Modal {
     pub(crate) tool_feed: Option<f64>,
     /// The pole.
     pub(crate) pole: Option<Pole>,
+    /// The pole of free contours, in the working plane.
+    pub(crate) free_pole: Option<DVec2>,
     /// Whether every positioning block calls the last cycle (M89).
     pub(crate) call_always: bool,
     /// Whether the last positioning block went at rapid traverse.
@@ -98,6 +102,8 @@ pub(crate) struct Cycles<'e> {
     pub(crate) contours: Contours,
     /// Where contours come from.
     pub(crate) sources: Sources,
+    /// The range for digitizing, and what was digitized.
+    pub(crate) digitizing: Digitizing,
     /// Nested executions.
     pub(crate) inside: usize,
     /// What the cycle that is executed has written to tables: reported when it ends well.
@@ -121,6 +127,17 @@ impl Cycles<'_> {
         self.plans.insert(cycle.key, Arc::clone(&plan));
         Ok(plan)
     }
+}
+
+/// A free contour whose elements were calculated ahead.
+#[derive(Default)]
+pub(crate) struct Solved {
+    /// The program in which it is written.
+    pub(crate) program: usize,
+    /// Its elements that are not executed yet, each with its block.
+    pub(crate) elements: VecDeque<(usize, Element)>,
+    /// The blocks that select solutions of it.
+    pub(crate) selections: Vec<usize>,
 }
 
 /// What a run leaves next to its events.
@@ -154,6 +171,8 @@ pub(crate) struct Run<'r, 'e> {
     pub(crate) drives: Drives<'r, 'e>,
     /// The contour that radius compensation, a rounding or an approach has begun.
     pub(crate) contour: Contour,
+    /// The free contour under way.
+    pub(crate) free: Solved,
     pub(crate) cycles: Cycles<'e>,
     pub(crate) patterns: Patterns,
     pub(crate) records: Records,
@@ -179,6 +198,7 @@ impl<'r, 'e> Run<'r, 'e> {
             modal: Modal::default(),
             drives,
             contour: Contour::default(),
+            free: Solved::default(),
             cycles: Cycles::default(),
             patterns: Patterns::default(),
             records: Records::default(),

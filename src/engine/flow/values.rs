@@ -58,6 +58,10 @@ impl<'e> Run<'_, 'e> {
     }
 
     pub(crate) fn coordinate(&self, coord: &Coord, now: f64) -> Result<f64, Fault> {
+        if let (Axis::X, Some(length)) = (coord.axis, self.drives.world.system.unrolled) {
+            let value = self.operand(&coord.value)? * length;
+            return Ok(if coord.incremental { now + value } else { value });
+        }
         let linear = coord.axis == Axis::Pr || linear(coord.axis).is_ok();
         let unit = if linear { self.drives.unit() } else { 1.0 };
         // A diameter in turning.

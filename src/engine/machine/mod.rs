@@ -1,12 +1,22 @@
 //! Machines: which axes there are, how far and how fast they go, what turns about what.
 //!
 //! Invariant: a machine is data; it knows no position, no tool and no workpiece.
+mod around;
 mod course;
+mod errors;
+mod fit;
 mod rotary;
+mod saved;
+mod survey;
 mod tool;
 
+pub use around::Across;
 pub use course::{Course, Straight};
+pub use errors::TrueMachine;
+pub use fit::Fit;
 pub use rotary::{Carried, RotaryMachineAxis};
+pub use saved::{MemoryReport, SavedKinematics, matches as matches_pattern};
+pub use survey::{Arm, AxisPlan, AxisReport, LEAST_CIRCLE, Station, Survey, expected, on_grid, sphere};
 pub use tool::{Neck, Tool};
 
 use super::geometry::Axis;
@@ -55,6 +65,8 @@ pub struct Machine {
     pub rotary: Vec<RotaryMachineAxis>,
     /// The distance of the point about which a swivel head turns from the spindle nose, mm.
     pub pivot: f64,
+    /// By how much presets are displaced in the machine, mm: what the compensation of a preset has found.
+    pub base: DVec3,
 }
 
 impl Machine {
@@ -87,7 +99,7 @@ impl Machine {
 
     /// Reads a machine written out in another file.
     pub(super) fn read(node: &Node, reader: &mut Reader<'_>) -> Option<Self> {
-        if !reader.only_keys(node, &["machine", "name", "spindle", "axes", "rotary", "pivot"]) {
+        if !reader.only_keys(node, &["machine", "name", "spindle", "axes", "rotary", "pivot", "base"]) {
             return None;
         }
         if let Some(version) = node.get("machine").filter(|version| version.text() != Some(VERSION)) {
@@ -106,7 +118,8 @@ impl Machine {
         }
         let rotary = node.get("rotary").map_or_else(Vec::new, |list| rotary::read(list, reader));
         let pivot = node.get("pivot").map_or(Some(0.0), |pivot| reader.length(pivot))?;
-        Some(Self { name, spindle: spindle?, axes, rotary, pivot })
+        let base = node.get("base").map_or(Some(DVec3::ZERO), |base| reader.vector(base))?;
+        Some(Self { name, spindle: spindle?, axes, rotary, pivot, base })
     }
 
     /// The data of an axis, if the machine has it.

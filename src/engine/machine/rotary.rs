@@ -27,8 +27,13 @@ pub struct RotaryMachineAxis {
     /// What it carries turns right-handed about this axis when its coordinate grows:
     /// +1 as the axis points, -1 against it.
     pub about: (Axis, f64),
-    /// A point that stays where it is, in machine coordinates while all other axes are at 0; of the table only.
+    /// A point that stays where it is while all other axes are at 0: of the table in machine coordinates, of the head
+    /// seen from the point about which the head swivels.
     pub centre: DVec3,
+    /// By how much the line about which it turns is out of its direction: angles in degrees about X, Y and Z.
+    pub askew: DVec3,
+    /// The grid of an axis with Hirth teeth, degrees; others stop anywhere.
+    pub hirth: Option<f64>,
     /// The lowest and the highest machine coordinate in degrees; without them it turns without end.
     pub limits: Option<(f64, f64)>,
     /// Rapid traverse in degrees a minute.
@@ -39,7 +44,19 @@ impl RotaryMachineAxis {
     /// What turning it to that coordinate does to what it carries.
     pub(super) fn turned(&self, degrees: f64) -> Frame {
         let turn = Frame::rotate(self.about.0, self.about.1 * degrees);
-        Frame::shift(self.centre).of(turn).of(Frame::shift(-self.centre))
+        if self.askew == DVec3::ZERO {
+            return Frame::shift(self.centre).of(turn).of(Frame::shift(-self.centre));
+        }
+        if degrees == 0.0 {
+            return Frame::IDENTITY;
+        }
+        let line = Frame::placed(self.centre, self.askew);
+        line.of(turn).of(line.inverse())
+    }
+
+    /// The direction about which it turns what it carries, while all other axes are at 0.
+    pub fn direction(&self) -> DVec3 {
+        Frame::placed(DVec3::ZERO, self.askew).vector(self.about.0.unit() * self.about.1)
     }
 
     /// Whether it turns without end.
@@ -56,7 +73,8 @@ impl RotaryMachineAxis {
 /// How what an axis carries turns when it alone moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning {
-    /// A point of the line about which it turns, in machine coordinates.
+    /// A point of the line about which it turns: in machine coordinates, of a head seen from the point about which it
+    /// swivels.
     pub centre: DVec3,
     /// The direction of that line, right-handed for growing coordinates.
     pub direction: DVec3,
@@ -88,10 +106,7 @@ impl Machine {
     /// The line about which an axis turns now.
     pub fn turning(&self, axis: &RotaryMachineAxis, angles: DVec3) -> Turning {
         let carried_by = self.chain(axis.carries, angles, Some(axis.axis));
-        Turning {
-            centre: carried_by.point(axis.centre),
-            direction: carried_by.vector(axis.about.0.unit() * axis.about.1),
-        }
+        Turning { centre: carried_by.point(axis.centre), direction: carried_by.vector(axis.direction()) }
     }
 
     /// The first rotary axis that a position takes beyond its limits.
@@ -124,8 +139,7 @@ fn read_axis(node: &Node, reader: &mut Reader<'_>) -> Option<RotaryMachineAxis> 
             return None;
         }
     };
-    let all = ["axis", "carries", "about", "min", "max", "rapid", "centre"];
-    reader.only_keys(node, if carries == Carried::Workpiece { &all } else { &all[..6] });
+    reader.only_keys(node, &["axis", "carries", "about", "min", "max", "rapid", "centre", "askew", "hirth"]);
     let letter = reader.need(node, "axis")?;
     let mut letters = letter.text().unwrap_or_default().chars();
     let axis = letters.next().and_then(RotaryAxis::from_letter).filter(|_| letters.next().is_none());
@@ -137,6 +151,11 @@ fn read_axis(node: &Node, reader: &mut Reader<'_>) -> Option<RotaryMachineAxis> 
     let usual = (axis.0, if carries == Carried::Workpiece { -1.0 } else { 1.0 });
     let about = node.get("about").map_or(Some(usual), |about| direction(about, reader))?;
     let centre = node.get("centre").map_or(Some(DVec3::ZERO), |centre| reader.vector(centre))?;
+    let askew = node.get("askew").map_or(Some(DVec3::ZERO), |askew| reader.angles(askew))?;
+    let hirth = match node.get("hirth") {
+        None => None,
+        Some(grid) => Some(above_zero(grid, reader)?),
+    };
     let mut angle = |key: &str| node.get(key).map_or(Some(None), |node| reader.number(node).map(Some));
     let limits = match (angle("min")?, angle("max")?) {
         (None, None) => None,
@@ -146,12 +165,19 @@ fn read_axis(node: &Node, reader: &mut Reader<'_>) -> Option<RotaryMachineAxis> 
             return None;
         }
     };
-    let rapid = reader.need(node, "rapid").and_then(|node| reader.number(node).map(|rapid| (node, rapid)))?;
-    if rapid.1 <= 0.0 {
-        reader.report("scene-not-positive", rapid.0, vec![("found", rapid.1.into())]);
+    let rapid = reader.need(node, "rapid")?;
+    let rapid = above_zero(rapid, reader)?;
+    Some(RotaryMachineAxis { axis, carries, about, centre, askew, hirth, limits, rapid })
+}
+
+/// A number above zero that is no length.
+fn above_zero(node: &Node, reader: &mut Reader<'_>) -> Option<f64> {
+    let number = reader.number(node)?;
+    if number <= 0.0 {
+        reader.report("scene-not-positive", node, vec![("found", number.into())]);
         return None;
     }
-    Some(RotaryMachineAxis { axis, carries, about, centre, limits, rapid: rapid.1 })
+    Some(number)
 }
 
 /// `Z` or `-Z`.

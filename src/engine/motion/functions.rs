@@ -28,6 +28,8 @@ pub(crate) enum Effect {
     CallOnce,
     /// Coordinates of the block are machine coordinates.
     MachineCoordinates,
+    /// Coordinates of the block are those of the system that is not tilted.
+    Untilted,
     /// The tool tip is held on the workpiece while rotary axes turn, or no longer.
     HoldTip(bool),
     /// The tool moves away from the workpiece along its axis.
@@ -67,6 +69,7 @@ pub(crate) fn effect(number: u16) -> Option<Effect> {
         89 => Effect::CallAlways,
         99 => Effect::CallOnce,
         91 => Effect::MachineCoordinates,
+        130 => Effect::Untilted,
         97 | 98 => Effect::Corner,
         140 => Effect::Retract,
         128 => Effect::HoldTip(true),

@@ -78,6 +78,33 @@ impl Drives<'_, '_> {
         mean(&probe, &centres, approach.direction).map_err(Into::into)
     }
 
+    /// Probes along a direction of the machine, as far as probes go, and returns to where it began. The linear axes where
+    /// it touched: the tool tip in the machine with the head at 0, and what turning the head has done to the offset of
+    /// the ball.
+    pub(crate) fn touch_along(&mut self, way: DVec3) -> Done<DVec3> {
+        self.not_beside_contour("TCH PROBE")?;
+        let probe = self.world.probe()?;
+        let direction = self.world.system.back().vector(way).normalize();
+        if let Some(turned) = self.world.tracked(&probe, way) {
+            self.orient_probe(&probe, turned);
+        }
+        let stroke = ProbingStroke { direction, path: probe.dist, feed: probe.feed };
+        let mut tips = Vec::with_capacity(probe.measurements as usize);
+        for _ in 0..probe.measurements {
+            let stop = self.approach(&probe, &stroke)?;
+            if !stop.touched {
+                self.world.machine = stop.tip;
+                self.world.renew();
+                return Err(Fault::control("probe-no-contact").arg("distance", probe.dist).into());
+            }
+            self.back_from(stop.tip);
+            tips.push(stop.tip);
+        }
+        let offset = self.world.offset_of_straight_head(&probe);
+        let offset = self.world.head.map_or(offset, |head| head.vector(offset));
+        Ok(mean(&probe, &tips, way.normalize())? + offset)
+    }
+
     /// Turns the spindle so far from the angle at which the probe was calibrated, if it can turn.
     pub(crate) fn orient_probe(&mut self, probe: &ProbeData, turned: f64) {
         let way = (turned - self.world.spindle_turned).rem_euclid(360.0);

@@ -29,7 +29,7 @@ pub(crate) enum Back {
 
 /// The direction about which an axis turns what it carries, right-handed for growing coordinates.
 fn about(axis: &RotaryMachineAxis) -> DVec3 {
-    axis.about.0.unit() * axis.about.1
+    axis.direction()
 }
 
 /// The rotary axis whose sign chooses between two positions.
@@ -76,7 +76,7 @@ impl Drives<'_, '_> {
     /// The same with a positive (`Some(true)`) or negative angle of the master axis: the one next to the tool, or, where
     /// the head has none, the one farthest from the workpiece.
     pub(crate) fn rotary_positions_with(&self, positive: Option<bool>) -> Result<DVec3, Fault> {
-        let (system, machine) = (&self.world.system, &self.world.scene.machine);
+        let (system, machine) = (&self.world.system, self.world.kinematics());
         let datum = system.angle_datum();
         let tool = machine.spindle.unit();
         // The direction of the plane in the workpiece while all axes of the table are at 0.
@@ -116,10 +116,33 @@ impl Drives<'_, '_> {
         nearer.ok_or_else(|| Fault::control("tilting-unreachable"))
     }
 
+    /// The positions with the table turned so that the main axis of the plane is that of the machine, where an axis
+    /// of the table is free to do so: it turns about the tool and leaves the plane as it is. In program coordinates.
+    pub(crate) fn with_table_turned(&self, positions: DVec3) -> Result<DVec3, Fault> {
+        let (system, machine) = (&self.world.system, &self.world.scene.machine);
+        let datum = system.angle_datum();
+        let all = positions * system.mirror().1 + datum;
+        let tool = machine.head(all).vector(machine.spindle.unit()).normalize();
+        let is_free = |axis: &&RotaryMachineAxis| {
+            axis.carries == Carried::Workpiece && machine.turning(axis, all).direction.dot(tool).abs() > 1.0 - SAME
+        };
+        // The workpiece is clamped on the last one.
+        let Some(axis) = machine.rotary.iter().rev().find(is_free) else { return Ok(positions) };
+        let main = system.plane.main;
+        let of_plane = system.table.inverse().of(*system.frame()).vector(main.unit()) * main.of(system.mirror().0);
+        let of_plane = machine.table(all).vector(machine.table(datum).inverse().vector(of_plane));
+        let by = angle_about(machine.turning(axis, all).direction.normalize(), of_plane, main.unit());
+        let to = axis.axis.of(all) + by;
+        if !axis.reaches(to) {
+            return Err(Fault::control("tilting-unreachable"));
+        }
+        Ok((axis.axis.with(all, to) - datum) * system.mirror().1)
+    }
+
     /// The plane at right angles to the tool with the rotary axes at these positions, in program coordinates: its system
     /// as seen from the one that is not tilted.
     pub(crate) fn tilt_by_axes(&self, positions: DVec3) -> Frame {
-        let (system, machine) = (&self.world.system, &self.world.scene.machine);
+        let (system, machine) = (&self.world.system, self.world.kinematics());
         let datum = system.angle_datum();
         let all = positions * system.mirror().1 + datum;
         let turned = |frame: Frame| Frame::placed(DVec3::ZERO, frame.spatial_angles());
@@ -136,10 +159,11 @@ impl Drives<'_, '_> {
     /// Whether the spindle is at right angles to the rotary axis on which the workpiece is clamped;
     /// not where there is none.
     pub(crate) fn spindle_is_across(&self) -> bool {
-        let (world, machine) = (&self.world, &self.world.scene.machine);
+        let (world, machine) = (&self.world, self.world.kinematics());
         let spindle = machine.head(world.angles).vector(machine.spindle.unit()).normalize();
-        let clamped = machine.rotary.iter().rev().find(|axis| axis.carries == Carried::Workpiece);
-        clamped.is_some_and(|axis| machine.turning(axis, world.angles).direction.dot(spindle).abs() < STRAIGHT)
+        machine
+            .clamped_on()
+            .is_some_and(|axis| machine.turning(axis, world.angles).direction.dot(spindle).abs() < STRAIGHT)
     }
 
     /// Positions of all rotary axes of the machine, in program coordinates, as targets.
@@ -152,7 +176,7 @@ impl Drives<'_, '_> {
     /// Turns the axes; the point that far before the tip keeps its place on the workpiece, and the tool returns to it.
     pub(crate) fn turn_about_point(&mut self, to: DVec3, distance: f64, speed: Result<Speed, Fault>) -> Done {
         let turns = self.turns_in_program(to);
-        let machine = &self.world.scene.machine;
+        let machine = self.world.kinematics();
         let direction = machine.head(self.world.angles).vector(machine.spindle.unit());
         let system = &self.world.system;
         let held = self.world.here - system.back().vector(direction).normalize() * distance;
@@ -163,7 +187,7 @@ impl Drives<'_, '_> {
 
     /// Back along the tool, as far as the axes go if it shall be the greatest way.
     pub(crate) fn retract_before_turning(&mut self, back: Back) -> Done {
-        let machine = &self.world.scene.machine;
+        let machine = self.world.kinematics();
         let along = machine.head(self.world.angles).vector(machine.spindle.unit()).normalize();
         let here = self.world.machine;
         let way = match back {

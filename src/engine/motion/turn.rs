@@ -37,18 +37,20 @@ impl Drives<'_, '_> {
 
     /// Turns axes to machine coordinates.
     pub(crate) fn turn_to(&mut self, to: &[(RotaryAxis, f64)], speed: Result<Speed, Fault>) -> Done {
-        self.turn_and_go(to, self.world.here, None, speed)
+        self.turn_and_go(to, self.world.here, None, speed, None)
     }
 
     /// Turns axes to machine coordinates while the tool goes to a point of the program, as it is before they turn;
     /// `machine` gives it in machine coordinates where that is what is programmed.
-    /// A tip that is held goes straight on the workpiece.
+    /// A tip that is held goes straight on the workpiece. `rates` are those of the linear axes together, mm/min, and of
+    /// the rotary axis that goes farthest, degrees/min, where a feed is neither of them.
     pub(crate) fn turn_and_go(
         &mut self,
         turns: &[(RotaryAxis, f64)],
         to: DVec3,
         machine: Option<DVec3>,
         speed: Result<Speed, Fault>,
+        rates: Option<(f64, f64)>,
     ) -> Done {
         self.can_turn(turns)?;
         let before = self.world.angles;
@@ -78,7 +80,7 @@ impl Drives<'_, '_> {
             let path = BallPath::line(from, end + swung);
             let (kind, feed) = match speed {
                 Speed::Rapid => (MoveKind::Rapid, self.world.scene.machine.rapid_feed(end - self.world.machine)),
-                Speed::Feed(feed) => (MoveKind::Feed, feed),
+                Speed::Feed(feed) => (MoveKind::Feed, rates.map_or(feed, |(linear, _)| linear)),
             };
             self.world.pressed = None;
             self.report.report(EventKind::Move {
@@ -92,7 +94,11 @@ impl Drives<'_, '_> {
             });
             (self.world.here, self.world.machine) = (to, end);
         }
-        let turned = self.turned(&moving, after, speed, moves || held);
+        let turning = match (speed, rates) {
+            (Speed::Feed(_), Some((_, rotary))) => Speed::Feed(rotary),
+            _ => speed,
+        };
+        let turned = self.turned(&moving, after, turning, moves || held);
         let transform = self.world.system.reported();
         self.world.turn(after);
         self.report.report(turned);
@@ -134,7 +140,7 @@ impl Drives<'_, '_> {
     /// By how much the head will have moved the tool tip when the axes are there, if the control reckons with it.
     fn swung_after(&self, angles: DVec3) -> DVec3 {
         if self.world.system.is_on_workpiece() {
-            self.world.swing(&self.world.scene.machine.head(angles))
+            self.world.swing(&self.world.kinematics().head(angles))
         } else {
             DVec3::ZERO
         }
@@ -143,7 +149,7 @@ impl Drives<'_, '_> {
     /// The movement to where the axes shall be, and where the linear ones are then.
     fn course(&self, after: DVec3, to: Option<DVec3>, machine: Option<DVec3>) -> (Course<'_>, DVec3) {
         let world = &self.world;
-        let (kinematics, before) = (&world.scene.machine, world.angles);
+        let (kinematics, before) = (world.kinematics(), world.angles);
         let made = |straight| Course::new(kinematics, [before, after], straight, world.to_pivot());
         if let Some(end) = machine.filter(|_| to.is_some() || world.system.tip_held) {
             return (made(Straight::Axes(world.machine, end)), end);
@@ -197,7 +203,8 @@ impl Drives<'_, '_> {
             return Ok(());
         }
         let (world, probe) = (&self.world, self.world.probe()?);
-        let parts = world.scene.machine.table(world.scene.start_angles);
+        let (machine, course) = (world.true_machine(), course.on(world.true_machine()));
+        let parts = machine.table(world.scene.start_angles);
         let ball = world.arm(&probe);
         let touches = |radius: f64, arm: DVec3| -> Result<Option<Contact>, SolidError> {
             let at = |share| parts.point(course.at(arm, share));
@@ -222,13 +229,15 @@ impl Drives<'_, '_> {
         }
         let probe = self.world.probe()?;
         let axis = self.rotary_axis(axis)?;
-        let turning = self.world.scene.machine.turning(axis, self.world.angles);
+        let machine = self.world.true_machine();
+        let axis = machine.rotary(axis.axis).unwrap_or(axis);
+        let turning = machine.turning(axis, self.world.angles);
         let way = axis.axis.of(after - self.world.angles);
         let from = self.world.ball_centre(self.world.machine, &probe);
         let (centre, sweep) = match axis.carries {
             // The parts turn one way, so to them the ball turns the other way.
             Carried::Workpiece => (turning.centre, -way),
-            Carried::Tool => (self.world.pivot(self.world.machine), way),
+            Carried::Tool => (self.world.pivot(self.world.machine) + turning.centre, way),
         };
         let around = |from: DVec3| {
             let centre = centre + turning.direction * (from - centre).dot(turning.direction);

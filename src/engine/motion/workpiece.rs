@@ -60,6 +60,17 @@ impl Drives<'_, '_> {
         Ok(())
     }
 
+    /// From now on feeds are per revolution, in step with the workpiece from an angle on: it keeps the speed that it has
+    /// on a diameter.
+    pub(crate) fn keep_step(&mut self, angle: f64, diameter: f64) {
+        let turned = &mut self.switched.turned;
+        turned.speed = turned.speed_on(diameter);
+        (turned.cutting_speed, turned.limit, self.switched.per_revolution) = (None, None, true);
+        let (direction, speed) = (turned.direction, turned.speed);
+        let orient = Some(angle.rem_euclid(360.0));
+        self.report.report(EventKind::Spindle { tool: None, direction, speed, orient });
+    }
+
     /// The diameter at a point of the program.
     fn diameter(&self, point: DVec3) -> f64 {
         2.0 * point.x

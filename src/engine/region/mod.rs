@@ -11,6 +11,7 @@ pub mod clearing;
 mod combine;
 pub mod contours;
 pub mod formula;
+pub mod groove;
 pub mod profile;
 mod way;
 

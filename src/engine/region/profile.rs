@@ -12,6 +12,8 @@ use crate::base::expr::{atan2d, cosd, sind};
 const SAME: f64 = 1e-9;
 /// The edges of an insert are so long, mm.
 const EDGE: f64 = 10_000.0;
+/// What is less of an arc, degrees, does not turn it back.
+const TURNS_BACK: f64 = 1e-6;
 /// What is steeper has no height at a place: it is a wall.
 const STEEP: f64 = 1e-7;
 
@@ -128,7 +130,7 @@ pub struct Allowance {
     pub away: f64,
 }
 
-/// A profile cannot be cut in one direction: it goes back somewhere.
+/// A profile cannot be cut in one direction: it goes back where it begins or ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GoesBack;
 
@@ -136,20 +138,43 @@ impl Envelope {
     /// The heights of the tip of an insert over a profile with an allowance. The tip is `tip` nose radii from the
     /// centre of the nose, by axis.
     ///
+    /// Where the profile goes back, what lies under it is covered: the tip cannot come there from the side that is away
+    /// from the part.
+    ///
     /// # Errors
-    /// The profile goes back somewhere.
+    /// The profile goes back where it begins or ends.
     pub fn over(profile: &Way, allowance: Allowance, insert: Insert, tip: DVec2) -> Result<Self, GoesBack> {
         let mut pieces = Vec::new();
         let along = allowance.along.abs();
+        let profile = &monotone(profile);
+        let (Some(first), Some(last)) = (profile.edges.first(), profile.edges.last()) else { return Err(GoesBack) };
+        let before_last = profile.edges.iter().rev().nth(1).map_or(profile.start, Edge::to);
+        if first.to().x < profile.start.x - STEEP || last.to().x < before_last.x - STEEP {
+            return Err(GoesBack);
+        }
         for side in if along > SAME { &[-1.0, 1.0][..] } else { &[1.0][..] } {
             let by = DVec2::new(along * side, allowance.away);
-            above(profile, insert, by, along, &mut pieces)?;
+            above(profile, insert, by, along, &mut pieces);
         }
         let by = tip * insert.radius;
         for piece in &mut pieces {
             *piece = Piece { from: piece.from + by.x, to: piece.to + by.x, shape: piece.shape.moved(by) };
         }
         Ok(Self { pieces: highest(&pieces) })
+    }
+
+    /// The higher of two at every place.
+    pub fn higher(&self, other: &Self) -> Self {
+        Self { pieces: highest(&[self.pieces.as_slice(), &other.pieces].concat()) }
+    }
+
+    /// Places on each of its pieces: near both ends, and in the middle.
+    pub(super) fn places(&self) -> Vec<f64> {
+        let places = self.pieces.iter().flat_map(|piece| {
+            let near = (piece.to - piece.from).min(1.0) * 1e-3;
+            [piece.from + near, piece.from.midpoint(piece.to), piece.to - near]
+        });
+        places.collect()
     }
 
     /// The lowest height at a place; nothing where there is no part.
@@ -200,6 +225,17 @@ impl Envelope {
             }
         }
         best
+    }
+
+    /// The same, and nowhere lower than a level.
+    #[must_use]
+    pub fn raised(&self, level: f64) -> Self {
+        let (from, to) =
+            (self.pieces.first().map_or(0.0, |piece| piece.from), self.pieces.last().map_or(0.0, |piece| piece.to));
+        let floor = Piece { from, to, shape: Shape::Line { through: DVec2::new(from, level), slope: 0.0 } };
+        let mut pieces = self.pieces.clone();
+        pieces.push(floor);
+        Self { pieces: highest(&pieces) }
     }
 
     /// The lowest height between two places.
@@ -278,15 +314,12 @@ fn straightened(from: DVec2, edges: Vec<Edge>) -> Vec<Edge> {
 }
 
 /// The pieces that the centre of the nose must stay above, of a profile moved by so much.
-fn above(profile: &Way, insert: Insert, by: DVec2, along: f64, pieces: &mut Vec<Piece>) -> Result<(), GoesBack> {
+fn above(profile: &Way, insert: Insert, by: DVec2, along: f64, pieces: &mut Vec<Piece>) {
     let radius = insert.radius;
     let mut at = profile.start + by;
     corner(at, insert, along, by.x, pieces);
     for edge in &profile.edges {
         let end = edge.to() + by;
-        if end.x < at.x - STEEP {
-            return Err(GoesBack);
-        }
         match *edge {
             Edge::Line(_) => {
                 let way = end - at;
@@ -299,30 +332,53 @@ fn above(profile: &Way, insert: Insert, by: DVec2, along: f64, pieces: &mut Vec<
             }
             Edge::Arc { centre, sweep, .. } => {
                 let centre = centre + by;
-                arc(at, end, centre, sweep, insert, pieces)?;
+                // What goes back is covered by what comes forward above it.
+                if end.x >= at.x {
+                    arc(at, end, centre, sweep, insert, pieces);
+                }
             }
         }
         corner(end, insert, along, by.x, pieces);
         at = end;
     }
-    Ok(())
+}
+
+/// The same way with arcs divided where they turn back.
+pub fn monotone(way: &Way) -> Way {
+    let (mut at, mut edges) = (way.start, Vec::with_capacity(way.edges.len()));
+    for edge in &way.edges {
+        if let Edge::Arc { to, centre, sweep } = *edge {
+            let arm = at - centre;
+            let (from, radius) = (atan2d(arm.y, arm.x), arm.length());
+            // The angles from the beginning to the sides of the circle.
+            let mut turns: Vec<(f64, f64)> = [0.0, 180.0, 360.0, 540.0]
+                .map(|side| ((side - from) * sweep.signum()).rem_euclid(360.0))
+                .into_iter()
+                .zip([1.0, -1.0, 1.0, -1.0])
+                .flat_map(|(angle, side)| [(angle, side), (angle + 360.0, side)])
+                .filter(|(angle, _)| *angle > TURNS_BACK && *angle < sweep.abs() - TURNS_BACK)
+                .collect();
+            turns.sort_by(|a, b| a.0.total_cmp(&b.0));
+            turns.dedup_by(|a, b| a.0 - b.0 < TURNS_BACK);
+            let mut gone = 0.0;
+            for (angle, side) in turns {
+                let to = centre + DVec2::new(side * radius, 0.0);
+                edges.push(Edge::Arc { to, centre, sweep: (angle - gone) * sweep.signum() });
+                gone = angle;
+            }
+            edges.push(Edge::Arc { to, centre, sweep: (sweep.abs() - gone) * sweep.signum() });
+        } else {
+            edges.push(*edge);
+        }
+        at = edge.to();
+    }
+    Way { start: way.start, edges }
 }
 
 /// An arc: beside it is another one, unless the nose does not find room in it.
-fn arc(
-    from: DVec2,
-    to: DVec2,
-    centre: DVec2,
-    sweep: f64,
-    insert: Insert,
-    pieces: &mut Vec<Piece>,
-) -> Result<(), GoesBack> {
+fn arc(from: DVec2, to: DVec2, centre: DVec2, sweep: f64, insert: Insert, pieces: &mut Vec<Piece>) {
     let (own, upper) = (from.distance(centre), sweep < 0.0);
-    // Neither end may lie on the other half of the circle.
     let side = if upper { 1.0 } else { -1.0 };
-    if (from.y - centre.y) * side < -STEEP || (to.y - centre.y) * side < -STEEP || sweep.abs() > 180.0 + STEEP {
-        return Err(GoesBack);
-    }
     let radius = own + insert.radius * side;
     if radius > SAME {
         let place = |point: DVec2| centre.x + (point.x - centre.x) * (radius / own);
@@ -336,7 +392,6 @@ fn arc(
             }
         }
     }
-    Ok(())
 }
 
 /// A corner of the profile: the nose goes round it, and the edges of the insert lean against it.

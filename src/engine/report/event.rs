@@ -292,7 +292,7 @@ pub enum EventKind {
         direction: i8,
         /// The speed, rev/min; 0 while the spindle is stationary.
         speed: f64,
-        /// The angle of an orientation.
+        /// The angle of an orientation; while it turns, where it is when the next move begins, which is in step with it.
         orient: Option<f64>,
     },
     /// The coolant is switched.

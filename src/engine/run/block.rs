@@ -96,6 +96,7 @@ impl<'e> Run<'_, 'e> {
                 self.stop()?;
                 return self.after(functions, false);
             }
+            BlockKind::Statement(statement) if statement.kind == StatementKind::Fselect => self.selection()?,
             BlockKind::Statement(statement) if self.drives.beside_contour => {
                 self.drives.not_beside_contour(self.slice(statement.head).trim())?;
             }
@@ -378,7 +379,7 @@ impl<'e> Run<'_, 'e> {
             }
         };
         let end = tool.with(self.drives.world.machine, to);
-        self.drives.turn_and_go(&[], self.drives.world.to_program(end), Some(end), speed)
+        self.drives.turn_and_go(&[], self.drives.world.to_program(end), Some(end), speed, None)
     }
 
     /// M functions that act at the end of their block, and the call of the last cycle.

@@ -218,6 +218,10 @@ impl<'e> Run<'_, 'e> {
             };
             return Ok(self.set(q, Content::Number(number))?);
         }
+        if let (Content::Number(_), Some(name)) = (&content, param.q_of_name()) {
+            // A name from before would mean something else.
+            self.params.forget(name);
+        }
         Ok(self.set(q, content)?)
     }
 

@@ -6,6 +6,7 @@
 mod block;
 mod define;
 mod engine;
+mod free;
 mod lead;
 mod motion;
 mod plane;

@@ -9,6 +9,7 @@ use crate::engine::contour::path::BlockPlace;
 use crate::engine::flow::state::{Pole, Run};
 use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis, WorkingPlane};
 use crate::engine::motion::axis::{linear, rotary};
+use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::{OFF_CIRCLE, Speed, Turn};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -21,6 +22,10 @@ impl Run<'_, '_> {
         match motion.path {
             Path::Cc => {
                 self.set_pole(motion)?;
+                return Ok(false);
+            }
+            Path::Fpol => {
+                self.free_pole(motion)?;
                 return Ok(false);
             }
             Path::Rnd | Path::Chf => {
@@ -38,6 +43,7 @@ impl Run<'_, '_> {
             Path::L if motion.coords.iter().any(|coord| matches!(coord.axis, Axis::Pr | Axis::Pa)) => {
                 return Err(Fault::program("coordinate-out-of-place").arg("path", "L").into());
             }
+            _ if !in_machine && self.is_untilted(motion) => self.untilted_line(motion, speed)?,
             Path::L => self.line(motion, in_machine, speed)?,
             Path::Axis => self.along_axis(motion, in_machine, speed)?,
             _ if in_machine => return unsupported("M91"),
@@ -59,7 +65,7 @@ impl Run<'_, '_> {
                 let to = self.polar_target(motion)?;
                 self.tangential_circle(motion, to, speed)?;
             }
-            Path::Cc | Path::Rnd | Path::Chf => {}
+            Path::Cc | Path::Rnd | Path::Chf | Path::Fpol => {}
             Path::Appr(form) => {
                 let to = self.point_of_approach(motion, form)?;
                 let before = if before { Ok(Speed::Rapid) } else { Speed::of_feed(feed_before.unwrap_or_default()) };
@@ -70,11 +76,7 @@ impl Run<'_, '_> {
                 self.leave_by(motion, form, to, speed)?;
             }
             Path::Ln => self.line_with_normal(motion, speed)?,
-            Path::Fl => return unsupported("FL"),
-            Path::Flt => return unsupported("FLT"),
-            Path::Fc => return unsupported("FC"),
-            Path::Fct => return unsupported("FCT"),
-            Path::Fpol => return unsupported("FPOL"),
+            Path::Fl | Path::Flt | Path::Fc | Path::Fct => self.free_element(motion, speed)?,
             Path::Spl => return unsupported("SPL"),
         }
         Ok(true)
@@ -90,7 +92,7 @@ impl Run<'_, '_> {
     }
 
     /// A straight block: at once, or as an element of a contour.
-    fn straight_block(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
+    pub(super) fn straight_block(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
         let speed = self.plunging_speed(to, speed);
         if self.is_in_contour(motion) {
             let place = self.block_place();
@@ -114,7 +116,7 @@ impl Run<'_, '_> {
     }
 
     /// A circular block: at once, or as an element of a contour.
-    fn arc_block(&mut self, motion: &Motion, turn: Turn, to: DVec3, speed: Result<Speed, Fault>) -> Done {
+    pub(super) fn arc_block(&mut self, motion: &Motion, turn: Turn, to: DVec3, speed: Result<Speed, Fault>) -> Done {
         let (plane, from) = (turn.plane, self.programmed());
         let sweep = self.drives.sweep(from, to, &turn)?;
         let beside = self.is_in_contour(motion);
@@ -160,10 +162,32 @@ impl Run<'_, '_> {
         let turns = self.turn_target(&turning, in_machine)?;
         if in_machine {
             let to = self.target(&coords, self.drives.world.machine)?;
-            return self.drives.turn_and_go(&turns, self.drives.world.to_program(to), Some(to), speed);
+            return self.drives.turn_and_go(&turns, self.drives.world.to_program(to), Some(to), speed, None);
         }
         let to = self.target(&coords, self.drives.world.here)?;
-        self.drives.turn_and_go(&turns, to, None, speed)
+        self.drives.turn_and_go(&turns, to, None, speed, None)
+    }
+
+    /// Whether a block leads to a place in the system that is not tilted, and another one is.
+    fn is_untilted(&self, motion: &Motion) -> bool {
+        let asked = motion.functions.iter().any(|function| effect(function.number) == Some(Effect::Untilted));
+        asked && self.drives.world.system.tilt().is_some()
+    }
+
+    /// A straight line with `M130`: its coordinates are those of the system as it is without the tilt. Where the head is
+    /// turned, nothing says which point of the tool goes there.
+    fn untilted_line(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
+        self.drives.not_beside_contour("M130")?;
+        let turns = motion.coords.iter().any(|coord| rotary(coord.axis).is_some());
+        if motion.path != Path::L || turns || self.drives.world.head.is_some() || self.drives.world.system.tip_held {
+            return Err(Fault::unsupported("unsupported-m").arg("word", "M130").into());
+        }
+        let mut level = self.drives.world.system.clone();
+        level.set_tilt(DVec3::ZERO);
+        let to = self.target(&motion.coords, level.back().point(self.drives.world.machine))?;
+        let to = level.frame().point(to);
+        self.contour.forget();
+        self.drives.turn_and_go(&[], self.drives.world.to_program(to), Some(to), speed, None)
     }
 
     /// `LN`: a straight line whose block gives the direction across the surface, too. Only a tool of the size for which

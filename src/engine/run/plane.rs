@@ -60,6 +60,8 @@ struct Words {
     back: Option<Back>,
     speed: Option<Speed>,
     solution: Option<Solution>,
+    /// Whether the table takes over the rotation about the tool, where it can.
+    turns_table: bool,
 }
 
 impl Words {
@@ -107,9 +109,11 @@ impl Run<'_, '_> {
         self.drives.transformed(before);
         let to = match (positions, words.solution) {
             (Some(positions), _) => positions,
-            _ if angles == DVec3::ZERO => DVec3::ZERO,
+            _ if form == "RESET" || (angles == DVec3::ZERO && !words.turns_table) => DVec3::ZERO,
             (None, solution) => {
-                self.drives.rotary_positions_with(solution.map(|solution| solution == Solution::Positive))?
+                let positive = solution.map(|solution| solution == Solution::Positive);
+                let to = self.drives.rotary_positions_with(positive)?;
+                if words.turns_table { self.drives.with_table_turned(to)? } else { to }
             }
         };
         for (index, axis) in (0..).zip(RotaryAxis::ALL) {
@@ -192,7 +196,8 @@ impl Run<'_, '_> {
                     }
                 }
                 // What the plane has beyond the positions of the axes is a rotation of its coordinates.
-                "COORD ROT" => {}
+                "COORD ROT" => words.turns_table = false,
+                "TABLE ROT" => words.turns_table = true,
                 "DIST" | "ABST" => words.distance = length(&word.value)?,
                 // `MB MAX` written apart is two words.
                 "MB" if !has_value => {}

@@ -92,7 +92,7 @@ impl<'e> Run<'_, 'e> {
         match &call.repeat {
             Some(times) => {
                 let times = self.operand(times)?;
-                if !(0.0..=65_535.0).contains(&times) || times.fract() != 0.0 {
+                if !(0.0..=65_534.0).contains(&times) || times.fract() != 0.0 {
                     return Err(Fault::program("repeat-count").arg("found", times).into());
                 }
                 self.calls.repeat(target, times as u32, &self.settings.limits)

@@ -301,14 +301,3 @@ fn probes(on: &OnControl, keyword: CycleKeyword, number: u32) -> bool {
 fn key(keyword: CycleKeyword, number: u32) -> Option<CycleKey> {
     Keyword::by_word(keyword.as_str()).map(|keyword| CycleKey::new(keyword, number))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::diameter;
-
-    #[test]
-    fn names_may_say_a_diameter() {
-        let found = ["MILL_D10", "D8.5", "DRILL d6 HSS", "NC_SPOT_DRILL", "D", "MILLD10"].map(diameter);
-        assert_eq!(found, [Some(10.0), Some(8.5), Some(6.0), None, None, None]);
-    }
-}

@@ -5,6 +5,7 @@
 mod answers;
 mod clock;
 pub mod guess;
+mod kinematics;
 mod probe;
 mod rows;
 mod setter;
@@ -16,8 +17,8 @@ pub use probe::{Orientation, PreTravel, Probe, Shaft};
 pub use setter::{Edge, Plate, ToolSetter, TrueTool};
 
 use super::geometry::{Frame, INCH, RotaryAxis};
-use super::machine::Machine;
 use super::machine::Neck;
+use super::machine::{Machine, SavedKinematics, TrueMachine};
 use super::read::Reader;
 use super::solid::{Body, Shape};
 use super::table::{Table, TableError, TableKind};
@@ -38,6 +39,7 @@ const KEYS: &[&str] = &[
     "units",
     "clock",
     "machine",
+    "kinematics",
     "machine_parameters",
     "tools",
     "probe",
@@ -69,6 +71,10 @@ pub struct Scene {
     pub clock: Clock,
     /// The machine.
     pub machine: Machine,
+    /// The machine as it really is, where that is not what the control believes.
+    pub truth: Option<TrueMachine>,
+    /// The kinematics that are saved at the start.
+    pub saved_kinematics: Vec<SavedKinematics>,
     /// Machine parameters by name, in the order of the file.
     pub machine_parameters: Vec<(String, ParameterValue)>,
     /// The tool table.
@@ -173,6 +179,8 @@ impl Scene {
         units(node, r);
         let clock = node.get("clock").map_or(Some(Clock::DEFAULT), |node| clock(node, r));
         let machine = machine(node, r, files);
+        let (truth, saved_kinematics) =
+            node.get("kinematics").map_or_else(Default::default, |node| kinematics::read(node, machine.as_ref(), r));
         let machine_parameters = node.get("machine_parameters").map_or_else(Vec::new, |node| parameters(node, r));
         let (mut necks, mut true_tools) = (Vec::new(), Vec::new());
         let mut tools = Table::new(TableKind::Tool, TableKind::Tool.file_name());
@@ -199,6 +207,8 @@ impl Scene {
             (Some(clock), Some(machine), Some(body)) if reader.found.is_empty() => Ok(Self {
                 clock,
                 machine,
+                truth,
+                saved_kinematics,
                 machine_parameters,
                 tools,
                 necks,

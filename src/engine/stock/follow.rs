@@ -9,9 +9,8 @@ use super::timing::Pace;
 use super::{Batch, Cut, FARTHEST, SKIN, Stock};
 use crate::base::diag::{self, Diagnostic};
 use crate::engine::geometry::{Axis, Frame, INCH};
-use crate::engine::machine::Machine;
-use crate::engine::machine::Neck;
-use crate::engine::report::event::{Event, EventKind, FindingKind, MoveKind};
+use crate::engine::machine::{Machine, Neck};
+use crate::engine::report::event::{Event, EventKind, FindingKind, MoveKind, Turned};
 use crate::engine::scene::Scene;
 use crate::engine::solid::{Path, Shape, SolidError};
 use crate::program::syntax::{self, Amount, Block, BlockKind, Coord, Program, StatementKind};
@@ -20,6 +19,10 @@ use crate::program::syntax::{self, Amount, Block, BlockKind, Coord, Program, Sta
 const TOGETHER: usize = 4096;
 /// Pieces of moves that are carried out together, unless one move has more of them.
 const MOST_PIECES: usize = 4 * TOGETHER;
+/// Share of a cell between two poses of a tool over a turning table.
+const STEP: f64 = 0.25;
+/// More poses of one turn are not followed.
+const MOST_POSES: f64 = 200_000.0;
 /// Volume, mm³, below which nothing was cut.
 const NOTHING: f64 = 1e-6;
 
@@ -194,6 +197,18 @@ fn bounds(shape: &Shape) -> Option<[DVec3; 2]> {
     }
 }
 
+/// The farthest that a blank reaches from the axis of the table that it is clamped on.
+fn reach(machine: &Machine, angles: DVec3, blank: &Blank) -> f64 {
+    let Some(axis) = machine.clamped_on() else { return 0.0 };
+    let (turning, [min, max]) = (machine.turning(axis, angles), blank.bounds);
+    let corners = (0..8).map(|n| {
+        let side = |bit: u32, low: f64, high: f64| if n & bit == 0 { low } else { high };
+        let corner = DVec3::new(side(1, min.x, max.x), side(2, min.y, max.y), side(4, min.z, max.z));
+        (blank.frame.point(corner) - turning.centre).reject_from(turning.direction).length()
+    });
+    corners.fold(0.0, f64::max)
+}
+
 /// A path in other coordinates.
 fn seen(frame: &Frame, path: &Path) -> Path {
     match *path {
@@ -202,6 +217,17 @@ fn seen(frame: &Frame, path: &Path) -> Path {
             Path::Arc { centre: frame.point(centre), axis: frame.vector(axis), from: frame.point(from), sweep, rise }
         }
     }
+}
+
+/// How the table turns.
+struct TableTurn {
+    /// The rotary axes before.
+    before: DVec3,
+    /// Degrees a minute.
+    feed: f64,
+    rapid: bool,
+    /// Whether at the same time as the last move.
+    together: bool,
 }
 
 /// Something that was found about the move of an event.
@@ -244,6 +270,12 @@ pub struct Machining {
     angles: [DVec3; 2],
     /// From the machine to where the parts were at the start, if the table has turned.
     parts: Option<Frame>,
+    /// The last move, its length and its feed.
+    last: Option<(Path, f64, f64)>,
+    /// Whether the tool tip is held on the workpiece while rotary axes turn.
+    tip_held: bool,
+    /// The farthest that the blank reaches from the axis that it is clamped on.
+    reach: f64,
     /// How many events were seen.
     seen: u64,
     /// What was found and not asked for yet, if someone asks.
@@ -277,6 +309,9 @@ impl Machining {
             machine: scene.machine.clone(),
             angles: [scene.start_angles; 2],
             parts: None,
+            last: None,
+            tip_held: false,
+            reach: reach(&scene.machine, scene.start_angles, &blank),
             seen: 0,
             found: None,
         })
@@ -301,16 +336,19 @@ impl Machining {
                 self.report.time_dwell += seconds;
                 self.pace.stop();
             }
-            EventKind::Turn { axes, together, .. } => {
+            EventKind::Turn { axes, feed, rapid, together } => {
                 let [start, now] = &mut self.angles;
+                let before = *now;
                 *now = axes.iter().fold(*now, |angles, turned| turned.axis.with(angles, turned.machine));
-                let (before, after) = (self.machine.table(*start), self.machine.table(*now));
-                self.parts = (before != after).then(|| before.of(after.inverse()));
-                if *together {
+                let (at_start, after) = (self.machine.table(*start), self.machine.table(*now));
+                self.parts = (at_start != after).then(|| at_start.of(after.inverse()));
+                let turn = TableTurn { before, feed: *feed, rapid: *rapid, together: *together };
+                if !self.follow_turn(axes, &turn, &Place::of(&event.at)) && *together {
                     self.find(FindingKind::TurnsTogether, &Place::of(&event.at), 0.0, self.seen);
                 }
                 self.pace.stop();
             }
+            EventKind::Transform(now) => self.tip_held = now.tip_held,
             EventKind::Probe(_) => self.pace.stop(),
             EventKind::Move { kind, feed, path, turned, .. } => {
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
@@ -318,6 +356,7 @@ impl Machining {
                 self.report.moves += 1;
                 *(if rapid { &mut self.report.length_rapid } else { &mut self.report.length_feed }) += length;
                 self.pace.go(path, *feed, rapid);
+                self.last = Some((*path, length, *feed));
                 let at = Place::of(&event.at);
                 if let (Some((number, reported)), false, None) = (self.unknown, rapid, turned) {
                     self.report.find(FindingKind::NoRadius, &at, number);
@@ -335,6 +374,7 @@ impl Machining {
                 }
                 let Some(cutter) = self.in_effect() else { return };
                 let (spindle_off, edges) = (!self.turning, cutter.edges);
+                self.settle_if_many();
                 // Whatever the spindle does, a move that stays out of the material must do so by more than rounding.
                 let [_, angles] = self.angles;
                 let (mut axis, mut path) = (self.machine.head(angles).vector(self.axis.unit()), *path);
@@ -343,9 +383,6 @@ impl Machining {
                 }
                 self.stock.add(&mut self.batch, &path, axis, &cutter, rapid || spindle_off);
                 self.noted.push(Noted { event: self.seen, at, rapid, spindle_off, length, feed: *feed, edges });
-                if self.batch.len() >= TOGETHER || self.batch.pieces() >= MOST_PIECES {
-                    self.settle();
-                }
             }
             EventKind::End(_) => {
                 self.pace.stop();
@@ -389,14 +426,69 @@ impl Machining {
     pub(super) fn settle(&mut self) {
         let cuts = self.stock.carry_out(&mut self.batch);
         let noted = std::mem::take(&mut self.noted);
-        for (cut, noted) in cuts.iter().zip(&noted) {
-            self.carried_out(cut, noted);
+        let mut cuts = cuts.as_slice();
+        // The poses of a turning table are one move.
+        for pieces in noted.chunk_by(|one, next| one.event == next.event) {
+            let (own, rest) = cuts.split_at(pieces.len().min(cuts.len()));
+            cuts = rest;
+            if let (Some(first), Some(cut)) = (pieces.first(), own.iter().copied().reduce(Cut::and)) {
+                self.carried_out(&cut, first, pieces.iter().map(|piece| piece.length).sum());
+            }
         }
         self.noted = noted;
         self.noted.clear();
     }
 
-    fn carried_out(&mut self, cut: &Cut, noted: &Noted) {
+    /// The same if so many wait that this is time; the last one, to which a turn may belong, still waits afterwards.
+    fn settle_if_many(&mut self) {
+        if self.batch.len() >= TOGETHER || self.batch.pieces() >= MOST_PIECES {
+            self.settle();
+        }
+    }
+
+    /// Follows the axis of the table on which the blank is clamped while it turns, alone or together with the last move.
+    /// Whether that could be done.
+    fn follow_turn(&mut self, axes: &[Turned], turn: &TableTurn, at: &Place) -> bool {
+        let Some(clamped) = self.machine.clamped_on().copied() else { return false };
+        let alone = matches!(axes, [one] if one.axis == clamped.axis) && !self.tip_held;
+        let (Some((path, length, feed)), true) = (self.last, alone) else { return false };
+        let [start, now] = self.angles;
+        let way = (clamped.axis.of(now) - clamped.axis.of(turn.before)).to_radians().abs();
+        // After a whole turn nothing more is met.
+        let way = if turn.together { way } else { way.min(std::f64::consts::TAU) };
+        let count = (way * self.reach / (STEP * self.stock.cell().min_element())).ceil().max(1.0);
+        if count > MOST_POSES {
+            return false;
+        }
+        let mut event = self.seen;
+        if turn.together && self.noted.last().is_some_and(|noted| noted.event + 1 == event) {
+            // That move has not gone straight through the material.
+            event -= 1;
+            self.noted.pop();
+            self.batch.take_back();
+        }
+        let Some(cutter) = self.in_effect() else { return true };
+        let (spindle_off, edges) = (!self.turning, cutter.edges);
+        let minutes = if turn.together && feed > 0.0 { length / feed } else { way.to_degrees() / turn.feed };
+        let mut before: Option<DVec3> = None;
+        for n in 0..=count as usize {
+            let share = n as f64 / count;
+            let shown = if turn.together { share } else { 1.0 };
+            let turned = turn.before + (now - turn.before) * share;
+            let parts = self.machine.table(start).of(self.machine.table(turned).inverse());
+            let tip = parts.point(path.at(shown));
+            let axis = parts.vector(self.machine.head(now).vector(self.axis.unit()));
+            let length = before.map_or(0.0, |before| before.distance(tip));
+            before = Some(tip);
+            self.settle_if_many();
+            self.stock.add(&mut self.batch, &Path::line(tip, tip), axis, &cutter, turn.rapid || spindle_off);
+            let feed = length * count / minutes;
+            self.noted.push(Noted { event, at: at.clone(), rapid: turn.rapid, spindle_off, length, feed, edges });
+        }
+        true
+    }
+
+    fn carried_out(&mut self, cut: &Cut, noted: &Noted, length: f64) {
         if cut.volume <= NOTHING {
             return;
         }
@@ -414,11 +506,11 @@ impl Machining {
         }
         let report = &mut self.report;
         report.cuts += 1;
-        report.length_cut += noted.length;
+        report.length_cut += length;
         report.depth.note(cut.depth, noted.at.line);
         report.width.note(cut.width, noted.at.line);
-        if noted.length > 0.0 {
-            report.rate.note(cut.volume / noted.length * noted.feed, noted.at.line);
+        if length > 0.0 {
+            report.rate.note(cut.volume / length * noted.feed, noted.at.line);
         }
     }
 

@@ -86,6 +86,18 @@ pub struct Cut {
     pub reach: f64,
 }
 
+impl Cut {
+    /// What two pieces of a move did.
+    fn and(self, other: Self) -> Self {
+        Self {
+            volume: self.volume + other.volume,
+            depth: self.depth.max(other.depth),
+            width: self.width.max(other.width),
+            reach: self.reach.max(other.reach),
+        }
+    }
+}
+
 /// A piece of a move: which move of the batch, and what sweeps.
 #[derive(Clone, Copy, Debug)]
 struct Job {
@@ -127,6 +139,15 @@ impl Batch {
     /// Moves that wait.
     pub const fn len(&self) -> usize {
         self.moves
+    }
+
+    /// Takes the last move back.
+    pub(super) fn take_back(&mut self) {
+        self.moves = self.moves.saturating_sub(1);
+        let own = self.jobs.partition_point(|job| job.owner < self.moves);
+        self.jobs.truncate(own);
+        self.about.truncate(self.moves);
+        self.last = None;
     }
 
     /// Pieces of moves that wait: a helix has several a turn.

@@ -30,8 +30,10 @@ impl Watch {
     /// Takes an event; `emit` gets what can be reported now. Everything is reported when the run has ended.
     pub fn see(&mut self, event: Event, emit: &mut dyn FnMut(Event)) {
         self.machining.see(&event);
+        // A turn may belong to a move.
+        let most = if matches!(event.kind, EventKind::Move { .. }) { 2 * WAITING } else { WAITING };
         self.waiting.push_back(event);
-        if self.waiting.len() >= WAITING {
+        if self.waiting.len() >= most {
             self.machining.settle();
         }
         if self.machining.settled() {

@@ -6,9 +6,14 @@
 use glam::DVec3;
 
 use super::contour::Contours;
+use super::digitized::Digitizing;
+use super::groove::Groove;
 use super::signature::{Results, Signature};
 use super::turned::Turned;
-use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
+use super::turning_thread::TurnedThread;
+use crate::engine::geometry::{Around, Axis, Frame, RotaryAxis, WorkingPlane};
+use crate::engine::machine::{Arm, Machine, MemoryReport, SavedKinematics, Survey};
+use crate::engine::region::Way;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
 use crate::engine::table::{Cell, TableKind};
@@ -269,11 +274,29 @@ pub trait Kept {
     /// No definition names a contour, or it is none.
     fn read_first_contour(&mut self) -> Done;
 
+    /// Reads the first of these contours as one that is turned: `x` along the rotary axis, `y` a radius.
+    ///
+    /// # Errors
+    /// No definition names a contour, or it is none.
+    fn read_turned_contour(&mut self) -> Done<Way>;
+    /// Reads the first of these contours as one in the development of a cylinder. Where `mm_in_degree` is there, its
+    /// coordinates of X are degrees.
+    ///
+    /// # Errors
+    /// No definition names a contour, it is none, or its first block does not say where it begins.
+    fn read_developed_contour(&mut self, mm_in_degree: Option<f64>) -> Done;
+
     /// The contours that were read last.
     fn contours(&self) -> &Contours;
 
+    /// What is recessed from now on; strategies over contours see it.
+    fn keep_groove(&mut self, groove: Groove);
+
     /// What is turned from now on; strategies over contours see it.
     fn keep_turned(&mut self, turned: Turned);
+
+    /// The thread that is turned from now on; strategies over contours see it.
+    fn keep_thread(&mut self, thread: TurnedThread);
 
     /// The radius of the tool in the spindle in the coordinates of the program, mm.
     fn tool_radius(&self) -> f64;
@@ -345,10 +368,213 @@ pub trait ToolSetter {
     fn first_edge(&self) -> f64;
 }
 
-/// Everything of a control that strategies act on.
-pub trait Control: System + Tables + RotaryAxes + Probe + Spindle + Programs + Kept + ToolSetter {}
+/// A way of the stylus on which it is felt for the part, program coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Course {
+    /// Straight.
+    Line {
+        /// Its start.
+        from: DVec3,
+        /// Its end.
+        to: DVec3,
+    },
+    /// On an arc about the tool axis.
+    Arc {
+        /// Its centre.
+        centre: DVec3,
+        /// Its start.
+        from: DVec3,
+        /// Its angle in degrees, counter-clockwise.
+        sweep: f64,
+    },
+}
 
-impl<C: System + Tables + RotaryAxes + Probe + Spindle + Programs + Kept + ToolSetter> Control for C {}
+/// Where the stylus touches the part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Felt {
+    /// The south pole of its ball, program coordinates.
+    pub at: DVec3,
+    /// The direction out of the material, of length 1.
+    pub out: DVec3,
+}
+
+/// A stylus that follows a part. Its position is that of the south pole of its ball as the control knows it, in program
+/// coordinates.
+pub trait Stylus {
+    /// Where it is, and the probing feed, mm/min.
+    ///
+    /// # Errors
+    /// There is no probe.
+    fn stylus(&self) -> Result<(DVec3, f64), Fault>;
+
+    /// Where it would touch the part first.
+    ///
+    /// # Errors
+    /// There is no probe, or the contact cannot be calculated.
+    fn feel(&self, course: Course) -> Result<Option<Felt>, Fault>;
+
+    /// Whether it touches the part at a position, or is nearer to it than that, mm.
+    ///
+    /// # Errors
+    /// There is no probe, or the contact cannot be calculated.
+    fn touches(&self, at: DVec3, nearer: f64) -> Result<bool, Fault>;
+
+    /// Moves it through the air, at a feed in mm/min or at rapid traverse.
+    ///
+    /// # Errors
+    /// It cannot go there, or touches something.
+    fn fly(&mut self, to: DVec3, feed: Option<f64>) -> Done;
+
+    /// Moves it along the surface to a position at which the material is on the other side of that direction.
+    ///
+    /// # Errors
+    /// It cannot go there.
+    fn slide(&mut self, to: DVec3, out: DVec3, feed: f64) -> Done;
+
+    /// What digitizing keeps.
+    fn digitizing(&mut self) -> &mut Digitizing;
+
+    /// An error where the definition in effect has a coordinate of a rotary axis or, if all are needed, lacks one of a
+    /// linear axis.
+    ///
+    /// # Errors
+    /// That.
+    fn check_coordinates(&self, all: bool) -> Result<(), Fault>;
+
+    /// The points of a point table.
+    ///
+    /// # Errors
+    /// There is no such table.
+    fn points_of_table(&self, name: &str) -> Result<Vec<DVec3>, Fault>;
+
+    /// Writes the file of digitized data.
+    fn write_data(&mut self) -> Done;
+}
+
+/// The rotary axis on which the workpiece is clamped, and the tool across it.
+pub trait Turntable {
+    /// Where the tool is about it.
+    ///
+    /// # Errors
+    /// There is none, or the control cannot reckon with it.
+    fn around(&self) -> Result<Around, Fault>;
+
+    /// How far the datum lies beside it, mm.
+    ///
+    /// # Errors
+    /// There is none, or the control cannot reckon with it.
+    fn datum_off_table(&self) -> Result<f64, Fault>;
+
+    /// Moves all axes there together, at a feed along the development of a cylinder of a radius, mm/min.
+    ///
+    /// # Errors
+    /// An axis cannot go there.
+    fn go_around(&mut self, to: Around, radius: f64, feed: f64) -> Done;
+}
+
+/// How a probe is used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Probing {
+    /// The distance kept from the touch point, mm.
+    pub set_up: f64,
+    /// The feed between touch points, mm/min; endless for rapid traverse.
+    pub feed: f64,
+    /// The radius of the ball that the control reckons with, mm.
+    pub radius: f64,
+}
+
+/// The kinematics of the machine as the control believes them to be, and measuring them.
+pub trait Kinematics {
+    /// The kinematics.
+    fn kinematics(&self) -> Machine;
+
+    /// The control has other kinematics from now on; the machine stays where it is.
+    fn set_kinematics(&mut self, machine: Machine);
+
+    /// The kinematics that are saved.
+    fn memories(&self) -> Vec<SavedKinematics>;
+
+    /// Other kinematics are saved from now on.
+    fn set_memories(&mut self, memories: Vec<SavedKinematics>);
+
+    /// The value of the parameter of that meaning, which takes a number or a name, as a name.
+    ///
+    /// # Errors
+    /// It has no value.
+    fn name_given(&self, meaning: &str) -> Result<String, Fault>;
+
+    /// Date and time as logs write them.
+    fn moment(&self) -> String;
+
+    /// What the log says of memories.
+    fn keep_memory_report(&mut self, report: MemoryReport);
+
+    /// What was measured last.
+    ///
+    /// # Errors
+    /// Nothing was.
+    fn survey(&self) -> Result<Survey, Fault>;
+
+    /// Keeps what was measured.
+    fn keep_survey(&mut self, survey: Survey);
+
+    /// The value of a machine parameter by its neutral name; nothing where the scene has none.
+    fn limit(&self, name: &str) -> Option<f64>;
+
+    /// The rotary axes in machine coordinates.
+    fn angles(&self) -> DVec3;
+
+    /// Where the rotary axes have the coordinate 0, in machine coordinates.
+    fn angle_datum(&self) -> DVec3;
+
+    /// The row of the preset in effect, and its origin in machine coordinates.
+    fn preset_in_effect(&self) -> (f64, DVec3);
+
+    /// The linear axes: where the tool tip would be with the head at 0, machine coordinates.
+    fn linear(&self) -> DVec3;
+
+    /// How the probe is in the spindle as the control knows it.
+    ///
+    /// # Errors
+    /// There is no probe.
+    fn arm(&self) -> Result<Arm, Fault>;
+
+    /// How the probe is used.
+    ///
+    /// # Errors
+    /// There is no probe.
+    fn probing(&self) -> Result<Probing, Fault>;
+
+    /// The tool tip is no longer held on the workpiece while rotary axes turn.
+    ///
+    /// # Errors
+    /// That cannot end here.
+    fn release_tip(&mut self) -> Done;
+
+    /// Turns rotary axes to machine coordinates while the linear axes go to a position; at a feed, mm/min or
+    /// degrees/min.
+    ///
+    /// # Errors
+    /// They cannot go there.
+    fn go_turning(&mut self, turns: &[(RotaryAxis, f64)], to: DVec3, feed: f64) -> Done;
+
+    /// Probes along a way of the machine and goes back. The linear axes where it touched.
+    ///
+    /// # Errors
+    /// It touches nothing, or the stylus is deflected at the start.
+    fn touch(&mut self, way: DVec3) -> Done<DVec3>;
+}
+
+/// Everything of a control that strategies act on.
+pub trait Control:
+    System + Tables + RotaryAxes + Probe + Spindle + Programs + Kept + ToolSetter + Stylus + Turntable + Kinematics
+{
+}
+
+impl<C: System + Tables + RotaryAxes + Probe + Spindle + Programs + Kept + ToolSetter + Stylus + Turntable + Kinematics>
+    Control for C
+{
+}
 
 /// The axis of a number as cycles have it: 4, 5, 6 mean A, B, C.
 pub(super) fn numbered_axis(number: f64) -> Result<RotaryAxis, Fault> {

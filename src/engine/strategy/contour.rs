@@ -7,10 +7,12 @@ use glam::{DVec2, DVec3};
 
 use super::action::{Action, Control};
 use super::calculation::Calculation;
+use super::groove::Groove;
 use super::milling::{shape_impossible, too_many};
 use super::pen::{Cutter, Path, Pen};
 use super::signature::{Signature, results, strategy};
 use super::turned::Turned;
+use super::turning_thread::TurnedThread;
 use crate::base::expr::tand;
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::region::clearing::{self, MOST_RINGS};
@@ -50,15 +52,19 @@ pub struct Contours {
     pub only_islands: bool,
     /// Where the tool was when the cycle began, main and minor axis: what is near is cleared first.
     pub from: DVec2,
+    /// What is recessed.
+    pub groove: Option<Groove>,
     /// What is turned.
     pub turned: Option<Turned>,
+    /// The thread that is turned.
+    pub thread: Option<TurnedThread>,
 }
 
 impl Contours {
     /// Contours that are all closed.
     pub fn new(closed: Vec<Closed>, from: DVec2) -> Self {
         let only_islands = !closed.iter().any(|contour| contour.is_pocket);
-        Self { open: Vec::new(), region: enclosed(&closed), closed, only_islands, from, turned: None }
+        Self { region: enclosed(&closed), closed, only_islands, from, ..Self::default() }
     }
 
     /// Where the centre of a tool may be that leaves an allowance, with inside corners of at least a radius.

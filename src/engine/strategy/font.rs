@@ -112,15 +112,20 @@ const GLYPHS: &[(char, u8, &str)] = &[
 ];
 
 /// A character of the font.
-pub(super) struct Glyph {
+pub struct Glyph {
     /// From its left to its right.
-    pub(super) width: f64,
+    pub width: f64,
     /// Its strokes from the baseline at its left; none of a blank.
-    pub(super) strokes: Vec<Way>,
+    pub strokes: Vec<Way>,
+}
+
+/// All characters but the blank, in the order of the table.
+pub fn characters() -> impl Iterator<Item = char> {
+    GLYPHS.iter().map(|(character, ..)| *character)
 }
 
 /// A character; nothing if the font does not have it.
-pub(super) fn glyph(character: char) -> Option<Glyph> {
+pub fn glyph(character: char) -> Option<Glyph> {
     if character == ' ' {
         return Some(Glyph { width: BLANK, strokes: Vec::new() });
     }
@@ -161,37 +166,4 @@ fn edge(from: DVec2, to: DVec2, sweep: f64) -> Edge {
     // The centre is beside the middle of the chord: by half of it for a quarter turn, by nothing for half a turn.
     let beside = if sweep.abs() > 90.0 { 0.0 } else { 0.5 * sweep.signum() };
     Edge::Arc { to, centre: from.midpoint(to) + (to - from).perp() * beside, sweep }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_character_is_within_its_box_and_no_arc_is_bent() {
-        for (character, width, strokes) in GLYPHS {
-            let glyph = glyph(*character).expect("a character");
-            assert_eq!(glyph.strokes.len(), strokes.split(' ').count(), "{character}");
-            for way in &glyph.strokes {
-                assert!(way.length() > 0.5, "{character} has a stroke without a length");
-                for part in 0..=100 {
-                    let at = way.shortened(way.length() * f64::from(part) / 100.0).end();
-                    let inside = (-0.01..=f64::from(*width) + 0.01).contains(&at.x) && (-4.01..=13.01).contains(&at.y);
-                    assert!(inside, "{character} goes to {at}");
-                }
-                let mut from = way.start;
-                for edge in &way.edges {
-                    if let Edge::Arc { to, centre, .. } = edge {
-                        assert!((from.distance(*centre) - to.distance(*centre)).abs() < 1e-9, "{character} at {to}");
-                    }
-                    from = edge.to();
-                }
-            }
-        }
-        let all = GLYPHS.iter().map(|(own, ..)| *own).collect::<std::collections::BTreeSet<_>>();
-        assert_eq!(all.len(), GLYPHS.len(), "a character is there twice");
-        // Letters, digits, and what the manual lists besides (TNC 640, 001:7213-7217).
-        let wanted = ('A'..='Z').chain('a'..='z').chain('0'..='9').chain("!#$%&'()*+,-./:;<=>?@[\\]_".chars());
-        assert!(wanted.clone().all(|own| all.contains(&own)) && wanted.count() == all.len());
-    }
 }

@@ -213,20 +213,3 @@ fn tolerance_band(text: &str) -> Option<(f64, f64)> {
     let lower = lower.map_or(Some(0.0), number)?;
     (upper > 0.0 || lower > 0.0).then_some((upper, -lower))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::tolerance_band;
-
-    /// The rows of the manual (004, lines 151-162) and what the example of the NC block says.
-    #[test]
-    fn tolerance_texts_read_as_the_manual_says() {
-        assert_eq!(tolerance_band("0.4-0.1"), Some((0.4, -0.1)));
-        assert_eq!(tolerance_band("0.4"), Some((0.4, -0.0)));
-        assert_eq!(tolerance_band("-0.1"), Some((0.0, -0.1)));
-        assert_eq!(tolerance_band("1-1"), Some((1.0, -1.0)));
-        for none in [" ", "", "0", "0.1+0.1", "x", "-", "--1", "1e3", "0.1-"] {
-            assert_eq!(tolerance_band(none), None, "{none:?}");
-        }
-    }
-}

@@ -49,13 +49,25 @@ pub enum Leg {
         /// mm/min.
         feed: f64,
     },
+    /// Nowhere: what follows at a feed begins when the turning spindle is at an angle, and goes on in step with it.
+    /// Feeds are mm per revolution from then on, and the spindle keeps the speed that it has on a diameter.
+    InStep {
+        /// Where the tool is.
+        here: DVec3,
+        /// The angle of the spindle, degrees.
+        angle: f64,
+        /// The diameter, mm.
+        diameter: f64,
+    },
 }
 
 impl Leg {
     /// Its end.
     pub const fn end(&self) -> DVec3 {
         match self {
-            Self::Line { to, .. } | Self::Arc { to, .. } | Self::Upright { to, .. } => *to,
+            Self::Line { to, .. } | Self::Arc { to, .. } | Self::Upright { to, .. } | Self::InStep { here: to, .. } => {
+                *to
+            }
         }
     }
 }
@@ -121,6 +133,11 @@ impl Pen {
     pub fn sideways(&mut self, (centre, to): (DVec3, DVec3), sweep: f64, feed: f64) {
         self.here = to;
         self.legs.push(Leg::Upright { centre, to, sweep, feed });
+    }
+
+    /// From here on in step with the turning spindle, which begins at an angle and keeps its speed on a diameter.
+    pub fn in_step(&mut self, angle: f64, diameter: f64) {
+        self.legs.push(Leg::InStep { here: self.here, angle, diameter });
     }
 
     /// Straight along the tool axis.

@@ -6,7 +6,7 @@
 use glam::{DVec2, DVec3};
 
 use super::pen::Pen;
-use crate::engine::region::profile::{Allowance, Envelope, GoesBack, Insert};
+use crate::engine::region::profile::{Allowance, Envelope, GoesBack, Insert, monotone};
 use crate::engine::region::{Edge, Way};
 
 /// From the centre of the nose to the tip, in nose radii.
@@ -36,6 +36,18 @@ impl Sight {
         DVec2::new(along * self.ahead, out * self.away)
     }
 
+    /// A contour as cuts see it, given with `x` along the rotary axis and radii as `y`.
+    pub fn seen_way(&self, way: &Way) -> Way {
+        let seen = |at: DVec2| self.seen(at.y, at.x);
+        let edge = |edge: &Edge| match *edge {
+            Edge::Line(to) => Edge::Line(seen(to)),
+            Edge::Arc { to, centre, sweep } => {
+                Edge::Arc { to: seen(to), centre: seen(centre), sweep: sweep * self.sense() }
+            }
+        };
+        Way { start: seen(way.start), edges: way.edges.iter().map(edge).collect() }
+    }
+
     /// The other way: main, minor and tool coordinate, with a minor one that is given.
     pub fn point(&self, seen: DVec2, minor: f64) -> DVec3 {
         let (along, out) = (seen.x * self.ahead, seen.y * self.away);
@@ -54,7 +66,7 @@ impl Sight {
     }
 
     /// The sense of arcs in the plane of the tool axis and the main axis, where they turn counter-clockwise as seen.
-    fn sense(&self) -> f64 {
+    pub(super) fn sense(&self) -> f64 {
         self.ahead * self.away * if self.face { -1.0 } else { 1.0 }
     }
 
@@ -92,6 +104,25 @@ pub struct Turned {
     pub highest: f64,
     /// No cut goes further than this, though the contour ends before: `x`.
     pub limit: f64,
+    /// The same beside the contour, where it is cut parallel to it: the outermost first.
+    pub cuts_beside: Vec<Turned>,
+    /// How far the blank is beside the contour there, mm.
+    pub blank: f64,
+    /// Whether what is above the contour is cut along it, too, where no level comes to it.
+    pub along_contour: bool,
+}
+
+/// How a contour is cut.
+#[derive(Clone, Copy, Debug)]
+pub struct Cutting {
+    /// What stays on it.
+    pub allowance: Allowance,
+    /// The insert.
+    pub insert: Insert,
+    /// What the insert would reach all that is wanted with.
+    pub nose: Insert,
+    /// How far beside the contour it is cut, mm.
+    pub grown: f64,
 }
 
 impl Turned {
@@ -99,39 +130,58 @@ impl Turned {
     /// as high as that begins.
     ///
     /// # Errors
-    /// The profile goes back somewhere, or has no element.
+    /// The profile goes back where it begins or ends, or has no element.
     pub fn new(
         sight: Sight,
         profile: &Way,
         (allowance, insert): (Allowance, Insert),
+        at: (DVec2, f64),
+        solid: bool,
+    ) -> Result<Self, GoesBack> {
+        let nose = Insert { edges: None, ..insert };
+        Self::of(sight, profile, &Cutting { allowance, insert, nose, grown: 0.0 }, at, solid)
+    }
+
+    /// The same, cut as is said.
+    ///
+    /// # Errors
+    /// The profile goes back where it begins or ends, or has no element.
+    pub fn of(
+        sight: Sight,
+        profile: &Way,
+        cutting: &Cutting,
         (start, clearance): (DVec2, f64),
         solid: bool,
     ) -> Result<Self, GoesBack> {
+        let Cutting { allowance, insert, nose, grown } = *cutting;
         let (first, last) = (profile.edges.first().ok_or(GoesBack)?, profile.edges.last().ok_or(GoesBack)?);
         let heading = direction(profile.start, first, false);
         let last_but_one = profile.edges.iter().rev().nth(1).map_or(profile.start, Edge::to);
         let leaving = direction(last_but_one, last, true);
-        let longer = 2.0 * (insert.radius + allowance.along.abs()) + clearance;
+        // Beside the contour the nose acts as a larger one; the tip stays where it is on it.
+        let radius = insert.radius + grown;
+        let tip = TIP * if radius > 0.0 { insert.radius / radius } else { 0.0 };
+        let longer = 2.0 * (radius + allowance.along.abs()) + clearance;
         // In front of a flank is what the contour goes down into.
         let before = match solid {
             true => DVec2::new(-(longer + (profile.start.x - start.x).max(0.0)), 0.0),
             false => -heading * longer,
         };
         let whole = lengthened(profile, before, leaving * longer);
-        let envelope = Envelope::over(&whole, allowance, insert, TIP)?;
-        let nose = Envelope::over(&whole, allowance, Insert { edges: None, ..insert }, TIP)?;
+        let envelope = Envelope::over(&whole, allowance, Insert { radius, ..insert }, tip)?;
+        let nose = Envelope::over(&whole, allowance, Insert { radius, ..nose }, tip)?;
         let touching = |at: DVec2, along: DVec2| {
             // Of the two corners of an allowance the one that is further out counts.
             let side = if along.y.abs() < COUNTS { 0.0 } else { -along.y.signum() };
             let wide = DVec2::new(side * allowance.along.abs(), allowance.away);
-            at + wide + along.perp() * insert.radius + TIP * insert.radius
+            at + wide + along.perp() * radius + TIP * insert.radius
         };
         let (mut begin, mut end) = (touching(profile.start, heading), touching(profile.end(), leaving));
         begin.y = envelope.height(begin.x).map_or(begin.y, |height| height.max(begin.y));
         // Where the insert leans against the last wall it cannot go down along it.
         end.y = envelope.height(end.x - SIDE).map_or(end.y, |height| height.max(end.y));
         let highest = highest(profile);
-        let left = envelope.above(&nose, [begin.x, end.x]);
+        let left = envelope.above(&nose, [begin.x, end.x]).max(hidden(profile)?);
         let left = if left > REPORTED { left } else { 0.0 };
         let limit = profile.edges.iter().map(|edge| edge.to().x).fold(profile.start.x, f64::max);
         Ok(Self {
@@ -146,7 +196,19 @@ impl Turned {
             limit,
             highest,
             first: profile.start.x,
+            cuts_beside: Vec::new(),
+            blank: 0.0,
+            along_contour: false,
         })
+    }
+
+    /// The same, and nothing below a level is turned.
+    #[must_use]
+    pub fn raised(mut self, level: f64) -> Self {
+        self.envelope = self.envelope.raised(level);
+        self.begin.y = self.begin.y.max(level);
+        self.end.y = self.end.y.max(level);
+        self
     }
 
     /// Where cuts begin: where the cycle began, or, where that is within the part, the clearance before it.
@@ -172,7 +234,7 @@ impl Turned {
 
     /// The height at which the tool crosses what it does not cut.
     pub fn over(&self) -> f64 {
-        self.start.y.max(self.highest) + self.clearance
+        self.start.y.max(self.highest + self.blank) + self.clearance
     }
 
     /// The cuts at a level: pairs of beginning and end.
@@ -205,8 +267,17 @@ impl Turned {
 
     /// Along the envelope to a point of it; the pen is at another one.
     pub fn follow(&self, pen: &mut Pen, to: DVec2, feed: f64) {
+        self.follow_down(pen, to, feed, feed);
+    }
+
+    /// The same with a feed of its own where it goes down into the part.
+    pub fn follow_down(&self, pen: &mut Pen, to: DVec2, feed: f64, plunging: f64) {
         let minor = pen.here().y;
-        for edge in self.envelope.way(self.here(pen), to).edges {
+        let way = self.envelope.way(self.here(pen), to);
+        let mut at = way.start;
+        for edge in way.edges {
+            let feed = if edge.to().y < at.y - COUNTS { plunging } else { feed };
+            at = edge.to();
             match edge {
                 Edge::Line(to) => pen.line(self.sight.point(to, minor), feed),
                 Edge::Arc { to, centre, sweep } => {
@@ -218,8 +289,29 @@ impl Turned {
     }
 }
 
+/// By how much a profile goes back under itself.
+fn hidden(profile: &Way) -> Result<f64, GoesBack> {
+    let profile = monotone(profile);
+    let none = Allowance { along: 0.0, away: 0.0 };
+    let (mut at, mut deepest, mut cover) = (profile.start, 0.0_f64, None);
+    for edge in &profile.edges {
+        if edge.to().x < at.x - COUNTS {
+            let cover = match &cover {
+                Some(cover) => cover,
+                None => cover.insert(Envelope::over(&profile, none, Insert::default(), DVec2::ZERO)?),
+            };
+            for share in [0.01, 0.5, 0.99] {
+                let point = edge.shortened(at, edge.length(at) * share).to();
+                deepest = deepest.max(cover.height(point.x).map_or(0.0, |height| height - point.y));
+            }
+        }
+        at = edge.to();
+    }
+    Ok(deepest)
+}
+
 /// The direction of an edge at its beginning or at its end.
-fn direction(from: DVec2, edge: &Edge, at_end: bool) -> DVec2 {
+pub(super) fn direction(from: DVec2, edge: &Edge, at_end: bool) -> DVec2 {
     match *edge {
         Edge::Line(to) => (to - from).normalize_or_zero(),
         Edge::Arc { to, centre, sweep } => {
@@ -239,7 +331,7 @@ fn lengthened(way: &Way, begin: DVec2, end: DVec2) -> Way {
 }
 
 /// The highest place of a way.
-fn highest(way: &Way) -> f64 {
+pub(super) fn highest(way: &Way) -> f64 {
     let (mut at, mut highest) = (way.start, way.start.y);
     for edge in &way.edges {
         highest = highest.max(edge.to().y);

@@ -37,6 +37,8 @@ strategy! {
         level: f64 = Length,
         /// The one before it.
         before: f64 = Length,
+        /// The feed down into the part, mm/min; 0 or nothing for that of the cuts.
+        plunging: Option<f64> = Feed,
         /// The feed, mm/min.
         at: f64 = Feed,
     }
@@ -49,6 +51,8 @@ strategy! {
         level: f64 = Length,
         /// The one before it.
         before: f64 = Length,
+        /// The feed down into the part, mm/min; 0 or nothing for that of the cuts.
+        plunging: Option<f64> = Feed,
         /// The feed, mm/min.
         at: f64 = Feed,
     }
@@ -91,6 +95,8 @@ strategy! {
 strategy! {
     /// Along the whole contour; the tool is in front of it.
     FinishTurnedContour = "finish-turned-contour" {
+        /// The feed down into the part, mm/min; 0 or nothing for that of the cuts.
+        plunging: Option<f64> = Feed,
         /// The feed, mm/min.
         at: f64 = Feed,
     }
@@ -110,8 +116,13 @@ strategy! {
 }
 
 /// What is turned.
-fn turned(contours: &Contours) -> Result<&Turned, Fault> {
+pub(super) fn turned(contours: &Contours) -> Result<&Turned, Fault> {
     contours.turned.as_ref().ok_or_else(|| Fault::program("contour-not-defined"))
+}
+
+/// The feed down into the part.
+fn down(plunging: Option<f64>, feed: f64) -> f64 {
+    plunging.filter(|feed| *feed > 0.0).unwrap_or(feed)
 }
 
 /// Back at 45 degrees to a height.
@@ -123,7 +134,7 @@ fn lift(turned: &Turned, pen: &mut Pen, height: f64, feed: f64) {
 }
 
 /// To the beginning of a cut over what is in front of it, and down the contour.
-fn plunge(turned: &Turned, pen: &mut Pen, cut: [f64; 2], (level, before): (f64, f64), feed: f64) {
+fn plunge(turned: &Turned, pen: &mut Pen, cut: [f64; 2], (level, before): (f64, f64), (feed, down): (f64, f64)) {
     let above = turned.cut_at(before, cut[0]).filter(|above| !turned.is_open(*above));
     let near = [turned.begin.x.min(cut[0]), cut[0]];
     let from = above.map(|[x, _]| DVec2::new(x, before));
@@ -131,10 +142,19 @@ fn plunge(turned: &Turned, pen: &mut Pen, cut: [f64; 2], (level, before): (f64, 
     let here = turned.here(pen);
     let over = turned.over().max(here.y);
     turned.line(pen, DVec2::new(here.x, over), RAPID);
+    if turned.along_contour && above.is_none() && turned.heading.y > -SPARE {
+        // In front of the contour there is nothing, and above it what the cut before has left.
+        turned.line(pen, DVec2::new(turned.beginning().x, over), RAPID);
+        turned.line(pen, DVec2::new(turned.beginning().x, turned.begin.y), RAPID);
+        turned.line(pen, turned.begin, feed);
+        turned.follow_down(pen, DVec2::new(cut[0], level), feed, down);
+        return;
+    }
+    let material = if turned.along_contour { from.y.max(before) } else { from.y };
     turned.line(pen, DVec2::new(from.x, over), RAPID);
-    turned.line(pen, DVec2::new(from.x, (from.y + turned.clearance).min(over)), RAPID);
+    turned.line(pen, DVec2::new(from.x, (material + turned.clearance).min(over)), RAPID);
     turned.line(pen, from, feed);
-    turned.follow(pen, DVec2::new(cut[0], level), feed);
+    turned.follow_down(pen, DVec2::new(cut[0], level), feed, down);
 }
 
 impl OverContours for ClearTurningArea {
@@ -165,7 +185,7 @@ impl OverContours for InfeedToTurningLevel {
                 }
                 turned.line(pen, DVec2::new(turned.here(pen).x, level), RAPID);
             }
-            Some(cut) => plunge(turned, pen, *cut, (level, before), self.at),
+            Some(cut) => plunge(turned, pen, *cut, (level, before), (self.at, down(self.plunging, self.at))),
         }
         Ok(())
     }
@@ -176,9 +196,14 @@ impl OverContours for RoughTurningLevel {
         let turned = turned(contours)?;
         let (level, before) = (turned.sight.height(self.level), turned.sight.height(self.before));
         for (number, cut) in turned.cuts(level).into_iter().enumerate() {
-            if number > 0 {
+            let here = turned.here(pen);
+            let together = turned.along_contour
+                && turned.cut_at(before, here.x).is_some_and(|[from, to]| from <= cut[0] && cut[0] <= to);
+            if number > 0 && together {
+                turned.follow_down(pen, DVec2::new(cut[0], level), self.at, down(self.plunging, self.at));
+            } else if number > 0 {
                 lift(turned, pen, before, self.at);
-                plunge(turned, pen, cut, (level, before), self.at);
+                plunge(turned, pen, cut, (level, before), (self.at, down(self.plunging, self.at)));
             }
             turned.line(pen, DVec2::new(cut[1], level), self.at);
         }
@@ -245,7 +270,7 @@ impl OverContours for FinishTurnedContour {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let turned = turned(contours)?;
         turned.line(pen, turned.begin, self.at);
-        turned.follow(pen, turned.end, self.at);
+        turned.follow_down(pen, turned.end, self.at, down(self.plunging, self.at));
         Ok(())
     }
 }

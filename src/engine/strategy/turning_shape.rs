@@ -167,7 +167,7 @@ impl Action for TurnShoulder {
 
 /// What becomes of a corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Treated {
+pub(super) enum Treated {
     Sharp,
     /// The length of the chamfer on either side, mm.
     Chamfer(f64),
@@ -176,7 +176,7 @@ enum Treated {
 }
 
 /// The way through points with treated corners, without the first and the last element.
-fn way_through(points: &[(DVec2, Treated)]) -> Result<Way, Fault> {
+pub(super) fn way_through(points: &[(DVec2, Treated)]) -> Result<Way, Fault> {
     let mut way: Option<Way> = None;
     for around in points.windows(3) {
         let &[(before, _), (at, treated), (after, _)] = around else { continue };

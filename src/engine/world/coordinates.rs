@@ -52,6 +52,8 @@ pub struct System {
     pub tip_held: bool,
     /// Whether the workpiece is turned (`FUNCTION MODE TURN`): coordinates of X are diameters in programs.
     pub turning: bool,
+    /// While a contour in the development of a cylinder is read whose coordinates of X are degrees: mm in a degree.
+    pub unrolled: Option<f64>,
     /// Transformations in effect that the engine cannot execute: nothing moves until they end.
     pub unexecuted: BTreeSet<Transformation>,
     changes: Vec<Change>,
@@ -71,6 +73,7 @@ impl System {
             table: Frame::IDENTITY,
             tip_held: false,
             turning: false,
+            unrolled: None,
             unexecuted: BTreeSet::new(),
             changes: Vec::new(),
             frame: Frame::IDENTITY,

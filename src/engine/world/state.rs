@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::engine::geometry::{Axis, Frame, WorkingPlane};
-use crate::engine::machine::Tool;
+use crate::engine::machine::{Machine, MemoryReport, SavedKinematics, Survey, Tool};
 use crate::engine::report::fault::Fault;
 use crate::engine::scene::{Answers, Preset, Scene};
 use crate::engine::solid::Path as BallPath;
@@ -17,7 +17,11 @@ use crate::engine::world::coordinates::System;
 use crate::engine::world::stylus::{OfMachine, ProbeData};
 
 /// How far away a tool is that stands aside, mm.
-const ASIDE: f64 = 98_765.4321;
+pub(crate) const ASIDE: f64 = 98_765.4321;
+/// The file of the kinematics that a program has changed.
+const KINEMATICS_FILE: &str = "KINEMATICS.YAML";
+/// The file of the memories in which kinematics are saved (001:14137-14143).
+const MEMORIES_FILE: &str = "DATA450.KD";
 /// The word that locks a tool in the column TL.
 pub(crate) const LOCKED: &str = "L";
 
@@ -37,6 +41,8 @@ pub(crate) struct Pressed {
 struct Kept {
     tables: BTreeMap<TableKind, Arc<Table>>,
     datums: Vec<Arc<Table>>,
+    kinematics: Arc<Machine>,
+    memories: Arc<Vec<SavedKinematics>>,
     written: Vec<String>,
 }
 
@@ -59,14 +65,25 @@ pub(crate) struct World<'s> {
     /// How far the table has turned the parts since the start, as a frame from the machine to where they were then;
     /// nothing while it is as at the start.
     parts: Option<Frame>,
-    /// How the head is turned, if it is not at 0.
+    /// How the head is turned as the control believes, if it is not at 0.
     pub(crate) head: Option<Frame>,
+    /// How it really is turned.
+    pub(crate) true_head: Option<Frame>,
+    /// How far what the rotary axes carry is from where they say, degrees.
+    lag: DVec3,
+    /// What was measured of the rotary axes last.
+    pub(crate) survey: Option<Arc<Survey>>,
+    /// What was saved, restored, shown or deleted of the kinematics last.
+    pub(crate) memory_report: Option<Arc<MemoryReport>>,
     /// How far the spindle is turned from the angle at which the probe was calibrated, degrees.
     pub spindle_turned: f64,
     /// How many triggers there were that the scene lets scatter.
     pub(crate) triggered: usize,
     /// The probe where it stopped after touching, until it moves.
     pub(crate) pressed: Option<Pressed>,
+    /// While the table turns a cylinder under the tool: a tilted system stays as it is in the machine, so that its tool
+    /// axis remains that of the tool.
+    pub(crate) system_stays: bool,
     /// Whether the machine has all linear axes.
     all_axes: bool,
     /// Where the control believes the tool setter to be since its calibration: the centre of its face in machine
@@ -101,9 +118,14 @@ impl<'s> World<'s> {
             angles: scene.start_angles,
             parts: None,
             head: None,
+            true_head: None,
+            lag: DVec3::ZERO,
+            survey: None,
+            memory_report: None,
             spindle_turned: 0.0,
             triggered: 0,
             pressed: None,
+            system_stays: false,
             all_axes: Axis::ALL.into_iter().all(|axis| scene.machine.axis(axis).is_some()),
             calibrated_setter: None,
             of_machine,
@@ -113,6 +135,8 @@ impl<'s> World<'s> {
             kept: Arc::new(Kept {
                 tables,
                 datums: scene.datums.iter().cloned().map(Arc::new).collect(),
+                kinematics: Arc::new(scene.machine.clone()),
+                memories: Arc::new(scene.saved_kinematics.clone()),
                 written: Vec::new(),
             }),
             datum: 0,
@@ -151,28 +175,77 @@ impl<'s> World<'s> {
     /// By how much a head that is turned so moves the tool tip.
     pub(crate) fn swing(&self, head: &Frame) -> DVec3 {
         let up = self.to_pivot();
-        up - head.vector(up)
+        up + head.point(-up)
     }
 
     /// From the tool tip to the point about which the head turns, while it is at 0.
     pub(crate) fn to_pivot(&self) -> DVec3 {
-        let length = self.tool.map_or(0.0, |tool| tool.length) + self.scene.machine.pivot;
+        let length = self.tool.map_or(0.0, |tool| tool.length) + self.kinematics().pivot;
         self.system.plane.tool.unit() * length
     }
 
     /// A preset of the table.
     pub(crate) fn preset(&self, row: f64) -> Result<Preset, TableError> {
-        Preset::of_row(self.table(TableKind::Preset)?, row)
+        let preset = Preset::of_row(self.table(TableKind::Preset)?, row)?;
+        Ok(Preset { origin: preset.origin + self.kinematics().base, ..preset })
+    }
+
+    /// The kinematics as the control believes them to be.
+    pub(crate) fn kinematics(&self) -> &Machine {
+        &self.kept.kinematics
+    }
+
+    /// The machine as it really is.
+    pub(crate) fn true_machine(&self) -> &Machine {
+        self.scene.truth.as_ref().map_or(&self.scene.machine, |truth| &truth.machine)
+    }
+
+    /// The control has other kinematics from now on; the machine stays where it is.
+    pub(crate) fn set_kinematics(&mut self, machine: Machine) {
+        Arc::make_mut(&mut self.kept).kinematics = Arc::new(machine);
+        self.is_written(KINEMATICS_FILE);
+        self.turn(self.angles);
+        self.renew();
+    }
+
+    /// The kinematics that are saved.
+    pub(crate) fn memories(&self) -> &[SavedKinematics] {
+        &self.kept.memories
+    }
+
+    /// Other kinematics are saved from now on.
+    pub(crate) fn set_memories(&mut self, memories: Vec<SavedKinematics>) {
+        Arc::make_mut(&mut self.kept).memories = Arc::new(memories);
+        self.is_written(MEMORIES_FILE);
+    }
+
+    fn is_written(&mut self, file: &str) {
+        let written = &mut Arc::make_mut(&mut self.kept).written;
+        if !written.iter().any(|known| known == file) {
+            written.push(file.to_owned());
+        }
     }
 
     /// The rotary axes get new coordinates.
     pub(crate) fn turn(&mut self, angles: DVec3) {
+        let (way, truth) = (angles - self.angles, self.scene.truth.as_ref());
         self.angles = angles;
-        let machine = &self.scene.machine;
-        let (table, at_start) = (machine.table(angles), machine.table(self.scene.start_angles));
+        if let Some(truth) = truth {
+            self.lag = truth.lag(self.lag, way);
+        }
+        let (machine, true_angles) = (self.true_machine(), angles + self.lag);
+        let (table, at_start) = (machine.table(true_angles), machine.table(self.scene.start_angles));
+        let head = |machine: &Machine, angles| Some(machine.head(angles)).filter(|head| *head != Frame::IDENTITY);
+        let true_head = head(machine, true_angles);
         self.parts = (table != at_start).then(|| at_start.of(table.inverse()));
-        self.head = Some(machine.head(angles)).filter(|head| *head != Frame::IDENTITY);
-        self.carry_system();
+        if let Some(truth) = truth.filter(|truth| truth.drift != DVec3::ZERO) {
+            self.parts = Some(self.parts.unwrap_or(Frame::IDENTITY).of(Frame::shift(truth.drift)));
+        }
+        self.head = head(self.kinematics(), angles);
+        self.true_head = true_head;
+        if !self.system_stays || self.system.tip_held {
+            self.carry_system();
+        }
     }
 
     /// A system on the workpiece goes with the table.
@@ -188,7 +261,7 @@ impl<'s> World<'s> {
 
     /// Where the table puts the workpiece when the rotary axes are there.
     pub(crate) fn carried(&self, angles: DVec3) -> Frame {
-        let machine = &self.scene.machine;
+        let machine = self.kinematics();
         machine.table(angles).of(machine.table(self.system.angle_datum()).inverse())
     }
 
@@ -255,7 +328,7 @@ impl<'s> World<'s> {
 
     /// The table of a kind, to be written; it counts as written from now on.
     pub(crate) fn table_to_write(&mut self, kind: TableKind) -> Result<&mut Table, TableError> {
-        let Kept { tables, datums, written } = Arc::make_mut(&mut self.kept);
+        let Kept { tables, datums, written, .. } = Arc::make_mut(&mut self.kept);
         let table = match kind {
             TableKind::Points => None,
             TableKind::Datum => datums.get_mut(self.datum),
@@ -288,7 +361,12 @@ impl<'s> World<'s> {
         let all = self.kept.tables.values().chain(&self.kept.datums);
         let text =
             |file: &String| all.clone().find(|table| table.file() == file).map(|table| (file.clone(), table.to_text()));
-        self.kept.written.iter().filter_map(text).collect()
+        let written = |file: &String| match file.as_str() {
+            KINEMATICS_FILE => Some((file.clone(), self.kept.kinematics.to_yaml())),
+            MEMORIES_FILE => Some((file.clone(), SavedKinematics::file(&self.kept.memories))),
+            _ => text(file),
+        };
+        self.kept.written.iter().filter_map(written).collect()
     }
 
     /// The number of the tool of a name.

@@ -206,9 +206,9 @@ impl World<'_> {
     /// turned takes the ball with it.
     pub(crate) fn ball_centre(&self, tip: DVec3, probe: &ProbeData) -> DVec3 {
         let arm = self.arm(probe);
-        let Some(head) = self.head else { return tip + arm };
+        let Some(head) = self.true_head else { return tip + arm };
         let pivot = self.pivot(tip);
-        pivot + head.vector(tip + arm - pivot)
+        pivot + head.point(tip + arm - pivot)
     }
 
     /// From the tool tip to the true centre of the ball in the machine, while the head is at 0.
@@ -235,6 +235,11 @@ impl World<'_> {
         tip + self.swung() + up * probe.effective_radius + self.calibrated_offset_in_machine(probe)
     }
 
+    /// The calibrated offset as the spindle has turned it, while the head is at 0.
+    pub(crate) fn offset_of_straight_head(&self, probe: &ProbeData) -> DVec3 {
+        self.turned(probe.calibrated)
+    }
+
     fn calibrated_offset_in_machine(&self, probe: &ProbeData) -> DVec3 {
         let offset = self.turned(probe.calibrated);
         match self.head {
@@ -252,12 +257,12 @@ impl World<'_> {
     /// upper end, which is round.
     pub(crate) fn shaft_axis(&self, shaft: Shaft) -> DVec3 {
         let straight = self.shaft_of_straight_head(shaft);
-        self.head.map_or(straight, |head| head.vector(straight))
+        self.true_head.map_or(straight, |head| head.vector(straight))
     }
 
     /// A direction of the machine as the spindle sees it: that of the machine while the head is at 0.
     fn in_spindle(&self, direction: DVec3) -> DVec3 {
-        self.head.map_or(direction, |head| head.inverse().vector(direction))
+        self.true_head.map_or(direction, |head| head.inverse().vector(direction))
     }
 
     /// How far a surface pushes the ball in until the probe triggers; the direction of the machine, of length 1,

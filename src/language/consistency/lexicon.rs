@@ -134,17 +134,3 @@ fn judge(
         None => diagnostic,
     });
 }
-
-#[cfg(test)]
-mod tests {
-    use super::without_place;
-
-    #[test]
-    fn a_place_is_not_what_is_measured() {
-        let places = ["at", "-ssä"].map(str::to_owned);
-        assert_eq!(without_place("pause at half depth", &places), "pause");
-        assert_eq!(without_place("tauko puolessa syvyydessä", &places), "tauko puolessa");
-        assert_eq!(without_place("at depth", &places), "at depth");
-        assert_eq!(without_place("probing at depth: coordinate", &places), "probing coordinate");
-    }
-}

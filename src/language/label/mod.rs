@@ -7,5 +7,5 @@ mod lint;
 mod table;
 
 pub use block::{Request, as_printed, block, block_of, continuation, example, example_of};
-pub use lint::check;
+pub use lint::{SIGNS, check};
 pub use table::{LabelRow, csv, table};

@@ -162,6 +162,7 @@ fn frame(site: &Site, section: &Section, comparison: &Comparison, title: String)
         comparison.sections.iter().map(|at| site.sections[*at].on.control.title.as_str()).collect();
     Ok(PageView {
         book: false,
+        draft: site.is_draft,
         lang: section.language.tag().to_owned(),
         sheet: Some((css_string(&title), css_string(&edition.join(" \u{b7} ")))),
         edition,

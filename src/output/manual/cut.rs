@@ -5,9 +5,11 @@
 //! stays; a topic that covers one control is not changed.
 
 /// The names of controls in texts: those of this control, and those of the others that the topic covers.
-pub(super) struct Names<'n> {
-    pub(super) own: Vec<&'n str>,
-    pub(super) others: Vec<&'n str>,
+pub struct Names<'n> {
+    /// Of this control.
+    pub own: Vec<&'n str>,
+    /// Of the others.
+    pub others: Vec<&'n str>,
 }
 
 /// The names that a printed title consists of: `TNC 426 / TNC 430` is called by either.
@@ -57,7 +59,7 @@ fn has(text: &str, name: &str) -> bool {
 }
 
 /// The Markdown of a topic for one control.
-pub(super) fn cut(markdown: &str, names: &Names) -> String {
+pub fn cut(markdown: &str, names: &Names) -> String {
     if names.others.is_empty() {
         return markdown.to_owned();
     }
@@ -343,40 +345,4 @@ fn without_brackets(text: &str) -> String {
         depth == 0
     };
     text.chars().filter(outside).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn for_first(markdown: &str) -> String {
-        cut(markdown, &Names { own: vec!["TNC 1"], others: vec!["TNC 2", "iTNC 3"] })
-    }
-
-    #[test]
-    fn what_other_controls_have_goes_with_what_belongs_to_it() {
-        let markdown = "Both do it. On the TNC 2 it is slow. It waits.\n\nIt moves (set by M1; TNC 2: M2); on the TNC 2 it turns. \
-                        It ends.\n\n## TNC 2\n\nOnly there.\n\n## TNC 1\n\nOnly here.\n\n\
-                        On the iTNC 3 these are known:\n\n- one\n- two\n\n## End\n\n- all\n- TNC 2 alone\n";
-        assert_eq!(
-            for_first(markdown),
-            "Both do it.\n\nIt moves (set by M1). It ends.\n\n## TNC 1\n\nOnly here.\n\n## End\n\n- all\n\n"
-        );
-    }
-
-    #[test]
-    fn tables_lose_rows_columns_and_parts_of_cells() {
-        let markdown = "| What | TNC 1 | TNC 2, iTNC 3 |\n|---|---|---|\n| a | b | c |\n| d | – | e |\n\n\
-                        | Control | What |\n|---|---|\n| TNC 2 | x |\n| TNC 1, TNC 2 | y; on the iTNC 3 z |\n\n\
-                        | Axis | Plane |\n|---|---|\n| Z (TNC 2: Z or W) | X |\n";
-        let expected = "| What | TNC 1 |\n| --- | --- |\n| a | b |\n\n| Control | What |\n| --- | --- |\n\
-                        | TNC 1, TNC 2 | y |\n\n| Axis | Plane |\n| --- | --- |\n| Z | X |\n\n";
-        assert_eq!(for_first(markdown).replace("---", "-").replace('-', "---"), expected);
-    }
-
-    #[test]
-    fn a_topic_of_one_control_is_not_changed() {
-        let text = "On the TNC 2 it is slow.\n";
-        assert_eq!(cut(text, &Names { own: vec!["TNC 1"], others: Vec::new() }), text);
-    }
 }

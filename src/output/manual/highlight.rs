@@ -6,7 +6,7 @@ use crate::base::diag::{Source, Span};
 use crate::program::syntax::{self, Block, BlockKind};
 
 /// A program or a part of one as HTML; `has_row` says which Q parameters have a row on the page.
-pub(super) fn html(text: &str, has_row: &dyn Fn(&str) -> bool) -> String {
+pub fn html(text: &str, has_row: &dyn Fn(&str) -> bool) -> String {
     let program = syntax::parse(&Source::new("example", text.to_owned()));
     let mut out = String::with_capacity(text.len() * 2);
     for block in program.blocks() {
@@ -112,19 +112,4 @@ fn span(class: &str, text: &str, out: &mut String) {
     out.push_str("\">");
     escape(text, out);
     out.push_str("</span>");
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn parts_are_marked_and_the_text_stays() {
-        let text = "6 CYCL DEF 901 ENGRAVING\n    QS500=\"A;<B\" ;TEXT\n    Q513=+10\n";
-        let shown = html(text, &|q| q == "Q513");
-        let expected = "<span class=\"b\">6</span> <span class=\"k\">CYCL DEF 901</span> ENGRAVING\n    \
-                        <span class=\"q\">QS500</span>=<span class=\"t\">&quot;A;&lt;B&quot;</span> \
-                        <span class=\"c\">;TEXT</span>\n    <a class=\"q\" href=\"#Q513\">Q513</a>=+10\n";
-        assert_eq!(shown, expected);
-    }
 }

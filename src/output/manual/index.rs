@@ -99,6 +99,7 @@ fn invitations(site: &Site) -> Result<Vec<Invitation>, Vec<Diagnostic>> {
 fn frame(site: &Site, own: &Section, title: String, path: &str) -> PageView {
     PageView {
         book: false,
+        draft: site.is_draft,
         lang: own.language.tag().to_owned(),
         title,
         root: String::new(),

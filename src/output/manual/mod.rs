@@ -6,10 +6,10 @@
 //! same input gives the same bytes, whatever thread makes a page. Who writes files is not known here.
 mod book;
 mod compare;
-mod cut;
+pub mod cut;
 mod cycle;
 mod escape;
-mod highlight;
+pub mod highlight;
 mod index;
 mod inline;
 mod links;
@@ -17,7 +17,7 @@ mod lists;
 mod notes;
 mod overview;
 mod page;
-mod search;
+pub mod search;
 mod section;
 mod site;
 mod stem;
@@ -46,6 +46,7 @@ use section::Section;
 use site::{Figures, template_fault};
 
 pub use book::Book;
+pub use section::{path_of_cycle, path_of_topic};
 pub use site::Site;
 
 /// What a site is made from.
@@ -152,6 +153,7 @@ impl<'a> Site<'a> {
             assets: assets.collect(),
             figures: Figures::new(request.catalogue.controls.values(), request.files),
             is_book: false,
+            is_draft: false,
         })
     }
 

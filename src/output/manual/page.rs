@@ -83,6 +83,7 @@ impl Site<'_> {
         let edition = self.edition(section)?;
         Ok(PageView {
             book: self.is_book,
+            draft: self.is_draft,
             lang: section.language.tag().to_owned(),
             root: "../../".to_owned(),
             canonical: here.file_in(section, section).and_then(|file| self.address(&section.path(file))),
@@ -102,6 +103,9 @@ impl Site<'_> {
     /// Control, software and date of the data.
     pub(super) fn edition(&self, section: &Section) -> Result<Vec<String>, Vec<Diagnostic>> {
         let mut lines = vec![section.on.control.title.clone()];
+        if self.is_draft {
+            lines.push(section.text("site-draft", &Args::new())?.into_owned());
+        }
         let states = section.on.control.states.join(", ");
         if !states.is_empty() {
             lines.push(section.text("page-software", &Args::new().text("software", states.as_str()))?.into_owned());

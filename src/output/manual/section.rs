@@ -181,6 +181,16 @@ fn words(language: &Language, source: Option<&Language>, faults: &mut Vec<Diagno
     words
 }
 
+/// The path of the page of a cycle on a control in a language, below the site.
+pub fn path_of_cycle(control: &str, language: &str, key: CycleKey) -> String {
+    format!("{control}/{language}/{}", file_of(key))
+}
+
+/// The path of the page of a topic, in the same way.
+pub fn path_of_topic(control: &str, language: &str, topic: &str) -> String {
+    format!("{control}/{language}/topic-{topic}.html")
+}
+
 /// The file name of the page of a cycle: `tch-probe-412.html`.
 pub(super) fn file_of(key: CycleKey) -> String {
     format!("{}-{}.html", key.keyword.as_str().to_lowercase().replace(' ', "-"), key.number)

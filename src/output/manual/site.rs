@@ -59,9 +59,16 @@ pub struct Site<'a> {
     pub(super) figures: Figures<'a>,
     /// Whether its pages are those of books.
     pub(super) is_book: bool,
+    /// Whether texts may be missing.
+    pub(super) is_draft: bool,
 }
 
 impl Site<'_> {
+    /// Has every page say that the texts are not complete.
+    pub const fn mark_as_draft(&mut self) {
+        self.is_draft = true;
+    }
+
     /// The address of a page, where that of the site is known.
     pub(super) fn address(&self, path: &str) -> Option<String> {
         self.base_url.as_ref().map(|base| format!("{base}{path}"))

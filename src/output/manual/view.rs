@@ -12,6 +12,8 @@ pub(super) type Html = Value;
 pub(super) struct PageView {
     /// Whether it is a page of a book, and not of the site.
     pub(super) book: bool,
+    /// Whether texts may be missing, which every page says.
+    pub(super) draft: bool,
     /// The language tag.
     pub(super) lang: String,
     /// The title of the document.

@@ -231,6 +231,15 @@ const PATHS: [(PathCode, Path); 34] = [
     (PathCode::DepPlct, Path::Dep(Approach::Plct)),
 ];
 
+/// Each path is found at the place that its code is.
+const _: () = {
+    let mut at = 0;
+    while at < PATHS.len() {
+        assert!(PATHS[at].0 as usize == at);
+        at += 1;
+    }
+};
+
 impl PathCode {
     /// The code of a path.
     pub(super) fn of(path: Path) -> Self {
@@ -240,17 +249,5 @@ impl PathCode {
     /// The path that it stands for.
     pub(super) const fn path(self) -> Path {
         PATHS[self as usize].1
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_path_has_its_code() {
-        for (at, (code, path)) in PATHS.iter().enumerate() {
-            assert_eq!((*code as usize, code.path(), PathCode::of(*path)), (at, *path, *code));
-        }
     }
 }

@@ -108,16 +108,3 @@ fn written(
     let at = feed.map(|feed| format!(", at: {feed}")).unwrap_or_default();
     format!("{{{verb}: {{{}}}{angle}{at}}}", coords.join(", "))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_missing_is_left_out() {
-        assert_eq!(written("rapid", [('X', f64::NAN), ('Z', 2.5)], None, Some(f64::NAN)), "{rapid: {Z: 2.5}}");
-        assert_eq!(written("arc", [('X', 1.0)], Some(60.0), Some(150.0)), "{arc: {X: 1}, angle: 60, at: 150}");
-        assert_eq!(written("dwell", [], Some(f64::NAN), None), "{dwell: nothing}");
-        assert_eq!(list(&Vec::<String>::new()), "nothing");
-    }
-}

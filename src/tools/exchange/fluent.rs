@@ -111,6 +111,38 @@ impl Pattern {
         })
     }
 
+    /// Whether it is nothing but one selection, which has its own words in its variants.
+    pub(super) fn only_select(&self) -> bool {
+        matches!(self.parts.as_slice(), [Part::Select(..)])
+    }
+
+    /// The text of the file with other words, in variants as well; placeables stay. What is around the words of a
+    /// variant that is all of its text is put there by `around`.
+    pub(super) fn mapped(
+        &self,
+        file: &str,
+        words: &dyn Fn(&str) -> String,
+        around: &dyn Fn(String) -> String,
+    ) -> String {
+        let mut text = String::new();
+        for part in &self.parts {
+            match part {
+                Part::Text(span) => text += &words(file.get(span.clone()).unwrap_or_default()),
+                Part::Code(span) => text += file.get(span.clone()).unwrap_or_default(),
+                Part::Select(span, select) => {
+                    let mut at = span.start;
+                    for variant in &select.variants {
+                        text += file.get(at..variant.value.span.start).unwrap_or_default();
+                        text += &variant.value.mapped(file, words, around);
+                        at = variant.value.span.end;
+                    }
+                    text += file.get(at..span.end).unwrap_or_default();
+                }
+            }
+        }
+        if self.only_select() || text.is_empty() { text } else { around(text) }
+    }
+
     /// The indentation that the lines after the first have in common.
     fn indent(&self, file: &str) -> usize {
         let texts = self.parts.iter().filter_map(|part| match part {
@@ -320,4 +352,17 @@ fn select(file: &str, inside: Range<usize>) -> Option<Select> {
         value: Pattern::within(file, value..next.max(value)),
     });
     Some(Select { selector: selector.to_owned(), variants: variants.collect() })
+}
+
+/// Neighbouring stretches of text as one.
+pub(super) fn merged(pieces: Vec<Piece>) -> Vec<Piece> {
+    let mut all: Vec<Piece> = Vec::new();
+    for piece in pieces {
+        match (all.last_mut(), piece) {
+            (Some(Piece::Text(words)), Piece::Text(more)) => words.push_str(&more),
+            (_, piece) => all.push(piece),
+        }
+    }
+    all.retain(|piece| !matches!(piece, Piece::Text(words) if words.is_empty()));
+    all
 }

@@ -3,10 +3,11 @@
 //! Invariant: only bytes of texts that are taken over change; what is refused is named with the reason.
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use super::Received;
-use super::fluent::{Pattern, Piece, written};
+use super::fluent::{Pattern, Piece, merged, written};
+use super::outcome::{Imported, Refusal, Why};
+use super::prose;
+use super::received::{Received, code_length};
 use super::unit::{self, Text, Unit};
-use super::xliff::merged;
 use crate::base::diag::{Arg, Diagnostic};
 use crate::language::consistency;
 use crate::language::label;
@@ -16,57 +17,8 @@ use crate::spec::Catalogue;
 /// So often the texts are checked again after some of them were refused.
 const ROUNDS: usize = 6;
 
-/// Why a unit is refused.
-#[derive(Clone, Debug)]
-pub enum Why {
-    /// There is no text of this identifier.
-    Unknown,
-    /// Its identifier is there several times.
-    Twice,
-    /// Its source is not that of today.
-    SourceChanged,
-    /// It has no translation, or something in it that is neither text nor a known code.
-    NotRead,
-    /// Codes are missing, or there are some that the text does not have.
-    Codes {
-        /// Those that are missing.
-        missing: String,
-        /// Those that do not belong there.
-        foreign: String,
-    },
-    /// Other variants of the same text are missing.
-    Incomplete,
-    /// A check of `ciklo lint` finds something.
-    Found(Box<Diagnostic>),
-}
-
-/// A unit that is not taken over.
-#[derive(Clone, Debug)]
-pub struct Refusal {
-    /// Its identifier.
-    pub id: String,
-    /// Where it is in the file.
-    pub at: usize,
-    /// The reason.
-    pub why: Why,
-}
-
-/// What came of a file.
-#[derive(Debug, Default)]
-pub struct Imported {
-    /// The files that change, with their new texts.
-    pub files: Vec<(String, String)>,
-    /// The identifiers of the units that are taken over.
-    pub taken: Vec<String>,
-    /// The keys of the texts whose units were all final, changed or not.
-    pub confirmed: Vec<String>,
-    /// How many final units are as they were.
-    pub unchanged: usize,
-    /// How many units are not final.
-    pub passed_over: usize,
-    /// What is refused.
-    pub refused: Vec<Refusal>,
-}
+/// What the codes of findings about labels begin with; they are at the text of the label.
+const LABEL: &str = "label-";
 
 /// A unit that can be taken over.
 struct Edit {
@@ -91,9 +43,12 @@ pub fn import(
     let (locales, before) = Locales::load(files.iter().map(|(path, text)| (path, text)));
     let texts = unit::texts(&locales, tag)?;
     let mut imported = Imported::default();
+    let (of_pages, received) = received.into_iter().partition(|unit| unit.id.starts_with(prose::TOPICS));
     let mut edits = sift(&texts, tag, received, &mut imported);
     drop_incomplete(&texts, tag, &mut edits, &mut imported);
-    let known: BTreeSet<String> = findings(catalogue, &locales, tag, before).iter().map(signature).collect();
+    // What is found today matters only where something changes.
+    let before = if edits.is_empty() { Vec::new() } else { findings(catalogue, &locales, tag, before) };
+    let known: BTreeSet<String> = before.iter().map(signature).collect();
     for _ in 0..ROUNDS {
         imported.files = applied(files, &texts, tag, &edits);
         if edits.is_empty() {
@@ -120,6 +75,7 @@ pub fn import(
     confirmed.dedup();
     imported.confirmed = confirmed;
     imported.taken = edits.into_keys().collect();
+    prose::import(files, &prose::pages(&locales, tag), of_pages, &mut imported);
     imported.refused.sort_by_key(|refusal| refusal.at);
     Ok(imported)
 }
@@ -221,7 +177,7 @@ fn check_codes(own: &Unit, pieces: &[Piece]) -> Result<(), Why> {
     let needed: Vec<&String> = source.iter().filter(|code| own.target.is_empty() || target.contains(*code)).collect();
     let missing: Vec<&str> = needed.into_iter().filter(|code| !new.contains(*code)).map(String::as_str).collect();
     // What a file gives as a code must be one, and no more than one.
-    let is_one = |code: &str| super::code_length(code) == Some(code.len()) && !code.contains('\n');
+    let is_one = |code: &str| code_length(code) == Some(code.len()) && !code.contains('\n');
     let is_literal = |code: &str| {
         let inside = code.trim_start_matches('{').trim_end_matches('}').trim();
         inside.len() > 1 && inside.matches('"').count() == 2 && inside.ends_with('"')
@@ -285,11 +241,17 @@ fn refuse(texts: &[Text], new: &[Diagnostic], had: bool, edits: &mut Edits, impo
             Some(Arg::Text(key)) => Some(key.to_string()),
             _ => None,
         };
+        // Of which attribute, where the finding says that.
+        let of = key.as_deref().and_then(|key| key.split_once('.')).map(|(_, attribute)| attribute);
         let concerns = |edit: &Edit| {
             let Some(text) = texts.get(edit.text) else { return false };
-            let message = text.pair.key.split('.').next().unwrap_or_default().trim_start_matches('-');
-            key.as_deref().is_some_and(|key| key == text.pair.key || key == text.pair.id)
-                || named.as_deref() == Some(message)
+            let (message, attribute) =
+                text.pair.key.split_once('.').map_or((text.pair.key.as_str(), None), |(a, b)| (a, Some(b)));
+            let is_named =
+                named.as_deref() == Some(message.trim_start_matches('-')) && (of.is_none() || of == attribute);
+            // Where a label is tells which of the variants of its text it is.
+            let by_place = found.code.starts_with(LABEL) && named.is_some();
+            is_named || !by_place && key.as_deref().is_some_and(|key| key == text.pair.key || key == text.pair.id)
         };
         let mut ids: Vec<String> = edits.iter().filter(|(_, edit)| concerns(edit)).map(|(id, _)| id.clone()).collect();
         let is_known = imported.refused.iter().any(|refusal| {
@@ -362,6 +324,24 @@ fn applied(files: &[(String, String)], texts: &[Text], tag: &str, edits: &Edits)
     }
     let paths: BTreeSet<&str> = replaced.keys().chain(added.keys()).copied().collect();
     paths.into_iter().map(|path| (path.to_owned(), rewritten(files, path, &mut replaced, &added))).collect()
+}
+
+/// The files that change where texts that are missing get these words.
+pub(super) fn filled(
+    files: &[(String, String)],
+    texts: &[Text],
+    tag: &str,
+    words: &dyn Fn(&Unit) -> Vec<Piece>,
+) -> Vec<(String, String)> {
+    let mut edits = Edits::new();
+    for (index, text) in texts.iter().enumerate().filter(|(_, text)| text.target.is_none()) {
+        for (unit, _) in unit::units_of(text, tag) {
+            let path = unit.id.get(unit.key.len()..).unwrap_or_default().to_owned();
+            let edit = Edit { at: 0, text: index, path, pieces: words(&unit) };
+            edits.insert(unit.id, edit);
+        }
+    }
+    applied(files, texts, tag, &edits)
 }
 
 fn rewritten(

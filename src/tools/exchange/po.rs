@@ -2,8 +2,10 @@
 use std::fmt::Write as _;
 
 use super::fluent::Piece;
+use super::markdown::{self, CODE};
+use super::prose::TOPICS;
+use super::received::{Received, Returned, Unreadable, code_length};
 use super::unit::Unit;
-use super::{Received, Returned, Unreadable};
 
 /// The units of a language as a file.
 pub(super) fn write(units: &[Unit], tag: &str) -> String {
@@ -16,8 +18,10 @@ pub(super) fn write(units: &[Unit], tag: &str) -> String {
             let _ = writeln!(text, "#. {}", note.replace('\n', " "));
         }
         let _ = writeln!(text, "#: {}", unit.file);
-        if unit.state.is_some() && !unit.target.is_empty() {
-            text += "#, fuzzy\n";
+        let fuzzy = (unit.state.is_some() && !unit.target.is_empty()).then(|| "fuzzy".to_owned());
+        let flags: Vec<String> = fuzzy.into_iter().chain(unit.most.map(|most| format!("max-length:{most}"))).collect();
+        if !flags.is_empty() {
+            let _ = writeln!(text, "#, {}", flags.join(", "));
         }
         let _ = writeln!(text, "msgctxt {}", quoted(&unit.id));
         let _ = writeln!(text, "msgid {}", quoted(&joined(&unit.source)));
@@ -68,12 +72,18 @@ impl Entry {
     fn received(self) -> Option<Received> {
         let id = self.context?;
         let text = self.text.unwrap_or_default();
-        let target = split(&text);
+        let pieces = |text: &str| match id.strip_prefix(TOPICS) {
+            // Pages are Markdown; a block of code has no marks.
+            Some(page) if page.contains(&format!("#{CODE}-")) => Some(vec![Piece::Text(text.to_owned())]),
+            Some(_) => Some(markdown::inline(text)),
+            None => split(text),
+        };
+        let (source, target) = (pieces(&self.id.unwrap_or_default()), pieces(&text));
         Some(Received {
             id,
             at: self.at.unwrap_or_default(),
             is_final: !self.fuzzy && !text.is_empty(),
-            source: split(&self.id.unwrap_or_default()),
+            source,
             target,
         })
     }
@@ -151,7 +161,7 @@ fn split(text: &str) -> Option<Vec<Piece>> {
     let mut rest = text;
     while let Some(open) = rest.find(['{', '}']) {
         let (words, code) = rest.split_at(open);
-        let length = super::code_length(code)?;
+        let length = code_length(code)?;
         if !words.is_empty() {
             pieces.push(Piece::Text(words.to_owned()));
         }

@@ -8,6 +8,7 @@ use intl_pluralrules::{PluralCategory, PluralRuleType, PluralRules};
 use unic_langid::LanguageIdentifier;
 
 use super::fluent::{Pattern, Piece, Select};
+use super::prose::{self, Page};
 use super::status::State;
 use crate::base::diag::Place;
 use crate::language::locale::{LocaleError, Locales, Meanings, Pair, SOURCE_LANGUAGE};
@@ -31,6 +32,8 @@ pub struct Unit {
     pub state: Option<State>,
     /// What is said to the translator, a line each.
     pub notes: Vec<String>,
+    /// The greatest number of characters, where there is one.
+    pub most: Option<u32>,
 }
 
 /// A text with everything that writing a translation of it needs.
@@ -83,6 +86,7 @@ fn collect(text: &Text, side: Side, path: &str, tag: &str, units: &mut Vec<(Unit
             target: side.target.map_or_else(Vec::new, |target| target.pieces(side.file)),
             state: None,
             notes: Vec::new(),
+            most: None,
         };
         units.push((unit, side.target.cloned()));
     }
@@ -167,15 +171,15 @@ pub fn units(locales: &Locales, meanings: &Meanings, tag: &str) -> Result<Vec<Un
             open.extend(findings.into_iter().map(|finding| (finding.key, (state, finding.change))));
         }
     }
-    let mut all = Vec::new();
-    for text in texts(locales, tag)? {
-        for (mut unit, _) in units_of(&text, tag) {
-            let known = open.get(&unit.key);
-            unit.state = if unit.target.is_empty() { Some(State::Missing) } else { known.map(|(state, _)| *state) };
-            unit.notes.push(unit.id.clone());
-            unit.notes.extend(known.and_then(|(_, change)| change.clone()));
-            all.push(unit);
-        }
+    let texts = texts(locales, tag)?;
+    let of_texts = texts.iter().flat_map(|text| units_of(text, tag)).map(|(unit, _)| unit);
+    let mut all: Vec<Unit> = of_texts.collect();
+    all.extend(prose::pages(locales, tag).iter().flat_map(Page::units));
+    for unit in &mut all {
+        let known = open.get(&unit.key);
+        unit.state = if unit.target.is_empty() { Some(State::Missing) } else { known.map(|(state, _)| *state) };
+        unit.notes.push(unit.id.clone());
+        unit.notes.extend(known.and_then(|(_, change)| change.clone()));
     }
     Ok(all)
 }

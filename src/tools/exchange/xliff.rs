@@ -6,11 +6,11 @@ use std::fmt::Write as _;
 
 use quick_xml::escape::escape;
 
-use super::fluent::Piece;
+use super::fluent::{Piece, merged};
+use super::received::{Form, Received, Returned, Unreadable};
 use super::status::State;
 use super::unit::Unit;
 use super::xml::{self, Node};
-use super::{Form, Received, Returned, Unreadable};
 use crate::language::locale::SOURCE_LANGUAGE;
 
 const HEAD: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
@@ -50,7 +50,8 @@ pub(super) fn write(units: &[Unit], tag: &str, form: Form) -> String {
 
 fn first(text: &mut String, unit: &Unit) {
     let approved = if unit.state.is_none() { " approved=\"yes\"" } else { "" };
-    let _ = writeln!(text, "      <trans-unit id=\"{}\"{approved} xml:space=\"preserve\">", escape(&unit.id));
+    let most = unit.most.map_or_else(String::new, |most| format!(" maxwidth=\"{most}\" size-unit=\"char\""));
+    let _ = writeln!(text, "      <trans-unit id=\"{}\"{approved}{most} xml:space=\"preserve\">", escape(&unit.id));
     let mut data = Codes::default();
     let _ = writeln!(text, "        <source>{}</source>", inline(&unit.source, &mut data, false));
     if !unit.target.is_empty() {
@@ -209,17 +210,4 @@ fn pieces(node: &Node, data: &HashMap<&str, String>) -> Option<Vec<Piece>> {
         }
     }
     Some(merged(all))
-}
-
-/// Neighbouring stretches of text as one.
-pub(super) fn merged(pieces: Vec<Piece>) -> Vec<Piece> {
-    let mut all: Vec<Piece> = Vec::new();
-    for piece in pieces {
-        match (all.last_mut(), piece) {
-            (Some(Piece::Text(words)), Piece::Text(more)) => words.push_str(&more),
-            (_, piece) => all.push(piece),
-        }
-    }
-    all.retain(|piece| !matches!(piece, Piece::Text(words) if words.is_empty()));
-    all
 }

@@ -4,7 +4,7 @@
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 
-use super::Unreadable;
+use super::received::Unreadable;
 
 /// Elements nested deeper than this are refused.
 const DEEPEST: usize = 64;

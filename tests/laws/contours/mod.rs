@@ -7,6 +7,7 @@
 //! path without compensation, against the corners of the outline. `CASES=2000 cargo test --release --test laws contours`
 //! tries more of them.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
+mod free;
 mod leads;
 mod outline;
 mod path;

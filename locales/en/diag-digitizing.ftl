@@ -1,0 +1,21 @@
+# Digitizing that a control refuses.
+diag-digitizing-axis-wrong = The axis { $axis } does not fit digitizing with the tool axis { $tool }.
+explain-digitizing-axis-wrong = The touch probe axis of the cycle RANGE must be the tool axis of the last tool call; directions of lines and of approach are axes of the working plane. Example: tool axis Z and “DIRECTN: Z”. Remedy: program the tool axis in the range, and X or Y as a direction.
+diag-digitizing-contour-lost = The stylus cannot follow the part on from X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) }.
+explain-digitizing-contour-lost = At this position the ball finds no way along the part: a gap is as narrow as the ball, or the part ends at this height. Example: contour lines in a slot of the width of the ball. Remedy: a smaller ball, or another starting point, height or range.
+diag-digitizing-range-incomplete = The range for digitizing gives no coordinate in { $axis }.
+explain-digitizing-range-incomplete = The MIN point and the MAX point of cycle 5 need coordinates in X, Y and Z. Example: “X+0 Y+0” without Z. Remedy: add the axis to both points.
+diag-digitizing-range-left = At X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } the stylus would leave the range for digitizing.
+explain-digitizing-range-left = The part is higher than the MAX point, or its contour lies outside of the range; the stylus would go on outside of the limits. For contour lines the range must be larger than the part by at least the radius of the stylus. Remedy: enlarge the range, or the clearance height if the stylus touches the part there.
+diag-digitizing-range-missing = No range for digitizing has been defined.
+explain-digitizing-range-missing = The cycles that digitize take the range, the clearance height and the file for the data from the cycle RANGE, and none has been executed before. Example: cycle 6 without cycle 5. Remedy: define cycle 5 or 15 before it.
+diag-digitizing-range-of-points = Contour lines cannot be digitized in a range from a point table.
+explain-digitizing-range-of-points = The control does not combine cycle 15 with contour lines. Remedy: define a block-shaped range with cycle 5.
+diag-digitizing-range-points = A range is bounded by { NUMBER($least) } to { NUMBER($most) } points; the table has { NUMBER($count) }.
+explain-digitizing-range-points = The points of the table are joined by straight lines that bound the range. Fewer than three of them enclose nothing, and the control takes no more than 893. Remedy: record the table with another point spacing.
+diag-digitizing-range-wrong = In { $axis } the MIN point { NUMBER($min) } is not below the MAX point { NUMBER($max) } of the range for digitizing.
+explain-digitizing-range-wrong = The range needs an extent in every axis. Example: MIN point Z+20 and MAX point Z+0. Remedy: exchange or correct the coordinates.
+diag-digitizing-rotary-axis = Digitizing with the rotary axis { $axis } cannot be executed.
+explain-digitizing-rotary-axis = The simulation digitizes with linear axes only; it ends here instead of following the part in another way than the control. Remedy: check the program with a range in X, Y and Z.
+diag-digitizing-time-exceeded = The stylus does not come back to the first point of the contour line within { NUMBER($limit) } s.
+explain-digitizing-time-exceeded = The cycle limits the time for one contour line, and the control interrupts it then. Example: “TIME: 1” with a long line. Remedy: enter a longer time, or 0 for no limit.

@@ -1,0 +1,21 @@
+# Digitointi, jonka ohjaus hylkää.
+diag-digitizing-axis-wrong = Akseli { $axis } ei sovi digitointiin työkaluakselilla { $tool }.
+explain-digitizing-axis-wrong = Työkierron ALUE kosketusjärjestelmän akselin täytyy olla viimeisen työkalukutsun työkaluakseli; rivien ja lähestymisen suunnat ovat koneistustason akseleita. Esimerkki: työkaluakseli Z ja rivien suunta Z. Korjaus: ohjelmoi alueeseen työkaluakseli ja suunnaksi X tai Y.
+diag-digitizing-contour-lost = Kosketusvarsi ei pysty seuraamaan kappaletta asemasta X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } eteenpäin.
+explain-digitizing-contour-lost = Kuula ei löydä tässä asemassa tietä kappaletta pitkin: rako on kuulan levyinen tai kappale päättyy tällä korkeudella. Esimerkki: korkeuskäyrät urassa, joka on yhtä leveä kuin kuula. Korjaus: pienempi kuula tai toinen aloituspiste, korkeus tai alue.
+diag-digitizing-range-incomplete = Digitointialueelta puuttuu koordinaatti akselilla { $axis }.
+explain-digitizing-range-incomplete = Työkierron 5 MIN-piste ja MAX-piste tarvitsevat koordinaatit akseleilla X, Y ja Z. Esimerkki: ”X+0 Y+0” ilman akselia Z. Korjaus: lisää akseli molempiin pisteisiin.
+diag-digitizing-range-left = Asemassa X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } kosketusvarsi poistuisi digitointialueelta.
+explain-digitizing-range-left = Kappale on korkeampi kuin MAX-piste tai sen muoto on alueen ulkopuolella; kosketusvarsi jatkaisi rajojen ulkopuolelle. Korkeuskäyrillä alueen täytyy olla kappaletta suurempi vähintään kosketusvarren säteen verran. Korjaus: suurenna aluetta tai, jos kosketusvarsi koskettaa kappaletta jo siellä, varmuuskorkeutta.
+diag-digitizing-range-missing = Digitointialuetta ei ole määritelty.
+explain-digitizing-range-missing = Digitoivat työkierrot ottavat alueen, varmuuskorkeuden ja tietojen tiedoston työkierrosta ALUE, eikä sellaista ole suoritettu sitä ennen. Esimerkki: työkierto 6 ilman työkiertoa 5. Korjaus: määrittele sen eteen työkierto 5 tai 15.
+diag-digitizing-range-of-points = Korkeuskäyriä ei voi digitoida pistetaulukon alueella.
+explain-digitizing-range-of-points = Ohjaus ei yhdistä työkiertoa 15 korkeuskäyriin. Korjaus: määrittele suorakulmainen alue työkierrolla 5.
+diag-digitizing-range-points = Aluetta rajaa { NUMBER($least) }–{ NUMBER($most) } pistettä; taulukossa niitä on { NUMBER($count) }.
+explain-digitizing-range-points = Taulukon pisteet yhdistetään suorilla, jotka rajaavat alueen. Alle kolme pistettä ei rajaa mitään, eikä ohjaus käytä enempää kuin 893 pistettä. Korjaus: tallenna taulukko toisella pistevälillä.
+diag-digitizing-range-wrong = Akselilla { $axis } digitointialueen MIN-piste { NUMBER($min) } ei ole MAX-pisteen { NUMBER($max) } alapuolella.
+explain-digitizing-range-wrong = Alueella täytyy olla ulottuvuus jokaisella akselilla. Esimerkki: MIN-piste Z+20 ja MAX-piste Z+0. Korjaus: vaihda tai korjaa koordinaatit.
+diag-digitizing-rotary-axis = Digitointia kiertoakselilla { $axis } ei voi suorittaa.
+explain-digitizing-rotary-axis = Simulointi digitoi vain lineaariakseleilla; se päättyy tähän eikä seuraa kappaletta toisin kuin ohjaus. Korjaus: tarkista ohjelma alueella, jossa ovat X, Y ja Z.
+diag-digitizing-time-exceeded = Kosketusvarsi ei palaa korkeuskäyrän ensimmäiseen pisteeseen { NUMBER($limit) }{"\u00A0"}s:n kuluessa.
+explain-digitizing-time-exceeded = Työkierto rajoittaa yhden korkeuskäyrän ajan, ja ohjaus keskeyttää sen silloin. Esimerkki: aika 1 ja pitkä käyrä. Korjaus: anna pidempi aika tai 0, jolloin rajaa ei ole.

@@ -1,0 +1,21 @@
+# Digitalizzazione che il controllo rifiuta.
+diag-digitizing-axis-wrong = L’asse { $axis } non è adatto alla digitalizzazione con l’asse utensile { $tool }.
+explain-digitizing-axis-wrong = L’asse di tastatura del ciclo CAMPO deve essere l’asse utensile dell’ultima chiamata utensile; le direzioni delle righe e di avvicinamento sono assi del piano di lavoro. Esempio: asse utensile Z e righe in direzione Z. Rimedio: programmare nel campo l’asse utensile e come direzione X o Y.
+diag-digitizing-contour-lost = Lo stilo non può seguire il pezzo oltre la posizione X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) }.
+explain-digitizing-contour-lost = In questa posizione la sfera non trova la via lungo il pezzo: uno spazio è stretto quanto la sfera, oppure il pezzo finisce a questa altezza. Esempio: linee di livello in una scanalatura larga quanto la sfera. Rimedio: una sfera più piccola, oppure un altro punto di partenza, un’altra altezza o un altro campo.
+diag-digitizing-range-incomplete = Nel campo di digitalizzazione manca la coordinata in { $axis }.
+explain-digitizing-range-incomplete = Il punto MIN e il punto MAX del ciclo 5 richiedono coordinate in X, Y e Z. Esempio: «X+0 Y+0» senza Z. Rimedio: aggiungere l’asse a entrambi i punti.
+diag-digitizing-range-left = In X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } lo stilo uscirebbe dal campo di digitalizzazione.
+explain-digitizing-range-left = Il pezzo è più alto del punto MAX, oppure il suo profilo è fuori dal campo; lo stilo proseguirebbe oltre i limiti. Per le linee di livello il campo deve superare il pezzo almeno del raggio della sfera. Rimedio: ingrandire il campo oppure, se lo stilo tocca il pezzo già là, l’altezza di sicurezza.
+diag-digitizing-range-missing = Non è stato definito alcun campo di digitalizzazione.
+explain-digitizing-range-missing = I cicli che digitalizzano prendono il campo, l’altezza di sicurezza e il file dei dati dal ciclo CAMPO, e prima non ne è stato eseguito alcuno. Esempio: il ciclo 6 senza il ciclo 5. Rimedio: definire prima il ciclo 5 o 15.
+diag-digitizing-range-of-points = Le linee di livello non si possono digitalizzare in un campo da tabella punti.
+explain-digitizing-range-of-points = Il controllo non combina il ciclo 15 con le linee di livello. Rimedio: definire un campo rettangolare con il ciclo 5.
+diag-digitizing-range-points = Un campo è delimitato da un numero di punti da { NUMBER($least) } a { NUMBER($most) }; la tabella ne ha { NUMBER($count) }.
+explain-digitizing-range-points = I punti della tabella vengono uniti da rette che delimitano il campo. Meno di tre punti non racchiudono nulla e il controllo non ne accetta più di 893. Rimedio: registrare la tabella con un’altra distanza tra i punti.
+diag-digitizing-range-wrong = In { $axis } il punto MIN { NUMBER($min) } del campo di digitalizzazione non è inferiore al punto MAX { NUMBER($max) }.
+explain-digitizing-range-wrong = Il campo deve avere un’estensione in ogni asse. Esempio: punto MIN Z+20 e punto MAX Z+0. Rimedio: scambiare o correggere le coordinate.
+diag-digitizing-rotary-axis = La digitalizzazione con l’asse rotativo { $axis } non può essere eseguita.
+explain-digitizing-rotary-axis = La simulazione digitalizza solo con gli assi lineari; finisce qui invece di seguire il pezzo in modo diverso dal controllo. Rimedio: verificare il programma con un campo in X, Y e Z.
+diag-digitizing-time-exceeded = Lo stilo non torna al primo punto della linea di livello entro { NUMBER($limit) } s.
+explain-digitizing-time-exceeded = Il ciclo limita il tempo per una linea di livello, e il controllo allora lo interrompe. Esempio: tempo 1 con una linea lunga. Rimedio: inserire un tempo maggiore, oppure 0 per nessun limite.

@@ -1,0 +1,21 @@
+# Digitalização que o comando recusa.
+diag-digitizing-axis-wrong = O eixo { $axis } não serve para a digitalização com o eixo da ferramenta { $tool }.
+explain-digitizing-axis-wrong = O eixo do apalpador do ciclo CAMPO tem de ser o eixo da ferramenta da última chamada; as direções das linhas e da aproximação são eixos do plano de maquinação. Exemplo: eixo da ferramenta Z e linhas na direção Z. Solução: programe no campo o eixo da ferramenta e, como direção, X ou Y.
+diag-digitizing-contour-lost = A haste não consegue seguir a peça a partir de X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) }.
+explain-digitizing-contour-lost = Nesta posição, a esfera não encontra caminho ao longo da peça: uma abertura é tão estreita como a esfera, ou a peça acaba a esta altura. Exemplo: linhas de nível numa ranhura da largura da esfera. Solução: uma esfera mais pequena, ou outro ponto de partida, altura ou campo.
+diag-digitizing-range-incomplete = No campo de digitalização falta a coordenada em { $axis }.
+explain-digitizing-range-incomplete = O ponto MIN e o ponto MAX do ciclo 5 precisam de coordenadas em X, Y e Z. Exemplo: «X+0 Y+0» sem Z. Solução: acrescente o eixo aos dois pontos.
+diag-digitizing-range-left = Em X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } a haste sairia do campo de digitalização.
+explain-digitizing-range-left = A peça é mais alta do que o ponto MAX, ou o seu contorno fica fora do campo; a haste continuaria para lá dos limites. Para linhas de nível, o campo tem de ser maior do que a peça, pelo menos no raio da esfera. Solução: aumente o campo ou, se a haste já tocar aí na peça, a altura de segurança.
+diag-digitizing-range-missing = Não foi definido nenhum campo de digitalização.
+explain-digitizing-range-missing = Os ciclos que digitalizam vão buscar o campo, a altura de segurança e o ficheiro dos dados ao ciclo CAMPO, e antes não foi executado nenhum. Exemplo: o ciclo 6 sem o ciclo 5. Solução: defina antes o ciclo 5 ou 15.
+diag-digitizing-range-of-points = Não é possível digitalizar linhas de nível num campo de uma tabela de pontos.
+explain-digitizing-range-of-points = O comando não combina o ciclo 15 com linhas de nível. Solução: defina um campo retangular com o ciclo 5.
+diag-digitizing-range-points = Um campo é limitado por { NUMBER($least) } a { NUMBER($most) } pontos; a tabela tem { NUMBER($count) }.
+explain-digitizing-range-points = Os pontos da tabela são unidos por retas que limitam o campo. Menos de três pontos não limitam nada, e o comando não aceita mais de 893. Solução: registe a tabela com outra distância entre pontos.
+diag-digitizing-range-wrong = Em { $axis }, o ponto MIN { NUMBER($min) } do campo de digitalização não é inferior ao ponto MAX { NUMBER($max) }.
+explain-digitizing-range-wrong = O campo precisa de uma extensão em cada eixo. Exemplo: ponto MIN Z+20 e ponto MAX Z+0. Solução: troque ou corrija as coordenadas.
+diag-digitizing-rotary-axis = Não é possível executar a digitalização com o eixo rotativo { $axis }.
+explain-digitizing-rotary-axis = A simulação digitaliza apenas com eixos lineares; termina aqui em vez de seguir a peça de modo diferente do comando. Solução: verifique o programa com um campo em X, Y e Z.
+diag-digitizing-time-exceeded = A haste não regressa ao primeiro ponto da linha de nível dentro de { NUMBER($limit) } s.
+explain-digitizing-time-exceeded = O ciclo limita o tempo para uma linha de nível, e o comando interrompe-o então. Exemplo: tempo 1 com uma linha longa. Solução: introduza um tempo maior, ou 0 para não haver limite.

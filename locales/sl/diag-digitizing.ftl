@@ -1,0 +1,21 @@
+# Digitaliziranje, ki ga krmiljenje zavrne.
+diag-digitizing-axis-wrong = Os { $axis } ni primerna za digitaliziranje z orodno osjo { $tool }.
+explain-digitizing-axis-wrong = Os tipalnega sistema v ciklu OBMOČJE mora biti orodna os zadnjega priklica orodja; smeri vrstic in primika so osi obdelovalne ravnine. Primer: orodna os Z in smer vrstic Z. Rešitev: v območju programirajte orodno os, kot smer pa X ali Y.
+diag-digitizing-contour-lost = Tipalna glava obdelovancu ne more slediti naprej od položaja X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) }.
+explain-digitizing-contour-lost = Na tem položaju krogla ne najde poti vzdolž obdelovanca: reža je tako ozka kot krogla ali pa se obdelovanec na tej višini konča. Primer: plastnice v utoru, širokem kot krogla. Rešitev: manjša krogla ali druga začetna točka, višina ali območje.
+diag-digitizing-range-incomplete = V območju za digitaliziranje manjka koordinata v osi { $axis }.
+explain-digitizing-range-incomplete = Točki MIN in MAX cikla 5 potrebujeta koordinate v oseh X, Y in Z. Primer: »X+0 Y+0« brez Z. Rešitev: os dodajte obema točkama.
+diag-digitizing-range-left = Na položaju X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } bi tipalna glava zapustila območje za digitaliziranje.
+explain-digitizing-range-left = Obdelovanec je višji od točke MAX ali pa njegova kontura leži zunaj območja; tipalna glava bi šla čez meje. Pri plastnicah mora biti območje večje od obdelovanca vsaj za polmer krogle. Rešitev: povečajte območje ali, če se tipalna glava obdelovanca dotika že tam, varno višino.
+diag-digitizing-range-missing = Območje za digitaliziranje ni določeno.
+explain-digitizing-range-missing = Cikli, ki digitalizirajo, vzamejo območje, varno višino in datoteko podatkov iz cikla OBMOČJE, ta pa prej ni bil izveden. Primer: cikel 6 brez cikla 5. Rešitev: pred njim definirajte cikel 5 ali 15.
+diag-digitizing-range-of-points = Plastnic ni mogoče digitalizirati v območju iz preglednice točk.
+explain-digitizing-range-of-points = Krmiljenje cikla 15 ne združuje s plastnicami. Rešitev: s ciklom 5 definirajte pravokotno območje.
+diag-digitizing-range-points = Območje omejuje od { NUMBER($least) } do { NUMBER($most) } točk; v preglednici jih je { NUMBER($count) }.
+explain-digitizing-range-points = Točke preglednice so povezane s premicami, ki omejujejo območje. Manj kot tri točke ne omejijo ničesar, več kot 893 pa jih krmiljenje ne sprejme. Rešitev: preglednico posnemite z drugačno razdaljo točk.
+diag-digitizing-range-wrong = V osi { $axis } točka MIN { NUMBER($min) } območja za digitaliziranje ne leži pod točko MAX { NUMBER($max) }.
+explain-digitizing-range-wrong = Območje mora imeti razsežnost v vsaki osi. Primer: točka MIN Z+20 in točka MAX Z+0. Rešitev: koordinati zamenjajte ali popravite.
+diag-digitizing-rotary-axis = Digitaliziranja z rotacijsko osjo { $axis } ni mogoče izvesti.
+explain-digitizing-rotary-axis = Simulacija digitalizira samo z linearnimi osmi; tu se konča, namesto da bi obdelovancu sledila drugače kot krmiljenje. Rešitev: program preverite z območjem v oseh X, Y in Z.
+diag-digitizing-time-exceeded = Tipalna glava se v { NUMBER($limit) }{"\u00A0"}s ne vrne do prve točke plastnice.
+explain-digitizing-time-exceeded = Cikel omejuje čas za eno plastnico in krmiljenje ga takrat prekine. Primer: čas 1 pri dolgi plastnici. Rešitev: vnesite daljši čas ali 0, kar pomeni brez omejitve.

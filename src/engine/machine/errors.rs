@@ -1,0 +1,41 @@
+//! What a machine really is where the control believes something else.
+//!
+//! Invariant: the control's model is a [`Machine`]; here are only the differences from it, which no control sees.
+use glam::DVec3;
+
+use super::Machine;
+use crate::engine::geometry::RotaryAxis;
+
+/// A machine as it really is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrueMachine {
+    /// Its axes: where and about which lines they really turn.
+    pub machine: Machine,
+    /// The backlash of A, B and C, degrees: what an axis carries lags behind by half of it in either direction.
+    pub backlash: DVec3,
+    /// By how much the tool really is beside where the linear axes say, mm.
+    pub drift: DVec3,
+}
+
+impl TrueMachine {
+    /// A machine that is as its model says.
+    pub fn as_model(machine: &Machine) -> Self {
+        Self { machine: machine.clone(), backlash: DVec3::ZERO, drift: DVec3::ZERO }
+    }
+
+    /// Displaces the line about which an axis turns, mm, and takes it out of its direction, degrees about X, Y and Z.
+    pub fn displace(&mut self, axis: RotaryAxis, centre: DVec3, askew: DVec3) {
+        if let Some(found) = self.machine.rotary.iter_mut().find(|known| known.axis == axis) {
+            found.centre += centre;
+            found.askew += askew;
+        }
+    }
+
+    /// How far what the axes carry is from where they say, degrees, after they have moved.
+    pub fn lag(&self, before: DVec3, way: DVec3) -> DVec3 {
+        RotaryAxis::ALL.into_iter().fold(before, |lag, axis| {
+            let (way, backlash) = (axis.of(way), axis.of(self.backlash));
+            if way == 0.0 { lag } else { axis.with(lag, -backlash / 2.0 * way.signum()) }
+        })
+    }
+}

@@ -1,0 +1,228 @@
+//! What is recessed: a groove as the cuts of an insert see it, with what they leave and what finishing makes of it.
+//!
+//! `x` goes across the groove from where its contour begins, `y` away from the part; positions are those of the tip,
+//! which is the corner of the insert that is further in the direction of `x`. Invariant: coordinates of the main axis
+//! are radii here.
+use glam::DVec2;
+
+use super::pen::Pen;
+use super::turned::{Sight, direction};
+use crate::engine::region::groove::CuttingEdge;
+use crate::engine::region::profile::{Allowance, Envelope, GoesBack};
+use crate::engine::region::{Edge, Way};
+
+/// So far beside a wall a place is not on it, mm.
+const SIDE: f64 = 1e-8;
+/// What calculation may add to a height, mm.
+const SPARE: f64 = 1e-8;
+/// A level that is so near to the floor is that of the floor, mm.
+const NEAR: f64 = 1e-7;
+/// So far below a flat floor that is found, and nothing beside it, mm.
+const BELOW: f64 = 5e-10;
+/// What is lower beside a place by more than this is beyond a wall, mm.
+const WALL: f64 = 1e-6;
+/// What stays beyond what a nose leaves is reported if it is more than this, mm.
+const REPORTED: f64 = 1e-3;
+
+/// The places of the tip that leave an allowance.
+#[derive(Clone, Debug)]
+pub struct Reach {
+    /// Where it may be.
+    pub envelope: Envelope,
+    /// Where it touches the begin of the contour.
+    pub begin: DVec2,
+    /// Where it touches the end.
+    pub end: DVec2,
+    /// The lowest place.
+    pub floor: f64,
+    /// Between these two it is on the floor: `x`.
+    pub feet: [f64; 2],
+}
+
+impl Reach {
+    /// What an insert can reach of a profile with an allowance, and by how much at most it stays away from what one of
+    /// its corners would reach.
+    ///
+    /// # Errors
+    /// The profile has no element.
+    pub fn new(profile: &Way, edge: CuttingEdge, allowance: Allowance, far: f64) -> Result<(Self, f64), GoesBack> {
+        let (first, last) = (profile.edges.first().ok_or(GoesBack)?, profile.edges.last().ok_or(GoesBack)?);
+        let exact = edge.over(profile, allowance, far)?;
+        let before = profile.edges.iter().rev().nth(1).map_or(profile.start, Edge::to);
+        let (heading, leaving) = (direction(profile.start, first, false), direction(before, last, true));
+        let touching = |at: DVec2, along: DVec2| {
+            let side = if along.y.abs() < SPARE { 0.0 } else { -along.y.signum() };
+            at + DVec2::new(side * allowance.along.abs(), allowance.away) + along.perp() * edge.radius
+        };
+        // From the centre of the corner in front to the tip, and from that behind.
+        let tip = DVec2::new(edge.radius, -edge.radius);
+        let begin = touching(profile.start, heading) + tip + DVec2::new(edge.straight(), 0.0);
+        let end = touching(profile.end(), leaving) + tip;
+        let reach = |envelope| {
+            let mut own = Self { envelope, begin, end, floor: begin.y.min(end.y), feet: [begin.x, end.x] };
+            own.find_floor();
+            own
+        };
+        let (exact, eased) = (reach(exact), reach(edge.eased_over(profile, allowance, far)?));
+        // Between walls that are as far from each other as the insert is wide there is one place.
+        let own = if eased.floor < exact.floor - WALL { eased } else { exact };
+        let left = edge.leaves((profile, allowance, far), &own.envelope, [own.begin.x, own.end.x])?;
+        Ok((own, if left > REPORTED { left } else { 0.0 }))
+    }
+
+    /// Leaves what is beyond a limit as it is: what is lower than a height, and what is on one side of a place.
+    pub fn limited(mut self, edge: CuttingEdge, (height, side): (Option<f64>, Option<(f64, bool)>), far: f64) -> Self {
+        let top = self.envelope.lowest([self.begin.x - far, self.begin.x]).unwrap_or(self.begin.y);
+        let top = self.envelope.summit([self.begin.x - edge.width, self.end.x]).map_or(top, |summit| summit.y.max(top));
+        let none = Allowance { along: 0.0, away: 0.0 };
+        let line = |from: DVec2, to: DVec2| Way { start: from, edges: vec![Edge::Line(to)] };
+        let middle = self.begin.midpoint(self.end);
+        let mut add = |way: &Way| {
+            if let Ok(limit) = edge.over(way, none, 0.0) {
+                self.envelope = self.envelope.higher(&limit);
+            }
+        };
+        if let Some(height) = height {
+            let at = DVec2::new(middle.x, height);
+            add(&line(at - DVec2::X * far, at + DVec2::X * far));
+        }
+        if let Some((place, beyond)) = side {
+            let at = DVec2::new(place, top);
+            if beyond {
+                add(&line(at, at + DVec2::X * far));
+                self.end.x = self.end.x.min(place);
+            } else {
+                add(&line(at - DVec2::X * far, at));
+                self.begin.x = self.begin.x.max(place + edge.width);
+            }
+        }
+        self.find_floor();
+        let (begin, end) = (self.low(self.begin.x), self.low(self.end.x));
+        (self.begin.y, self.end.y) = (self.begin.y.max(begin), self.end.y.max(end));
+        self
+    }
+
+    fn find_floor(&mut self) {
+        let range = [self.begin.x, self.end.x];
+        let lowest = if range[0] < range[1] { self.envelope.lowest(range) } else { None };
+        let middle = self.begin.x.midpoint(self.end.x);
+        self.floor = lowest.unwrap_or_else(|| self.low(middle));
+        let flat = self.below(self.floor, range);
+        self.feet = match (flat.first(), flat.last()) {
+            (Some(first), Some(last)) => [first[0], last[1]],
+            _ => [middle; 2],
+        };
+    }
+
+    fn below(&self, level: f64, range: [f64; 2]) -> Vec<[f64; 2]> {
+        let exact = if (level - self.floor).abs() < NEAR { self.floor - BELOW } else { level };
+        let wide = [range[0] - SIDE, range[1] + SIDE];
+        let mut found = self.envelope.below(exact, wide);
+        // A round floor and a corner have one lowest place.
+        let is_point = found.is_empty();
+        if is_point {
+            found = self.envelope.below(level + SPARE, wide);
+        }
+        let one_place = |[from, to]: [f64; 2]| match is_point || to - from < 2.0 * SIDE {
+            true => [from.midpoint(to); 2],
+            false => [from.max(range[0]), to.min(range[1])],
+        };
+        found.into_iter().map(one_place).filter(|[from, to]| from <= to).collect()
+    }
+
+    /// The lowest height at a place, on either side of a wall there.
+    pub fn low(&self, x: f64) -> f64 {
+        let beside = [x - SIDE, x + SIDE].into_iter().filter_map(|x| self.envelope.height(x));
+        match (self.envelope.height(x), beside.reduce(f64::min)) {
+            (Some(here), Some(beside)) if beside < here - WALL => beside,
+            (one, other) => one.or(other).unwrap_or(self.begin.y),
+        }
+    }
+
+    /// The cuts at a level: pairs of beginning and end.
+    pub fn cuts(&self, level: f64) -> Vec<[f64; 2]> {
+        if self.end.x - self.begin.x < 2.0 * SIDE {
+            // An insert as wide as the groove has one place.
+            let free = self.begin.x - self.end.x < 2.0 * SIDE && self.low(self.begin.x) <= level + SPARE;
+            return if free { vec![[self.begin.x; 2]] } else { Vec::new() };
+        }
+        self.below(level, [self.begin.x, self.end.x])
+    }
+
+    /// Whether nothing is in the way at a height between two places.
+    pub fn is_free(&self, height: f64, one: f64, other: f64) -> bool {
+        let (from, to) = (one.min(other) + SIDE, one.max(other) - SIDE);
+        let whole = |free: &[f64; 2]| free[0] <= from + SIDE && to - SIDE <= free[1];
+        from >= to || self.envelope.below(height + SPARE, [from, to]).first().is_some_and(whole)
+    }
+}
+
+/// What is recessed.
+#[derive(Clone, Debug)]
+pub struct Groove {
+    /// How its cuts see it.
+    pub sight: Sight,
+    /// The insert.
+    pub edge: CuttingEdge,
+    /// What roughing leaves.
+    pub rough: Reach,
+    /// What finishing leaves.
+    pub finished: Reach,
+    /// Where the cycle began.
+    pub start: DVec2,
+    /// The height at which the tool goes across: that of where the cycle began, or of the contour.
+    pub over: f64,
+    /// What roughing leaves on the floor, mm.
+    pub allowance: f64,
+}
+
+impl Groove {
+    /// What roughing leaves, or what finishing leaves.
+    pub const fn reach(&self, rough: bool) -> &Reach {
+        if rough { &self.rough } else { &self.finished }
+    }
+
+    /// The coordinate across the groove of a place: a diameter where that is one.
+    pub fn side(&self, x: f64) -> f64 {
+        x * self.sight.ahead * self.scale()
+    }
+
+    /// The place of that coordinate.
+    pub fn place(&self, side: f64) -> f64 {
+        side * self.sight.ahead / self.scale()
+    }
+
+    /// What a way across the groove changes that coordinate by.
+    pub const fn scale(&self) -> f64 {
+        if self.sight.face { 2.0 } else { 1.0 }
+    }
+
+    /// Where the pen is, as cuts see it.
+    pub fn here(&self, pen: &Pen) -> DVec2 {
+        let here = pen.here();
+        self.sight.seen(here.x, here.z)
+    }
+
+    /// Straight to a point.
+    pub fn line(&self, pen: &mut Pen, to: DVec2, feed: f64) {
+        let to = self.sight.point(to, pen.here().y);
+        pen.line(to, feed);
+    }
+
+    /// Along what the tip can reach to a point of it, from where the pen is or from below there.
+    pub fn follow(&self, reach: &Reach, pen: &mut Pen, to: DVec2, feed: f64) {
+        let minor = pen.here().y;
+        for edge in reach.envelope.way(self.here(pen), to).edges {
+            if edge.to().distance(self.here(pen)) < NEAR {
+                continue;
+            }
+            match edge {
+                Edge::Line(to) => pen.line(self.sight.point(to, minor), feed),
+                Edge::Arc { to, centre, sweep } => {
+                    let (centre, to) = (self.sight.point(centre, minor), self.sight.point(to, minor));
+                    pen.sideways((centre, to), sweep * self.sight.sense(), feed);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,383 @@
+//! How a stylus follows a part: in a vertical plane over it, and at one height around it.
+//!
+//! What is followed is the curve on which the south pole of the stylus goes while the ball touches the part, found point
+//! by point by contacts of the ball. Points are main, minor and tool coordinate. Invariant: nothing moves here.
+use glam::{DVec2, DVec3};
+
+use super::action::{Control, Course, Felt};
+use super::digitized::{Range, SAME};
+use crate::base::expr::sind;
+use crate::engine::report::fault::{Class, Fault};
+
+/// A step is looked through in so many parts for where it becomes too long.
+const PARTS: u32 = 4;
+/// Where a step becomes too long is looked for until it is known so exactly, mm.
+const EXACT: f64 = 1e-11;
+/// The search for it ends after so many steps at the latest.
+const SEARCHES: usize = 120;
+/// A surface that turns by more than this between two points, degrees, has an inside corner between them.
+const CORNER: f64 = 10.0;
+/// A direction this near to another one, as a cosine, is that one.
+const STEEP: f64 = 0.999;
+/// A ball that is farther from a surface, mm, does not touch it.
+const TOUCHES: f64 = 1e-6;
+/// The least step around a part, mm.
+const LEAST: f64 = 1e-3;
+/// The most points of one line.
+const MOST: usize = 400_000;
+/// A ball is moved off a surface so far before it is felt whether its way is free, mm.
+const OFF: f64 = 1e-4;
+/// The way around a part at one place, degrees.
+const AROUND: f64 = 355.0;
+
+/// What is below the stylus.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ground {
+    /// The part.
+    Part,
+    /// Nothing down to the least coordinate of the range, at which it goes.
+    Floor,
+    /// Nothing: it is beside an overhang.
+    Nothing,
+}
+
+/// A place of the stylus on its way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sample {
+    /// The south pole.
+    pub at: DVec3,
+    /// The direction out of the material, of length 1.
+    pub out: DVec3,
+    /// The same in the plane in which the stylus follows the part.
+    pub away: DVec3,
+    /// What it touches.
+    pub on: Ground,
+}
+
+/// The fault of a position beyond the range.
+fn beyond(control: &dyn Control, at: DVec3) -> Fault {
+    let at = control.axes(at);
+    Fault::control("digitizing-range-left").arg("x", at.x).arg("y", at.y).arg("z", at.z)
+}
+
+/// The fault of a part that the stylus cannot follow.
+pub(super) fn lost(control: &dyn Control, at: DVec3) -> Fault {
+    let at = control.axes(at);
+    Fault::control("digitizing-contour-lost").arg("x", at.x).arg("y", at.y).arg("z", at.z)
+}
+
+/// The fault of a line that never ends.
+fn too_long() -> Fault {
+    Fault::new(Class::Limit, "move-limit").arg("limit", MOST)
+}
+
+/// What is felt on a straight way.
+pub(super) fn feel(control: &dyn Control, from: DVec3, to: DVec3) -> Result<Option<Felt>, Fault> {
+    let felt = control.feel(Course::Line { from: control.axes(from), to: control.axes(to) })?;
+    Ok(felt.map(|felt| Felt { at: control.in_plane(felt.at), out: control.in_plane(felt.out) }))
+}
+
+/// A straight line of the plan, followed from above.
+pub(super) struct Profile<'c> {
+    pub control: &'c dyn Control,
+    /// Where it begins and where it ends.
+    pub from: DVec2,
+    pub to: DVec2,
+    /// From where the stylus comes down.
+    pub top: f64,
+    /// The limits of the range.
+    pub floor: f64,
+    pub ceiling: f64,
+}
+
+impl Profile<'_> {
+    fn along(&self) -> DVec2 {
+        (self.to - self.from).normalize_or_zero()
+    }
+
+    /// Where a stylus that comes down touches at that way along the line.
+    pub(super) fn down(&self, way: f64) -> Result<Sample, Fault> {
+        let place = self.from + self.along() * way;
+        match feel(self.control, place.extend(self.top), place.extend(self.floor))? {
+            None => Ok(Sample { at: place.extend(self.floor), out: DVec3::Z, away: DVec3::Z, on: Ground::Floor }),
+            Some(felt) if felt.at.z > self.ceiling + TOUCHES => Err(beyond(self.control, felt.at)),
+            Some(felt) => {
+                let along = self.along();
+                let lean = along.dot(felt.out.truncate());
+                let away = (along * lean).extend(felt.out.z).try_normalize().unwrap_or(DVec3::Z);
+                Ok(Sample { at: place.extend(felt.at.z), out: felt.out, away, on: Ground::Part })
+            }
+        }
+    }
+
+    /// All places from the start of the line to its end, at most that far from each other where the part is touched.
+    pub(super) fn trace(&self, spacing: f64) -> Result<Vec<Sample>, Fault> {
+        let length = (self.to - self.from).length();
+        let mut all = vec![self.down(0.0)?];
+        let mut way = 0.0;
+        while length - way > SAME {
+            let Some(now) = all.last().copied() else { break };
+            match self.step(way, &now, length, spacing)? {
+                Step::To(next, sample) => {
+                    let corner = self.inside_corner((&now, way), (&sample, next), spacing)?;
+                    let (next, sample) = corner.unwrap_or((next, sample));
+                    all.push(sample);
+                    way = next;
+                }
+                Step::Wall(next, end) => {
+                    self.climb(&now, &end, spacing, &mut all)?;
+                    all.push(end);
+                    way = next;
+                }
+            }
+            if all.len() > MOST {
+                return Err(too_long());
+            }
+        }
+        Ok(all)
+    }
+
+    /// The next place: as far as the spacing lets it, or what is at the other end of a wall.
+    fn step(&self, way: f64, now: &Sample, length: f64, spacing: f64) -> Result<Step, Fault> {
+        let excess = |way_there: f64, there: &Sample| libm::hypot(way_there - way, there.at.z - now.at.z) - spacing;
+        let mut low = (way, *now, -spacing);
+        let mut high = None;
+        for part in 1..=PARTS {
+            let there = (way + spacing * f64::from(part) / f64::from(PARTS)).min(length);
+            let sample = self.down(there)?;
+            let over = excess(there, &sample);
+            if over > SAME {
+                high = Some((there, sample, over));
+                break;
+            }
+            low = (there, sample, over);
+            if there >= length {
+                break;
+            }
+        }
+        let Some(mut high) = high else { return Ok(Step::To(low.0, low.1)) };
+        for search in 0..SEARCHES {
+            if high.0 - low.0 <= EXACT || low.2 > -SAME {
+                break;
+            }
+            let share = if search % 3 == 2 { 0.5 } else { (-low.2 / (high.2 - low.2)).clamp(0.01, 0.99) };
+            let middle = low.0 + (high.0 - low.0) * share;
+            let sample = self.down(middle)?;
+            let over = excess(middle, &sample);
+            if over > 0.0 { high = (middle, sample, over) } else { low = (middle, sample, over) }
+        }
+        let rise = if high.0 - low.0 <= EXACT { high.1.at.z - low.1.at.z } else { 0.0 };
+        if low.0 - way > SAME {
+            Ok(Step::To(low.0, if rise > TOUCHES { self.at_foot(low.1, -self.along())? } else { low.1 }))
+        } else {
+            Ok(Step::Wall(high.0, if rise < -TOUCHES { self.at_foot(high.1, self.along())? } else { high.1 }))
+        }
+    }
+
+    /// A place at the foot of a wall from which that direction leads away: it is left, and touched, at an angle.
+    fn at_foot(&self, sample: Sample, away: DVec2) -> Result<Sample, Fault> {
+        let off = away.extend(0.0) * TOUCHES;
+        if feel(self.control, sample.at + off, sample.at - off)?.is_none() {
+            return Ok(sample);
+        }
+        let beside = away.extend(0.0);
+        // What is felt from above may be the wall itself.
+        let below = if sample.away.dot(beside) > STEEP { DVec3::Z } else { sample.away };
+        let away = (beside + below).try_normalize().unwrap_or(below);
+        Ok(Sample { away, out: away, on: Ground::Part, ..sample })
+    }
+
+    /// The places along a wall between its ends.
+    fn climb(&self, from: &Sample, to: &Sample, spacing: f64, all: &mut Vec<Sample>) -> Result<(), Fault> {
+        let rise = to.at.z - from.at.z;
+        // The ball is on the side of the wall that is lower.
+        let (place, away) = if rise > 0.0 { (from.at, -self.along()) } else { (to.at, self.along()) };
+        let away = away.extend(0.0);
+        for count in 1..MOST {
+            let way = spacing * count as f64;
+            if rise.abs() - way <= SAME {
+                return Ok(());
+            }
+            let at = place.truncate().extend(from.at.z + way * rise.signum());
+            let touches = self.control.touches(self.control.axes(at), TOUCHES)?;
+            let on = if touches { Ground::Part } else { Ground::Nothing };
+            all.push(Sample { at, out: away, away, on });
+        }
+        Err(too_long())
+    }
+
+    /// The place in an inside corner between two others, and where along the line it is.
+    fn inside_corner(
+        &self,
+        (a, from): (&Sample, f64),
+        (b, to): (&Sample, f64),
+        spacing: f64,
+    ) -> Result<Option<(f64, Sample)>, Fault> {
+        let along = self.along();
+        let flat = |sample: &Sample| DVec2::new(along.dot(sample.away.truncate()), sample.away.z);
+        let (first, second) = (flat(a), flat(b));
+        if a.on == Ground::Nothing || b.on == Ground::Nothing || first.perp_dot(second) < sind(CORNER) {
+            return Ok(None);
+        }
+        // Where the surface has turned by half: in the corner, if there is one.
+        let (mut low, mut high) = ((from, *a), (to, *b));
+        while high.0 - low.0 > EXACT.max(high.0.abs() * f64::EPSILON * 4.0) {
+            let middle = low.0.midpoint(high.0);
+            let sample = self.down(middle)?;
+            if flat(&sample).dot(second) > flat(&sample).dot(first) {
+                high = (middle, sample);
+            } else {
+                low = (middle, sample);
+            }
+        }
+        // At the foot of a wall, not on it.
+        let (way, mut corner) = if low.1.at.z < high.1.at.z { low } else { high };
+        let far = |other: &Sample| (corner.at - other.at).length();
+        if far(a).min(far(b)) <= TOUCHES || far(a) > spacing || way - from <= SAME || to - way <= SAME {
+            return Ok(None);
+        }
+        corner.away = (a.away + b.away).try_normalize().unwrap_or(corner.away);
+        if corner.on == Ground::Floor {
+            corner.on = Ground::Part;
+        }
+        Ok(Some((way, corner)))
+    }
+}
+
+/// What comes next on a line.
+enum Step {
+    /// A place, that way along the line.
+    To(f64, Sample),
+    /// The other end of a wall, that way along the line.
+    Wall(f64, Sample),
+}
+
+/// Where two lines meet, given by a point and the normal of each.
+fn meeting(a: DVec2, out_of_a: DVec2, b: DVec2, out_of_b: DVec2) -> Option<DVec2> {
+    let cross = out_of_a.perp_dot(out_of_b);
+    let along = DVec2::new(out_of_a.y, -out_of_a.x);
+    let way = (b - a).dot(out_of_b) / along.dot(out_of_b);
+    (cross.abs() > SAME && way.is_finite()).then(|| a + along * way)
+}
+
+/// A part that is followed around at one height.
+pub(super) struct Level<'c> {
+    pub control: &'c dyn Control,
+    pub range: &'c Range,
+    /// Whether the material is on the right of the way of the stylus.
+    pub clockwise: bool,
+}
+
+impl Level<'_> {
+    fn sign(&self) -> f64 {
+        if self.clockwise { -1.0 } else { 1.0 }
+    }
+
+    /// A place where the stylus touches the part at this height; nothing where it touches it from above only.
+    pub(super) fn sample(felt: &Felt) -> Option<Sample> {
+        let away = felt.out.truncate().try_normalize()?.extend(0.0);
+        Some(Sample { at: felt.at, out: felt.out, away, on: Ground::Part })
+    }
+
+    /// The next place at that distance.
+    fn next(&self, now: &Sample, spacing: f64) -> Result<Option<Sample>, Fault> {
+        let control = self.control;
+        let start = now.at + now.away * spacing;
+        let free = !control.touches(control.axes(start), 0.0)?
+            && feel(control, now.at + now.away * OFF.min(spacing), start)?.is_none();
+        if !free {
+            return Ok(None);
+        }
+        let (from, centre) = (control.axes(start), control.axes(now.at));
+        let felt = control.feel(Course::Arc { centre, from, sweep: self.sign() * AROUND })?;
+        Ok(felt.and_then(|felt| Self::sample(&Felt { at: control.in_plane(felt.at), out: control.in_plane(felt.out) })))
+    }
+
+    /// All places from the first one around the part and back to it, at most that far from each other.
+    pub(super) fn trace(&self, first: Sample, spacing: f64) -> Result<Vec<Sample>, Fault> {
+        let mut all = vec![first];
+        while all.len() < MOST {
+            let Some(now) = all.last().copied() else { break };
+            let back = (now.at - first.at).length();
+            if all.len() > 2 && back <= spacing + SAME && self.is_next(&now, &first, back)? {
+                all.extend(self.inside_corner(&now, &first, spacing)?);
+                all.push(first);
+                return Ok(all);
+            }
+            let mut step = spacing;
+            let next = loop {
+                match self.next(&now, step)? {
+                    Some(next) => break next,
+                    None if step > LEAST => step /= 2.0,
+                    None => return Err(lost(self.control, now.at)),
+                }
+            };
+            let axes = self.control.axes(next.at);
+            if (self.range.least - axes).max_element() > SAME || (axes - self.range.greatest).max_element() > SAME {
+                return Err(beyond(self.control, next.at));
+            }
+            all.push(self.inside_corner(&now, &next, spacing)?.unwrap_or(next));
+        }
+        Err(too_long())
+    }
+
+    /// Whether the first place comes next.
+    fn is_next(&self, now: &Sample, first: &Sample, distance: f64) -> Result<bool, Fault> {
+        if distance <= LEAST {
+            return Ok(true);
+        }
+        Ok(self.next(now, distance)?.is_some_and(|next| (next.at - first.at).length() < TOUCHES))
+    }
+
+    /// The place in an inside corner between two others.
+    fn inside_corner(&self, a: &Sample, b: &Sample, spacing: f64) -> Result<Option<Sample>, Fault> {
+        let (first, second) = (a.away.truncate(), b.away.truncate());
+        // On a way with the material on the right, the normal turns to the left in an inside corner.
+        if first.perp_dot(second) * -self.sign() < sind(CORNER) {
+            return Ok(None);
+        }
+        let corner = meeting(a.at.truncate(), first, b.at.truncate(), second);
+        let (Some(corner), Some(bisector)) = (corner, (a.away + b.away).try_normalize()) else { return Ok(None) };
+        let corner = corner.extend(a.at.z);
+        let near = |other: &Sample| (corner - other.at).length();
+        if near(a).max(near(b)) > spacing || near(a).min(near(b)) < TOUCHES {
+            return Ok(None);
+        }
+        let half = bisector * (0.5 * near(a).min(near(b)));
+        let found = feel(self.control, corner + half, corner - half)?.as_ref().and_then(Self::sample);
+        let fits = |sample: &Sample| (sample.at - a.at).length().max((sample.at - b.at).length()) <= spacing;
+        Ok(found.filter(fits).map(|sample| Sample { away: bisector, ..sample }))
+    }
+}
+
+/// Of places close together those that are stored: no farther from each other than the spacing, and as few as the way
+/// between them deviates by no more than the tolerance.
+pub(super) fn stored(samples: &[Sample], spacing: f64, tolerance: f64) -> Vec<bool> {
+    let mut keep = vec![false; samples.len()];
+    let mut anchor = 0;
+    for (index, sample) in samples.iter().enumerate() {
+        if index == 0 || samples[index - 1].on == Ground::Nothing || sample.on == Ground::Nothing {
+            keep[index] = sample.on != Ground::Nothing;
+            if index > 0 && samples[index - 1].on != Ground::Nothing {
+                keep[index - 1] = true;
+            }
+            anchor = index;
+            continue;
+        }
+        let (from, to) = (samples[anchor].at, sample.at);
+        let chord = (to - from).normalize_or_zero();
+        let deviates = |between: &Sample| {
+            let way = between.at - from;
+            (way - chord * way.dot(chord)).length() > tolerance
+        };
+        let too_far = (to - from).length() > spacing + SAME;
+        if index > anchor + 1 && (too_far || samples[anchor + 1..index].iter().any(deviates)) {
+            keep[index - 1] = true;
+            anchor = index - 1;
+        }
+    }
+    if let (Some(last), Some(sample)) = (keep.last_mut(), samples.last()) {
+        *last = sample.on != Ground::Nothing;
+    }
+    keep
+}

@@ -1,0 +1,480 @@
+//! Laws of digitizing: whatever part lies in the range, the points of the file lie where the ball touches it, no farther from
+//! each other than the cycle says, in lines at the line spacing, and the file can be run.
+//!
+//! Distances from parts are calculated here from the scene's numbers, with nothing of the engine.
+#![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
+use std::fmt::Write as _;
+
+use ciklo::base::diag::Source;
+use ciklo::engine::run::{Engine, Event, EventKind, NoTexts, Outcome, Status};
+use ciklo::engine::scene::Scene;
+use ciklo::program::syntax;
+use proptest::prelude::*;
+
+use crate::built::{Built, built};
+use crate::cases::config;
+
+/// Coordinates of the file have four decimals.
+const WRITTEN: f64 = 1e-4;
+
+type Point = [f64; 3];
+
+fn mm(range: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
+    range.prop_map(|value| (value * 1000.0).round() / 1000.0)
+}
+
+fn minus(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn length(a: Point) -> f64 {
+    (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]).sqrt()
+}
+
+/// A part without an overhang above Z 0.
+#[derive(Clone, Copy, Debug)]
+enum Part {
+    /// Half lengths, the height of its top, turned about Z.
+    Block { half: [f64; 2], top: f64, turned: f64 },
+    /// Radius, and how far its centre is below Z 0.
+    Ball { radius: f64, below: f64 },
+    /// Upright: radius, and the height of its top.
+    Stud { radius: f64, top: f64 },
+    /// Along X: radius, half its length, and how far its axis is below Z 0.
+    Roll { radius: f64, half: f64, below: f64 },
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Placed {
+    part: Part,
+    at: [f64; 2],
+}
+
+fn part() -> impl Strategy<Value = Part> {
+    prop_oneof![
+        (mm(2.0..7.0), mm(2.0..7.0), mm(0.5..6.0), mm(-90.0..90.0)).prop_map(|(a, b, top, turned)| Part::Block {
+            half: [a, b],
+            top,
+            turned
+        }),
+        (mm(3.0..8.0), mm(0.0..2.0)).prop_map(|(radius, below)| Part::Ball { radius, below }),
+        (mm(1.0..7.0), mm(0.5..6.0)).prop_map(|(radius, top)| Part::Stud { radius, top }),
+        (mm(3.0..8.0), mm(2.0..8.0), mm(0.0..2.0)).prop_map(|(radius, half, below)| Part::Roll { radius, half, below }),
+    ]
+}
+
+prop_compose! {
+    fn placed()(part in part(), x in mm(-6.0..6.0), y in mm(-6.0..6.0)) -> Placed {
+        Placed { part, at: [x, y] }
+    }
+}
+
+impl Placed {
+    /// How far a point is from the part; 0 inside of it.
+    fn distance(&self, point: Point) -> f64 {
+        let [x, y, z] = [point[0] - self.at[0], point[1] - self.at[1], point[2]];
+        let over = |value: f64, half: f64| (value.abs() - half).max(0.0);
+        match self.part {
+            Part::Block { half, top, turned } => {
+                let (s, c) = turned.to_radians().sin_cos();
+                let (u, v) = (x * c + y * s, y * c - x * s);
+                length([over(u, half[0]), over(v, half[1]), (z - top).max(0.0)])
+            }
+            Part::Ball { radius, below } => (length([x, y, z + below]) - radius).max(0.0),
+            Part::Stud { radius, top } => ((x.hypot(y) - radius).max(0.0)).hypot((z - top).max(0.0)),
+            Part::Roll { radius, half, below } => ((y.hypot(z + below) - radius).max(0.0)).hypot(over(x, half)),
+        }
+    }
+
+    fn solid(&self) -> String {
+        let [x, y] = self.at;
+        let shape = match self.part {
+            Part::Block { half: [a, b], top, turned } => {
+                return format!(
+                    "{{place: {{shift: [{x}, {y}, 0], rotate: [0, 0, {turned}]}}, solid: {{box: {{min: [{}, {}, -20], max: [{a}, {b}, {top}]}}}}}}",
+                    -a, -b
+                );
+            }
+            Part::Ball { radius, below } => format!("sphere: {{centre: [0, 0, {}], radius: {radius}}}", -below),
+            Part::Stud { radius, top } => {
+                format!("cylinder: {{centre: [0, 0], radius: {radius}, from: -20, to: {top}}}")
+            }
+            Part::Roll { radius, half, below } => {
+                // Across X the order is Y, Z.
+                format!("cylinder: {{axis: X, centre: [0, {}], radius: {radius}, from: {}, to: {half}}}", -below, -half)
+            }
+        };
+        format!("{{place: {{shift: [{x}, {y}, 0]}}, solid: {{{shape}}}}}")
+    }
+}
+
+/// How far a point is from all parts.
+fn distance(parts: &[Placed], point: Point) -> f64 {
+    parts.iter().map(|part| part.distance(point)).fold(f64::INFINITY, f64::min)
+}
+
+/// A ball over parts.
+#[derive(Clone, Debug)]
+struct Shop {
+    radius: f64,
+    parts: Vec<Placed>,
+}
+
+prop_compose! {
+    fn shop(most: usize)(radius in mm(1.0..4.0), parts in prop::collection::vec(placed(), 1..=most)) -> Shop {
+        Shop { radius, parts }
+    }
+}
+
+impl Shop {
+    fn scene(&self, points: &str) -> String {
+        let solids: Vec<String> = self.parts.iter().map(Placed::solid).collect();
+        format!(
+            "scene: 1\ntools: [{{T: 1, L: 150, R: {0}, TP_NO: 1}}, {{T: 2, L: 80, R: {0}}}]\n\
+             probe: {{NO: 1, ball_radius: {0}, F: 300, DIST: 20}}\nstart: [0, 0, 90]\n{points}\nparts: [{1}]\n",
+            self.radius,
+            solids.join(", ")
+        )
+    }
+
+    /// How far the ball is from the part when the stylus is there; less than 0 in it.
+    fn gap(&self, tip: Point) -> f64 {
+        distance(&self.parts, [tip[0], tip[1], tip[2] + self.radius]) - self.radius
+    }
+}
+
+fn execute(scene: &str, program: &str, with: Option<(&str, &str)>) -> (Outcome, Vec<Event>) {
+    let Built { files, catalogue, .. } = built();
+    let on = catalogue.on("tnc426-430").expect("a control");
+    let parsed = Scene::parse(&Source::new("scene.yaml", scene), files);
+    let scene = parsed.unwrap_or_else(|found| panic!("{found:?}\n{scene}"));
+    let tree = syntax::parse(&Source::new("LAW.H", program));
+    let other = with.map(|(name, text)| (name, syntax::parse(&Source::new(format!("{name}.H"), text))));
+    let mut events = Vec::new();
+    let mut engine = Engine::new(&tree, on, &scene, &NoTexts);
+    if let Some((name, other)) = &other {
+        engine = engine.with_program(name, other);
+    }
+    let outcome = engine.run(&mut |event| events.push(event));
+    (outcome, events)
+}
+
+/// A block of the file: where it goes, the letters that it has, and whether at rapid traverse.
+#[derive(Clone, Debug)]
+struct Block {
+    to: Point,
+    letters: String,
+    rapid: bool,
+}
+
+/// The movements of a file of digitized data.
+fn blocks(text: &str) -> Vec<Block> {
+    let mut at = [0.0; 3];
+    let mut found = Vec::new();
+    for line in text.lines() {
+        let mut words = line.split_ascii_whitespace().skip(1);
+        if words.next() != Some("L") {
+            continue;
+        }
+        let (mut rapid, mut letters) = (false, String::new());
+        for word in words {
+            match "XYZ".find(&word[..1]) {
+                Some(axis) => {
+                    at[axis] = word[1..].parse().expect("a coordinate");
+                    letters.push_str(&word[..1]);
+                }
+                None => rapid |= word == "FMAX",
+            }
+        }
+        found.push(Block { to: at, letters, rapid });
+    }
+    found
+}
+
+/// Runs the cycles and gives the file.
+fn digitize(shop: &Shop, range: &str, cycle: &str, points: &str) -> Result<(String, Vec<Event>), TestCaseError> {
+    let program = format!("0 BEGIN PGM LAW MM\nTOOL CALL 1 Z\n{range}{cycle}END PGM LAW MM\n");
+    let (outcome, events) = execute(&shop.scene(points), &program, None);
+    prop_assert_eq!(outcome.status, Status::Done, "{:?}\n{}\n{}", outcome.fault, program, shop.scene(points));
+    let file = outcome.logs.iter().find(|(name, _)| name == "DATA.H");
+    Ok((file.expect("the file").1.clone(), events))
+}
+
+/// The stylus touches the part at a point, or is at the end of the range and touches nothing.
+fn touches(shop: &Shop, point: Point) -> Result<(), TestCaseError> {
+    let gap = shop.gap(point);
+    let on_floor = point[2].abs() < WRITTEN && gap > -WRITTEN;
+    prop_assert!(gap.abs() < WRITTEN || on_floor, "{} mm from the part at {:?}", gap, point);
+    Ok(())
+}
+
+/// Between two points a tool of the radius of the ball goes no deeper into the part than their chord lets it.
+fn between(shop: &Shop, from: Point, to: Point) -> Result<(), TestCaseError> {
+    let chord = length(minus(to, from));
+    // Where the ball rolls over an edge, its centre goes on a circle of its radius.
+    let sagitta = shop.radius - (shop.radius.powi(2) - chord.powi(2) / 4.0).max(0.0).sqrt();
+    for share in [0.2, 0.4, 0.5, 0.7, 0.9] {
+        let at = [0, 1, 2].map(|axis| from[axis] + (to[axis] - from[axis]) * share);
+        prop_assert!(shop.gap(at) > -sagitta - WRITTEN, "{} mm in the part at {:?}", -shop.gap(at), at);
+    }
+    Ok(())
+}
+
+/// The file is a program: a tool of the radius of the ball goes to all of its points.
+fn runs(shop: &Shop, file: &str, all: &[Block]) -> Result<(), TestCaseError> {
+    let program = "0 BEGIN PGM MILL MM\nTOOL CALL 2 Z S4000\nL R0 F1500 M13\nCALL PGM DATA\nEND PGM MILL MM\n";
+    let scene = shop.scene("").replace("probe:", "x_probe:").replace(", TP_NO: 1", "");
+    let scene: Vec<&str> = scene.lines().filter(|line| !line.starts_with("x_probe")).collect();
+    let (outcome, events) = execute(&scene.join("\n"), program, Some(("DATA", file)));
+    prop_assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let went: Vec<Point> = events
+        .iter()
+        .filter_map(|event| match &event.kind {
+            EventKind::Move { to, .. } => Some(to.to_array()),
+            _ => None,
+        })
+        .collect();
+    prop_assert_eq!(went.len(), all.len());
+    for (went, block) in went.iter().zip(all).skip(1) {
+        prop_assert!(length(minus(*went, block.to)) < 1e-9);
+    }
+    Ok(())
+}
+
+/// A block-shaped range about the origin.
+fn range(x: f64, y: f64) -> String {
+    format!(
+        "TCH PROBE 5.0 RANGE\nTCH PROBE 5.1 PGM NAME: DATA\nTCH PROBE 5.2 Z X-{x} Y-{y} Z+0\nTCH PROBE 5.3 X+{x} Y+{y} Z+9\nTCH PROBE 5.4 HEIGHT: +40\n"
+    )
+}
+
+/// How lines are asked for.
+#[derive(Clone, Debug)]
+struct Asked {
+    along_y: bool,
+    analog: bool,
+    spacing: f64,
+    points: f64,
+    travel: f64,
+    tolerance: f64,
+    half: [f64; 2],
+}
+
+prop_compose! {
+    fn asked()(
+        along_y in any::<bool>(), analog in any::<bool>(), spacing in mm(1.5..5.0), points in mm(0.5..1.4), travel in mm(0.0..2.0),
+        tolerance in prop_oneof![Just(0.0), mm(0.005..0.2)], x in mm(2.0..6.0), y in mm(1.0..4.0),
+    ) -> Asked {
+        Asked { along_y, analog, spacing, points, travel, tolerance, half: [x, y] }
+    }
+}
+
+impl Asked {
+    fn cycle(&self, meander: bool) -> String {
+        let axis = if self.along_y { 'Y' } else { 'X' };
+        let (number, name) = match (meander, self.analog) {
+            (true, false) => (6, "MEANDER"),
+            (true, true) => (16, "MEANDER"),
+            (false, false) => (8, "LINE"),
+            (false, true) => (18, "LINE"),
+        };
+        let angle = if self.analog { " ANGLE: 0" } else { "" };
+        let height = if meander { "" } else { " HEIGHT: +12" };
+        let (l, p) = (self.spacing, self.points);
+        let mut text = format!("TCH PROBE {number}.0 {name}\nTCH PROBE {number}.1 DIRECTN: {axis}{angle}{height}\n");
+        let _ = match self.analog {
+            true => writeln!(
+                text,
+                "TCH PROBE {number}.2 F1000 FMIN500 MIN.L.SPAC: 0 L.SPAC: {l} P.SPAC: {p} TOL: {} DIST: 1",
+                self.tolerance
+            ),
+            false => writeln!(text, "TCH PROBE {number}.2 TRAVEL: {} L.SPAC: {l} P.SPAC: {p}", self.travel),
+        };
+        text
+    }
+
+    /// Along and across the lines.
+    fn axes(&self) -> (usize, usize) {
+        if self.along_y { (1, 0) } else { (0, 1) }
+    }
+
+    /// Where the lines are, across.
+    fn lines(&self) -> Vec<f64> {
+        let half = self.half[self.axes().1];
+        let mut lines = vec![-half];
+        while let Some(last) = lines.last().copied().filter(|last| half - last > 1e-6) {
+            lines.push((last + self.spacing).min(half));
+        }
+        lines
+    }
+}
+
+fn lines_hold(shop: &Shop, asked: &Asked, meander: bool) -> Result<(), TestCaseError> {
+    let (file, _) = digitize(shop, &range(asked.half[0], asked.half[1]), &asked.cycle(meander), "")?;
+    let all = blocks(&file);
+    let (along, across) = asked.axes();
+    let (half, wanted) = (asked.half, asked.lines());
+    let mut seen = vec![(f64::INFINITY, f64::NEG_INFINITY); wanted.len()];
+    let mut before: Option<Point> = None;
+    for block in &all {
+        if block.rapid {
+            before = None;
+            continue;
+        }
+        let point = block.to;
+        touches(shop, point)?;
+        prop_assert!(
+            (0..2).all(|axis| point[axis].abs() < half[axis] + WRITTEN) && (-WRITTEN..9.0).contains(&point[2])
+        );
+        let line = wanted.iter().position(|line| (line - point[across]).abs() < WRITTEN);
+        let at_end = (point[along].abs() - half[along]).abs() < WRITTEN;
+        prop_assert!(line.is_some() || (meander && at_end), "{:?} is on no line", point);
+        if let Some((least, most)) = line.and_then(|line| seen.get_mut(line)) {
+            *least = least.min(point[along]);
+            *most = most.max(point[along]);
+        }
+        if let Some(before) = before {
+            let far = length(minus(point, before));
+            prop_assert!(far < asked.points + 3.0 * WRITTEN, "{} mm from {:?} to {:?}", far, before, point);
+            between(shop, before, point)?;
+        }
+        before = Some(point);
+    }
+    for (least, most) in seen {
+        let whole = (least + half[along]).abs() < WRITTEN && (most - half[along]).abs() < WRITTEN;
+        prop_assert!(whole, "a line from {} to {}", least, most);
+    }
+    runs(shop, &file, &all)
+}
+
+/// The contour lines of a file: points of one height, from the first one back to it.
+fn loops(all: &[Block]) -> Vec<Vec<Point>> {
+    let mut found: Vec<Vec<Point>> = Vec::new();
+    let mut feeds = all.iter().filter(|block| !block.rapid).peekable();
+    while let Some(block) = feeds.next() {
+        if block.letters == "Z" {
+            found.push(Vec::new());
+        } else if feeds.peek().is_none_or(|next| next.letters == "Z") {
+            // Back to the starting point.
+        } else if let Some(points) = found.last_mut() {
+            points.push(block.to);
+        }
+    }
+    found
+}
+
+proptest! {
+    #![proptest_config(config(150))]
+
+    #[test]
+    fn meanders_lie_on_the_part(shop in shop(2), asked in asked()) {
+        lines_hold(&shop, &asked, true)?;
+    }
+
+    #[test]
+    fn lines_lie_on_the_part(shop in shop(2), asked in asked()) {
+        lines_hold(&shop, &asked, false)?;
+    }
+
+    #[test]
+    fn contour_lines_go_once_around_the_part(
+        shop in shop(1), analog in any::<bool>(), points in mm(0.8..4.9), step in mm(0.8..3.0), travel in mm(0.0..2.0),
+        to_the_right in any::<bool>(), down in any::<bool>(),
+    ) {
+        let Placed { part, at } = shop.parts[0];
+        // The stylus touches the part from the side up to here.
+        let top = match part {
+            Part::Block { top, .. } | Part::Stud { top, .. } => top - 0.1,
+            Part::Ball { radius, below } | Part::Roll { radius, below, .. } => radius - below - 1.5,
+        };
+        prop_assume!(top > 0.2);
+        let (number, sign) = (if analog { 17 } else { 7 }, if to_the_right { '+' } else { '-' });
+        let spacing = if down { -step } else { step };
+        let mut cycle = format!(
+            "TCH PROBE {number}.0 CONTOUR LINES\nTCH PROBE {number}.1 TIME: 0 X{:+} Y-25\nTCH PROBE {number}.2 ORDER: Y+ / X{sign}\n", at[0]
+        );
+        let _ = match analog {
+            true => writeln!(cycle, "TCH PROBE {number}.3 F1000 MIN.L.SPAC: 0 L.SPAC: {spacing:+} P.SPAC: {points} TOL: 0 DIST: 1"),
+            false => writeln!(cycle, "TCH PROBE {number}.3 TRAVEL: {travel} L.SPAC: {spacing:+} P.SPAC: {points}"),
+        };
+        let range = format!(
+            "TCH PROBE 5.0 RANGE\nTCH PROBE 5.1 PGM NAME: DATA\nTCH PROBE 5.2 Z X-30 Y-30 Z+0\nTCH PROBE 5.3 X+30 Y+30 Z{top:+.3}\nTCH PROBE 5.4 HEIGHT: +40\n"
+        );
+        let (file, _) = digitize(&shop, &range, &cycle, "")?;
+        let all = blocks(&file);
+        let found = loops(&all);
+        let top = (top * 1000.0).round() / 1000.0;
+        prop_assert_eq!(found.len(), (top / step + 1e-9).floor() as usize + 1);
+        for (count, points_of_line) in found.iter().enumerate() {
+            let way = step * count as f64;
+            let height = if down { top - way } else { way };
+            let (first, last) = (points_of_line[0], points_of_line[points_of_line.len() - 1]);
+            prop_assert!(length(minus(first, last)) < 2.0 * WRITTEN, "not closed: {:?}", points_of_line);
+            let mut turned = 0.0;
+            for pair in points_of_line.windows(2) {
+                let (a, b) = (pair[0], pair[1]);
+                prop_assert!((shop.gap(b)).abs() < WRITTEN, "{} mm from the part at {:?}", shop.gap(b), b);
+                prop_assert!((b[2] - height).abs() < WRITTEN, "{:?} is not at {}", b, height);
+                prop_assert!(length(minus(b, a)) < points + 3.0 * WRITTEN);
+                let arm = |p: Point| [p[0] - at[0], p[1] - at[1]];
+                let (a, b) = (arm(a), arm(b));
+                turned += (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).to_degrees();
+            }
+            let wanted = if to_the_right { 360.0 } else { -360.0 };
+            prop_assert!((turned - wanted).abs() < 1e-3, "turned by {}", turned);
+        }
+        runs(&shop, &file, &all)?;
+    }
+
+    #[test]
+    fn a_polygon_bounds_the_lines(
+        shop in shop(1), angle in mm(-90.0..90.0), spacing in mm(1.5..4.0), points in mm(0.5..1.4),
+        corners in prop::collection::vec(mm(2.0..6.0), 3..9),
+    ) {
+        // A star about the origin: not always convex.
+        let count = corners.len() as f64;
+        let place = |(index, far): (usize, &f64)| {
+            let (s, c) = (360.0 * index as f64 / count).to_radians().sin_cos();
+            [(far * c * 1000.0).round() / 1000.0, (far * s * 1000.0).round() / 1000.0]
+        };
+        let corners: Vec<[f64; 2]> = corners.iter().enumerate().map(place).collect();
+        let rows = corners.iter().enumerate().map(|(nr, [x, y])| format!("{{NR: {nr}, X: {x}, Y: {y}}}"));
+        let table = format!("points: {{TAB1.PNT: [{}]}}", rows.collect::<Vec<_>>().join(", "));
+        let range = "TCH PROBE 15.0 RANGE\nTCH PROBE 15.1 PGM DIGIT.: DATA\nTCH PROBE 15.2 Z PGM RANGE: TAB1\nTCH PROBE 15.3 MIN: +0 MAX: +9 HEIGHT: +40\n";
+        for (number, name, height) in [(16, "MEANDER", ""), (18, "LINE", " HEIGHT: +12")] {
+            let cycle = format!(
+                "TCH PROBE {number}.0 {name}\nTCH PROBE {number}.1 DIRECTN: X ANGLE: {angle}{height}\n\
+                 TCH PROBE {number}.2 F1000 MIN.L.SPAC: 0 L.SPAC: {spacing} P.SPAC: {points} TOL: 0 DIST: 1\n"
+            );
+            let (file, _) = digitize(&shop, range, &cycle, &table)?;
+            let (s, c) = angle.to_radians().sin_cos();
+            let across = |p: [f64; 2]| p[1] * c - p[0] * s;
+            let first = corners.iter().map(|p| across(*p)).fold(f64::INFINITY, f64::min);
+            let last = corners.iter().map(|p| across(*p)).fold(f64::NEG_INFINITY, f64::max);
+            for block in blocks(&file).iter().filter(|block| !block.rapid) {
+                let point = block.to;
+                touches(&shop, point)?;
+                let flat = [point[0], point[1]];
+                prop_assert!(outside(&corners, flat) < 3.0 * WRITTEN, "{:?} is not in {:?}", flat, corners);
+                let way = (across(flat) - first) / spacing;
+                let on_line = (way - way.round()).abs() * spacing < 3.0 * WRITTEN || (across(flat) - last).abs() < 3.0 * WRITTEN;
+                prop_assert!(on_line || number == 16, "{:?} is on no line", flat);
+            }
+        }
+    }
+}
+
+/// How far a place is outside of a polygon; 0 inside of it.
+fn outside(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
+    let (mut inside, mut near) = (false, f64::INFINITY);
+    for (index, a) in corners.iter().enumerate() {
+        let b = corners[(index + 1) % corners.len()];
+        if (a[1] > y) != (b[1] > y) && x < a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1]) {
+            inside = !inside;
+        }
+        let (u, v) = (b[0] - a[0], b[1] - a[1]);
+        let share = (((x - a[0]) * u + (y - a[1]) * v) / (u * u + v * v)).clamp(0.0, 1.0);
+        near = near.min((x - a[0] - u * share).hypot(y - a[1] - v * share));
+    }
+    if inside { 0.0 } else { near }
+}
