@@ -141,7 +141,6 @@ cli-coverage-control = { $control } ({ $title }): { $described } cycles describe
 cli-coverage-complete = complete
 cli-coverage-missing = { $language }: { $count } of { $of } texts missing: { $ids }
 cli-coverage-stale = { $language }: { $count } of { $of } texts out of date: { $ids }
-cli-coverage-pending = Not implemented in the engine: { $ids }
 cli-coverage-unexecuted = Not executed by any example: { $count } of { $of } sentences: { $ids }
 cli-coverage-unprovoked = Not triggered by any example: { $ids }
 

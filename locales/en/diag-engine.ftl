@@ -75,7 +75,6 @@ diag-position-incomplete = CYCL CALL POS needs the coordinates of all three axes
 diag-value-not-predefined = PREDEF is programmed, but no GLOBAL DEF has defined the value.
 diag-series-limit = The cycle would repeat its steps more than { NUMBER($limit) } times.
 diag-strategy-argument = An argument of a strategy is missing.
-diag-strategy-pending = { $cycle } cannot be simulated yet: { $name } is not implemented.
 diag-text-or-number = Text where a number is required, or vice versa.
 diag-text-too-long = A string parameter would exceed { NUMBER($limit) } characters.
 diag-tool-locked = Tool { $tool } is locked.

@@ -20,7 +20,6 @@ guard-hole-angles-equal = Two of the holes have the same angle: they do not dete
 guard-hole-not-on-positive-side = The coordinate of the hole in the minor axis must be positive.
 guard-least-plunging-depth-too-great = The least plunging depth is greater than the plunging depth.
 guard-measuring-angles-equal = Starting angle and end angle of the measurement are equal.
-guard-measuring-angles-reversed = The end angle of the measurement is below its starting angle.
 guard-measuring-point-at-zero = A measuring point is at 0° or 360°, where nothing can be determined: depending on the control it is left out or stops the program.
 guard-measuring-positions-doubled = Starting and end angle are a full turn or more apart: a position is measured twice.
 guard-no-width-in-measuring-axis = The two points do not differ in the measuring axis: there is no width between them.

@@ -133,7 +133,6 @@ cli-coverage-control = { $control } ({ $title }): työkiertoja kuvattu { $descri
 cli-coverage-complete = valmis
 cli-coverage-missing = { $language }: tekstejä puuttuu { $count }/{ $of }: { $ids }
 cli-coverage-stale = { $language }: vanhentuneita tekstejä { $count }/{ $of }: { $ids }
-cli-coverage-pending = Suorittimessa toteuttamatta: { $ids }
 cli-coverage-unexecuted = Mikään esimerkki ei suorita: { $count }/{ $of } virkettä: { $ids }
 cli-coverage-unprovoked = Mikään esimerkki ei laukaise: { $ids }
 

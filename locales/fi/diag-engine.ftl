@@ -60,7 +60,6 @@ diag-rotary-axis-unsuitable = Kiertoakseli { $axis } ei käänny vinon asennon t
 diag-series-count = Toistojen määrän on oltava kokonaisluku eikä negatiivinen, ei { NUMBER($found) }.
 diag-series-limit = Työkierto toistaisi vaiheensa yli { NUMBER($limit) } kertaa.
 diag-strategy-argument = Strategian argumentti puuttuu.
-diag-strategy-pending = Työkiertoa { $cycle } ei voi vielä simuloida: { $name } on toteuttamatta.
 diag-text-or-number = Teksti on luvun paikalla tai päinvastoin.
 diag-text-too-long = Merkkijonoparametrissa olisi yli { NUMBER($limit) } merkkiä.
 diag-tool-locked = Työkalulle { $tool } on asetettu esto.

@@ -20,7 +20,6 @@ guard-hole-angles-equal = Kahdella reiällä on sama kulma: ne eivät määrää
 guard-hole-not-on-positive-side = Reiän koordinaatin sivuakselilla on oltava positiivinen.
 guard-least-plunging-depth-too-great = Pienin asetussyvyys on suurempi kuin asetussyvyys.
 guard-measuring-angles-equal = Mittauksen aloituskulma ja lopetuskulma ovat yhtä suuret.
-guard-measuring-angles-reversed = Mittauksen lopetuskulma on pienempi kuin aloituskulma.
 guard-measuring-point-at-zero = Mittauspiste on kohdassa 0° tai 360°, jossa mitään ei voida määrittää: ohjauksesta riippuen se jää pois tai pysäyttää ohjelman.
 guard-measuring-positions-doubled = Aloituskulman ja lopetuskulman väli on vähintään täysi kierros: jokin asento mitataan kahdesti.
 guard-no-width-in-measuring-axis = Pisteet eivät eroa toisistaan mittausakselilla: niiden välillä ei ole leveyttä.

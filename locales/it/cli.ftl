@@ -133,7 +133,6 @@ cli-coverage-control = { $control } ({ $title }): cicli descritti { $described }
 cli-coverage-complete = completo
 cli-coverage-missing = { $language }: testi mancanti: { $count } su { $of }: { $ids }
 cli-coverage-stale = { $language }: { $count } testi superati su { $of }: { $ids }
-cli-coverage-pending = Non realizzati nel motore: { $ids }
 cli-coverage-unexecuted = Frasi che nessun esempio esegue: { $count } su { $of }: { $ids }
 cli-coverage-unprovoked = Mai provocati da un esempio: { $ids }
 

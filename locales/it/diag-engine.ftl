@@ -63,7 +63,6 @@ diag-cutting-width-missing = L'utensile { $tool } non è un utensile per gole: l
 diag-series-count = Il numero di ripetizioni deve essere intero e non negativo, non { NUMBER($found) }.
 diag-series-limit = Il ciclo ripeterebbe i suoi passi più di { NUMBER($limit) } volte.
 diag-strategy-argument = Manca un argomento di una strategia.
-diag-strategy-pending = { $cycle } non si può ancora simulare: { $name } non è realizzato.
 diag-text-or-number = Testo dove occorre un numero, o viceversa.
 diag-text-too-long = Un parametro stringa supererebbe { NUMBER($limit) } caratteri.
 diag-tool-locked = L’utensile { $tool } è bloccato.

@@ -20,7 +20,6 @@ guard-hole-angles-equal = Due dei fori hanno lo stesso angolo: non determinano u
 guard-hole-not-on-positive-side = La coordinata del foro nell’asse secondario deve essere positiva.
 guard-least-plunging-depth-too-great = La profondità incremento minima è maggiore della profondità incremento.
 guard-measuring-angles-equal = L’angolo di partenza e l’angolo finale della misurazione sono uguali.
-guard-measuring-angles-reversed = L’angolo finale della misurazione è inferiore a quello di partenza.
 guard-measuring-point-at-zero = Un punto di misura è a 0° o a 360°, dove non si può determinare nulla: a seconda del controllo viene tralasciato oppure arresta il programma.
 guard-measuring-positions-doubled = L’angolo di partenza e quello finale distano un giro intero o più: una posizione viene misurata due volte.
 guard-no-width-in-measuring-axis = I due punti non differiscono nell’asse di misura: tra di essi non c’è alcuna larghezza.

@@ -135,7 +135,6 @@ cli-coverage-control = { $control } ({ $title }): ciclos descritos { $described 
 cli-coverage-complete = completo
 cli-coverage-missing = { $language }: textos em falta { $count } de { $of }: { $ids }
 cli-coverage-stale = { $language }: { $count } de { $of } textos desatualizados: { $ids }
-cli-coverage-pending = Não implementado no motor de execução: { $ids }
 cli-coverage-unexecuted = Passos não executados por nenhum exemplo: { $count } de { $of }: { $ids }
 cli-coverage-unprovoked = Não provocado por nenhum exemplo: { $ids }
 

@@ -60,7 +60,6 @@ diag-rotary-axis-unsuitable = O eixo rotativo { $axis } não roda no plano da in
 diag-series-count = O número de repetições tem de ser um número inteiro e não negativo, e não { NUMBER($found) }.
 diag-series-limit = O ciclo repetiria os seus passos mais de { NUMBER($limit) } vezes.
 diag-strategy-argument = Falta um argumento de uma estratégia.
-diag-strategy-pending = { $cycle } ainda não pode ser simulado: { $name } não está implementado.
 diag-text-or-number = Há texto onde se exige um número, ou vice-versa.
 diag-text-too-long = Um parâmetro de texto ultrapassaria { NUMBER($limit) } caracteres.
 diag-tool-locked = A ferramenta { $tool } está bloqueada.

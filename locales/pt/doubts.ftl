@@ -20,7 +20,6 @@ guard-hole-angles-equal = Dois dos furos têm o mesmo ângulo: não determinam u
 guard-hole-not-on-positive-side = A coordenada do furo no eixo secundário tem de ser positiva.
 guard-least-plunging-depth-too-great = A profundidade de passo mínima é maior do que a profundidade de passo.
 guard-measuring-angles-equal = O ângulo inicial e o ângulo final da medição são iguais.
-guard-measuring-angles-reversed = O ângulo final da medição é menor do que o inicial.
 guard-measuring-point-at-zero = Um ponto de medição fica em 0° ou 360°, onde nada se pode determinar: conforme o comando, é omitido ou para o programa.
 guard-measuring-positions-doubled = O ângulo inicial e o final distam uma volta completa ou mais: uma posição é medida duas vezes.
 guard-no-width-in-measuring-axis = Os dois pontos não diferem no eixo de medição: entre eles não há largura.

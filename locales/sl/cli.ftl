@@ -151,7 +151,6 @@ cli-coverage-control = { $control } ({ $title }): opisani cikli: { $described },
 cli-coverage-complete = popolno
 cli-coverage-missing = { $language }: manjkajoča besedila: { $count } od { $of }: { $ids }
 cli-coverage-stale = { $language }: zastarela besedila: { $count } od { $of }: { $ids }
-cli-coverage-pending = V izvajalniku še ni na voljo: { $ids }
 cli-coverage-unexecuted = Povedi, ki jih ne izvede noben primer: { $count } od { $of }: { $ids }
 cli-coverage-unprovoked = Preverjanja, ki jih ne sproži noben primer: { $ids }
 

@@ -60,7 +60,6 @@ diag-rotary-axis-unsuitable = Rotacijska os { $axis } se ne vrti v ravnini poše
 diag-series-count = Število ponovitev mora biti celo in ne negativno, ne { NUMBER($found) }.
 diag-series-limit = Cikel bi svoje korake ponovil več kot { NUMBER($limit) }-krat.
 diag-strategy-argument = Manjka argument strategije.
-diag-strategy-pending = Cikla { $cycle } še ni mogoče simulirati: { $name } še ni na voljo.
 diag-text-or-number = Besedilo je tam, kjer je potrebno število, ali obratno.
 diag-text-too-long = Besedilni parameter bi presegel { NUMBER($limit) } znakov.
 diag-tool-locked = Orodje { $tool } je blokirano.

@@ -20,7 +20,6 @@ guard-hole-angles-equal = Dve od vrtin imata enak kot: kroga ne določita.
 guard-hole-not-on-positive-side = Koordinata vrtine v pomožni osi mora biti pozitivna.
 guard-least-plunging-depth-too-great = Najmanjša globina primika je večja od globine primika.
 guard-measuring-angles-equal = Začetni in končni kot merjenja sta enaka.
-guard-measuring-angles-reversed = Končni kot meritve je manjši od začetnega.
 guard-measuring-point-at-zero = Merilna točka je pri 0° ali 360°, kjer ni mogoče ničesar določiti: odvisno od krmiljenja se izpusti ali ustavi program.
 guard-measuring-positions-doubled = Začetni in končni kot sta oddaljena za poln obrat ali več: kak položaj se izmeri dvakrat.
 guard-no-width-in-measuring-axis = Točki se v merilni osi ne razlikujeta: med njima ni širine.

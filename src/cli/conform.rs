@@ -254,7 +254,6 @@ fn cycle_lines(cycle: &CycleReport, ui: &Ui) -> String {
             lines.push_str(&format!("    {}\n", ui.text(key, &args)));
         }
     };
-    tell("cli-coverage-pending", &cycle.pending, cycle.pending.len());
     tell("cli-coverage-unexecuted", &cycle.unexecuted, cycle.executed.len() + cycle.unexecuted.len());
     tell("cli-coverage-unprovoked", &cycle.unprovoked, cycle.unprovoked.len());
     lines

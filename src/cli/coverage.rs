@@ -92,7 +92,6 @@ fn lines(cycle: &CycleCoverage, ui: &Ui) -> Vec<String> {
         tell("cli-coverage-missing", &text.missing, text.needed, &text.language);
         tell("cli-coverage-stale", &text.stale, text.needed, &text.language);
     }
-    tell("cli-coverage-pending", &cycle.pending, cycle.pending.len(), "");
     tell("cli-coverage-unexecuted", &cycle.unexecuted, cycle.sentences, "");
     tell("cli-coverage-unprovoked", &cycle.unprovoked, cycle.unprovoked.len(), "");
     tell("cli-coverage-figures", &cycle.not_in_figures, cycle.measurable, "");

@@ -250,12 +250,8 @@ words! {
         Coolant = "coolant",
         /// Move with the spindle synchronized.
         Synchronized = "synchronized",
-        /// Turn rotary axes.
-        Turn = "turn",
         /// Probe towards a point.
         Probe = "probe",
-        /// Touch the tool setter.
-        Touch = "touch",
         /// Change the coordinate system.
         Transform = "transform",
         /// Keep modal data for later cycles.

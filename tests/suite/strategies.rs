@@ -17,7 +17,6 @@ use ciklo::engine::strategy::action::{
 };
 use ciklo::engine::strategy::contour::{self, Contours};
 use ciklo::engine::strategy::digitized::Digitizing;
-use ciklo::engine::strategy::pending::PENDING;
 use ciklo::engine::strategy::{
     Action, Calculation, Cutter, Done, Leg, Milling, Mm, OverContours, STRATEGIES, Strategy,
 };
@@ -62,16 +61,6 @@ fn every_strategy_of_the_registry_is_used_and_none_twice() {
     let used = used();
     let unused: Vec<_> = names.iter().filter(|name| !used.contains(**name)).collect();
     assert!(unused.is_empty(), "no specification uses {unused:?}");
-}
-
-#[test]
-fn what_is_pending_is_used_in_order_and_not_there() {
-    assert!(PENDING.is_sorted_by(|one, other| one < other), "not in alphabetical order, or twice");
-    let used = used();
-    let stale: Vec<_> = PENDING.iter().filter(|name| !used.contains(**name)).collect();
-    assert!(stale.is_empty(), "no specification names {stale:?}");
-    let there: Vec<_> = PENDING.iter().filter(|name| STRATEGIES.iter().any(|own| own.name == **name)).collect();
-    assert!(there.is_empty(), "the engine has {there:?}");
 }
 
 /// A strategy as a row of the table in `docs/spec-format.md`.

@@ -159,10 +159,6 @@ impl<'e> Run<'_, 'e> {
             }
             Act::Use(inlined) => self.inlined(inlined, exec),
             Act::Strategy(call) => self.strategy(call, exec),
-            Act::Pending(name) => {
-                let fault = Fault::unsupported("strategy-pending").arg("name", &**name);
-                Err(fault.arg("cycle", exec.definition.cycle.key.to_string()).into())
-            }
         }
     }
 

@@ -410,8 +410,6 @@ pub enum Act {
     Remember(Vec<(Arc<str>, Calc)>),
     /// Do what a fragment says.
     Use(Box<Inlined>),
-    /// A strategy that the engine has.
+    /// A named strategy.
     Strategy(StrategyCall),
-    /// A strategy or verb that the engine does not have yet.
-    Pending(Arc<str>),
 }

@@ -72,14 +72,6 @@ pub struct Plan {
     pub codes: Vec<Arc<str>>,
     /// Whether the run probes or reads data of the touch probe.
     pub probes: bool,
-    pending: BTreeSet<Arc<str>>,
-}
-
-impl Plan {
-    /// The names of the strategies and verbs that the engine does not have yet, in alphabetical order.
-    pub fn pending(&self) -> impl Iterator<Item = &str> {
-        self.pending.iter().map(|name| &**name)
-    }
 }
 
 /// Compiles the run of a cycle. The plan lacks whatever a diagnostic is about.
@@ -114,7 +106,6 @@ pub fn compile_watched(cycle: &Cycle, on: &OnControl, watches: &[Watch]) -> (Pla
         sentences: compiler.sentences,
         codes: compiler.codes,
         probes,
-        pending: compiler.pending,
     };
     (plan, compiler.found)
 }
@@ -149,7 +140,6 @@ struct Compiler<'c> {
     sentences: Vec<Sentence>,
     codes: Vec<Arc<str>>,
     probes: bool,
-    pending: BTreeSet<Arc<str>>,
 }
 
 impl<'c> Compiler<'c> {
@@ -169,7 +159,6 @@ impl<'c> Compiler<'c> {
             sentences: Vec::new(),
             codes: Vec::new(),
             probes: false,
-            pending: BTreeSet::new(),
         }
     }
 

@@ -247,7 +247,7 @@ pub(super) enum Binding {
     Value(Slot, Type),
     /// A value that may be missing when it is read.
     Maybe(Slot, Type),
-    /// The result of a strategy that is pending: every field of it is a number.
+    /// The result of a strategy that nobody knows: every field of it is a number.
     Open(Slot),
     /// A list of values of that type.
     List(usize, Type),

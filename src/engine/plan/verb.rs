@@ -8,7 +8,7 @@ use super::names::{Binding, Scope};
 use super::{Calc, Compiler, Let, Slot};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{QKind, QRef, Type};
-use crate::engine::strategy::registry::{self, Named, Strategy};
+use crate::engine::strategy::registry::{self, Strategy};
 use crate::engine::strategy::signature::AT;
 use crate::engine::table::TableKind;
 use crate::spec::{Action, Argument, Entries, Formula, Name, ParameterKind, Verb};
@@ -26,10 +26,10 @@ impl Compiler<'_> {
 
     /// Reports modifiers that the verb does not take.
     fn modifiers(&mut self, action: &Action) {
-        use Verb::{Ask, Feed, Fit, Log, Probe, Strategy, Table, Touch, Turn, Use};
+        use Verb::{Ask, Feed, Fit, Log, Probe, Strategy, Table, Use};
         let verb = action.verb;
-        let takes_feed = matches!(verb, Feed | Verb::Arc | Turn | Touch | Strategy);
-        let binds = matches!(verb, Probe | Fit | Table | Use | Strategy | Ask | Touch);
+        let takes_feed = matches!(verb, Feed | Verb::Arc | Strategy);
+        let binds = matches!(verb, Probe | Fit | Table | Use | Strategy | Ask);
         let takes_values = matches!(verb, Use | Strategy | Log);
         let mut refuse = |given: bool, takes: bool, modifier: &'static str| {
             if given && !takes {
@@ -112,22 +112,12 @@ impl Compiler<'_> {
             Verb::Strategy => self.strategy(action, scope)?,
             Verb::Synchronized => self.synchronized(argument, place, scope)?,
             Verb::Remember => Act::Remember(self.remembered(argument, place, scope)?),
-            Verb::Turn | Verb::Touch => {
-                self.open_result(action.bind.as_ref(), scope);
-                self.pend(action.verb.as_str())
-            }
         })
     }
 
     fn wrong_act(&mut self, place: &Place, expected: &'static str) -> Option<Act> {
         self.wrong(place, expected);
         None
-    }
-
-    fn pend(&mut self, name: &str) -> Act {
-        let name: Arc<str> = name.into();
-        self.pending.insert(Arc::clone(&name));
-        Act::Pending(name)
     }
 
     /// A slot for the result of an action.
@@ -463,12 +453,8 @@ impl Compiler<'_> {
     fn strategy(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
         let name = self.one(&action.argument, "id", &action.place)?;
         let strategy = match registry::by_name(name.as_str()) {
-            Named::Known(strategy) => strategy,
-            Named::Pending => {
-                self.open_strategy(action, scope);
-                return Some(self.pend(name.as_str()));
-            }
-            Named::Unknown => {
+            Some(strategy) => strategy,
+            None => {
                 let diagnostic = Diagnostic::error("plan-unknown-strategy", name.place.clone());
                 let near = registry::near(name.as_str()).join(", ");
                 self.found.push(diagnostic.arg("name", name.as_str()).arg("near", near));

@@ -152,7 +152,6 @@ pub const CODES: &[(&str, Class)] = &[
     ("solid-not-finite", Class::Internal),
     ("sphere-radius-differs", Class::Control),
     ("strategy-argument", Class::Internal),
-    ("strategy-pending", Class::Unsupported),
     ("table-bad-number", Class::Internal),
     ("table-missing", Class::Control),
     ("table-no-column", Class::Internal),

@@ -9,7 +9,6 @@ use super::calculation::Calculation;
 use super::contour::{Contours, OverContours};
 use super::milling::Milling;
 use super::pen::{Cutter, Path};
-use super::pending::PENDING;
 use super::signature::{Given, Output, Parameter, Results};
 use super::{
     contour, contour_lines, cylinder, datum, digitizing, engraving, face, groove_shape, kinematics, measure, memory,
@@ -253,24 +252,9 @@ pub static STRATEGIES: &[Strategy] = &[
     act::<program::TurningInsert>(),
 ];
 
-/// What a name in a specification means.
-#[derive(Clone, Copy, Debug)]
-pub enum Named {
-    /// A strategy.
-    Known(&'static Strategy),
-    /// One that the engine does not have yet.
-    Pending,
-    /// Nothing.
-    Unknown,
-}
-
 /// The strategy of a name.
-pub fn by_name(name: &str) -> Named {
-    match STRATEGIES.iter().find(|strategy| strategy.name == name) {
-        Some(strategy) => Named::Known(strategy),
-        None if PENDING.contains(&name) => Named::Pending,
-        None => Named::Unknown,
-    }
+pub fn by_name(name: &str) -> Option<&'static Strategy> {
+    STRATEGIES.iter().find(|strategy| strategy.name == name)
 }
 
 /// What a value measures that a definition keeps by name for a strategy that recalls it.
@@ -284,7 +268,7 @@ const OFFERED: usize = 3;
 
 /// The names that are most like one that nothing has, the nearest first.
 pub fn near(name: &str) -> Vec<&'static str> {
-    let known = STRATEGIES.iter().map(|strategy| strategy.name).chain(PENDING.iter().copied());
+    let known = STRATEGIES.iter().map(|strategy| strategy.name);
     let mut found: Vec<(usize, &str)> = known.map(|known| (difference(name, known), known)).collect();
     found.sort_unstable();
     found.into_iter().map(|(_, known)| known).take(OFFERED).collect()

@@ -205,7 +205,6 @@ fn cycle_report(on: &OnControl, cycle: &Cycle, seen: &Shown) -> CycleReport {
         keyword: cycle.key.keyword.as_str(),
         number: cycle.key.number,
         name: cycle.name().to_owned(),
-        pending: plan.pending().map(str::to_owned).collect(),
         executed: plan.sentences.iter().filter(executed).map(id).collect(),
         unexecuted: plan.sentences.iter().filter(|sentence| !executed(sentence)).map(id).collect(),
         provoked: plan.codes.iter().filter(provoked).map(|code| code.to_string()).collect(),

@@ -157,8 +157,6 @@ pub struct CycleReport {
     pub number: u32,
     /// Its name.
     pub name: String,
-    /// Strategies that the engine does not have yet.
-    pub pending: Vec<String>,
     /// Sentences that were executed, by message id.
     pub executed: Vec<String>,
     /// Sentences that were not.
@@ -177,7 +175,6 @@ impl CycleReport {
             keyword: case.keyword,
             number: case.number,
             name: case.cycle.clone(),
-            pending: Vec::new(),
             executed: Vec::new(),
             unexecuted: Vec::new(),
             provoked: Vec::new(),

@@ -1,4 +1,4 @@
-//! What is complete, missing, stale, pending or not executed, for every cycle on every control.
+//! What is complete, missing, stale or not executed, for every cycle on every control.
 //!
 //! Invariant: counts and lists only; what is wrong is the linter's, how it is shown the caller's.
 use std::collections::{BTreeMap, BTreeSet};
@@ -47,8 +47,6 @@ pub struct CycleCoverage {
     pub name: String,
     /// Its texts in each language.
     pub texts: Vec<TextCoverage>,
-    /// Strategies that the engine does not have yet.
-    pub pending: Vec<String>,
     /// How many sentences its run has.
     pub sentences: usize,
     /// The sentences that no example executes.
@@ -75,12 +73,10 @@ pub struct TextCoverage {
 }
 
 impl CycleCoverage {
-    /// Whether nothing is missing, stale, pending, unexecuted or unprovoked.
+    /// Whether nothing is missing, stale, unexecuted or unprovoked.
     pub fn is_complete(&self) -> bool {
         let texts = self.texts.iter().all(|text| text.missing.is_empty() && text.stale.is_empty());
-        // A cycle that the engine does not execute has no figures yet.
-        let figures = self.not_in_figures.is_empty() || !self.pending.is_empty();
-        texts && figures && self.pending.is_empty() && self.unexecuted.is_empty() && self.unprovoked.is_empty()
+        texts && self.not_in_figures.is_empty() && self.unexecuted.is_empty() && self.unprovoked.is_empty()
     }
 }
 
@@ -142,7 +138,6 @@ fn of_cycle(
         number: cycle.key.number,
         name: cycle.name().to_owned(),
         texts: texts.collect(),
-        pending: plan.pending().map(str::to_owned).collect(),
         sentences: plan.sentences.len(),
         unexecuted: left_out.unexecuted.into_iter().collect(),
         unprovoked: left_out.unprovoked.into_iter().collect(),

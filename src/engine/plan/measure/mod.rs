@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use super::names::as_name;
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Expr, QRef, parse};
-use crate::engine::strategy::registry::{self, Named};
+use crate::engine::strategy::registry;
 use crate::spec::{
     Action, Argument, Case, Catalogue, Cycle, Entries, Formula, Guard, Item, Name, OnControl, Param, ParameterKind,
     Quantity, Reference, Series, Verb,
@@ -443,7 +443,7 @@ impl<'r> Reader<'r> {
     }
 
     fn strategy(&mut self, name: &Name, action: &Action) {
-        let Named::Known(strategy) = registry::by_name(name.as_str()) else {
+        let Some(strategy) = registry::by_name(name.as_str()) else {
             action.with.0.iter().for_each(|(_, formula)| {
                 self.formula(formula);
             });
