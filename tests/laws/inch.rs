@@ -203,7 +203,9 @@ fn every_machining_cycle_does_the_same_in_inches() {
              {definition}{call}END PGM LAW MM\n"
         );
         let scene = Scene::parse(&Source::new("scene.yaml", TOOLS), &built().files).expect("a scene");
-        let twin = in_inches(&syntax::parse(&Source::new("LAW.H", &program)), on, &built().catalogue).expect("a twin");
+        // A contour of which one axis is in degrees has none.
+        let twin = in_inches(&syntax::parse(&Source::new("LAW.H", &program)), on, &built().catalogue);
+        let Some(twin) = twin else { return Ok(()) };
         let (mm, inches) = (run(on, &scene, &program), run(on, &scene, &twin));
         prop_assert_eq!(difference(&mm, &inches), None, "{}\n{}", program, twin);
         if mm.0.status == Status::Done {

@@ -45,7 +45,9 @@ fn logs(control: &str, language: &str, program: &str, scene: &str) -> Vec<(Strin
     let engine = Engine::new(&tree, on, &scene, &texts).with_catalogue(&data.catalogue);
     let outcome = engine.run(&mut |_| {});
     let screens = outcome.screens.into_iter().map(|text| ("screen".to_owned(), text));
-    outcome.logs.into_iter().chain(screens).collect()
+    // A file of digitized data is a program.
+    let logs = outcome.logs.into_iter().filter(|(_, text)| !text.starts_with("0 BEGIN PGM"));
+    logs.chain(screens).collect()
 }
 
 /// A log of an example: control, case, where it goes, and its text by language.

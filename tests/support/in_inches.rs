@@ -106,6 +106,10 @@ impl Twin<'_, '_> {
             let of = |cycle: &&Cycle| cycle.params.iter().find(|param| param.q == Some(parameter.q)).cloned();
             match (cycles.iter().find_map(of), parameter.value.kind) {
                 (Some(param), _) if param.is_measured() => self.value(&parameter.value),
+                // With 0 the contour is in degrees along one axis, which its words do not show.
+                (Some(param), ValueKind::Number(0.0)) if param.is.as_str() == "development-dimension-type" => {
+                    self.untold = true;
+                }
                 (_, ValueKind::Text(inside)) => self.tolerance(inside),
                 _ => {}
             }
