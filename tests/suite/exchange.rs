@@ -338,9 +338,10 @@ fn the_pseudo_language_leaves_nothing_in_english_and_cuts_nothing() {
             let (english, pseudo) = (text(source), text(own));
             assert_eq!(pseudo.matches('⟦').count(), pseudo.matches('⟧').count(), "{pseudo}");
             lengths = (lengths.0 + english.chars().count(), lengths.1 + pseudo.chars().count());
-            // Fields of the old form are called by their names in the specification.
+            // Fields and forms of the old kind are called by their names in the specification.
             let fields = cycle.params.iter().map(|param| param.label_in(cycle.key.number));
-            let pseudo = fields.fold(pseudo, |text, field| text.replace(&field, ""));
+            let forms = cycle.file.forms.iter().map(|form| format!("({})", form.form.as_str()));
+            let pseudo = fields.chain(forms).fold(pseudo, |text, field| text.replace(&field, ""));
             for word in pseudo.split(|c: char| !c.is_alphanumeric()).filter(|word| !is_name(word)) {
                 let is_english = |c: char| c.is_ascii_lowercase() && !"bfmpqvx".contains(c);
                 assert!(!word.contains(is_english), "{word} in {}: {pseudo}", cycle.key);
