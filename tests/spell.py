@@ -44,6 +44,8 @@ def fluent(path):
                 continue
             line = re.sub(r"\{[^{}]*\}", " ", line)
             line = re.sub(r"^\s*\*?\[[\w-]+\]", " ", line)
+            # Options and keys of files are no words.
+            line = re.sub(r"--[a-z][a-z-]*|\b[a-z_]+:(?= [a-z_]+:|[”»«])", " ", line)
             yield path, number, re.sub(r"`[^`]*`", " ", line)
 
 
