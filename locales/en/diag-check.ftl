@@ -40,7 +40,9 @@ diag-compensation-at-cycle =
     { $cycle } is executed here while radius compensation is active.
 diag-compensation-left-on = Radius compensation is still active here.
 diag-compensation-on-arc = Radius compensation must not begin in an arc.
+diag-compensation-other-side = The same contour was machined with the opposite radius compensation before: here the tool is on its other side.
 diag-compensation-switched = Radius compensation changes sides here without R0 in between.
+diag-contour-at-rapid = The tool moves along a contour with radius compensation at rapid traverse here.
 diag-contour-data-missing = { $cycle } is called, but { $data } has not been defined before.
 diag-contour-def-wrong =
     { $what ->
@@ -71,6 +73,7 @@ diag-contour-wrong =
        *[open] it does not end where it begins
     }.
 diag-coordinate-out-of-place = { $path } does not take these coordinates.
+diag-core-hole-too-large = The hole has a diameter of { $other }, the thread { $value }: no material is left for the thread.
 diag-corner-wrong =
     This corner cannot be machined: { $what ->
         [twice] it directly follows another rounding or chamfer
@@ -179,6 +182,7 @@ diag-labels-of-unknown-language =
 diag-languages-mixed = Most labels are in one language ({ $language }); the definitions in these lines are in another ({ $others }): { $lines }.
 diag-loop-endless = This jump closes a loop that never ends.
 diag-machine-coordinates-compensated = Machine coordinates (M91, M92) are programmed here with radius compensation.
+diag-machine-coordinates-missing = Elsewhere the program retracts to { $value } with M91; here M91 is missing, and the height counts from the workpiece datum.
 diag-main-runs-into-subprogram = The main program runs into the subprogram { $label } here: neither M2 nor M30 ends it.
 diag-measuring-height-below-floor = { $cycle } measures at { $parameter }={ $value }, below the floor at { $floor } that { $milling } leaves there.
 diag-metric-values-in-inch = The program is in inches, but { $value } looks like millimetres.
@@ -249,9 +253,14 @@ diag-pattern-wrong =
        *[diameter] The diameter { $word } of a pitch circle must be greater than 0.
     }
 diag-plane-incomplete = This PLANE lacks { $word }.
-diag-plane-not-positioned = STAY does not move the rotary axes, and no block of the program moves them to the angles of this plane.
+diag-plane-not-positioned =
+    { $what ->
+        [cycle] No block positions the rotary axes after this tilt; whether the cycle does so depends on the machine.
+       *[plane] STAY does not move the rotary axes, and no block of the program moves them to the angles of this plane.
+    }
 diag-plane-not-reset = The program ends here with a tilted working plane.
 diag-position-after-contour = This is the first position after { $cycle }, but it does not have absolute values for both coordinates of the plane.
+diag-position-twice = The point { $value }, { $other } has already been machined with this definition and this tool.
 diag-probe-while-turning = { $cycle } probes here while the spindle turns.
 diag-probed-axis-missing = { $direction } is probed, but the position has no { $axis }.
 diag-program-begin-missing = The program does not begin with BEGIN PGM.
@@ -267,6 +276,11 @@ diag-programs-call-in-circle = The program { $name } calls this one back, direct
 diag-rapid-into-blank = The tool moves into the blank at rapid traverse here: it goes to Z { $value }, and the top of the blank is at { $top }.
 diag-repeat-count-wrong = The number of repeats must be a whole number from 0 to 65534.
 diag-repeat-of-later-label = The label { $label } must come before the repeat, not after it.
+diag-repeated-infeed =
+    { $what ->
+        [deep] The repetitions lead down to { $value }, far below the blank.
+       *[same] Each repetition goes to { $value } again and does the same as the first pass.
+    }
 diag-reserved-parameter =
     { $parameter } is written here, but Q100 to Q199 belong to the control, which overwrites them.
 diag-reset-order-wrong =
@@ -277,6 +291,8 @@ diag-reset-order-wrong =
 diag-retract-missing =
     The tool is still at { $value }, in the blank or just above it, when { $what ->
         [change] it is changed
+        [tilt] the plane is tilted with MOVE
+        [end] the program ends
        *[turn] a rotary axis moves at rapid traverse
     }: it was not retracted.
 diag-row-not-in-table =
@@ -336,6 +352,7 @@ diag-tool-definition-wrong =
     }
 diag-tool-feed-missing = The feed rate of the tool call is used here, but the tool call has none.
 diag-tool-missing = A cycle moves here, but no tool call has set the tool axis.
+diag-tool-not-changed = { $cycle } is called with the tool that has already been used for { $before }: it needs another tool.
 diag-tool-not-listed = The tool table has no tool { $tool }.
 diag-wrong-tool-type =
     { $what ->
@@ -366,9 +383,11 @@ diag-transformation-left-on =
         [mirroring] mirror image
        *[scaling] scaling factor
     }.
-diag-turning-feed-unit =
+diag-feed-unit =
     { $what ->
         [revolution] { $parameter }={ $value } is a feed per revolution here, because M136 is active.
+        [revolving] { $parameter }{ $value } is a feed per revolution here, because M136 is active.
+        [moving] { $parameter }{ $value } is a feed per minute here, because M136 is not active.
        *[minute] { $parameter }={ $value } is a feed per minute here, because M136 is not active.
     }
 diag-turning-system-missing = { $cycle } is called here, but { $aligning } has not been defined since the tool call.

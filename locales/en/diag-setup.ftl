@@ -20,7 +20,11 @@ diag-machine-limit =
         [position] { $word } { $value } is beyond { $limit }, the end of the axis.
        *[travel] The program uses { $value } mm of axis { $word }, which is only { $limit } mm long.
     }
-diag-machining-outside-blank = What is machined at { $value }, { $other } is far from the blank.
+diag-machining-outside-blank =
+    { $what ->
+        [over] What is machined at { $value }, { $other } goes over the edge of the blank.
+       *[outside] What is machined at { $value }, { $other } is far from the blank.
+    }
 diag-milling-deeper-than-edges = The tool mills { $value } deep here, which is more than its cutting edges are long (LCUTS).
 diag-plane-left-on = The working plane is still tilted when this tool is called.
 diag-preset-row-wrong =

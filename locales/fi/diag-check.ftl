@@ -40,7 +40,9 @@ diag-compensation-at-cycle =
     { $cycle } suoritetaan tässä sädekorjauksen ollessa voimassa.
 diag-compensation-left-on = Sädekorjaus on tässä vielä voimassa.
 diag-compensation-on-arc = Sädekorjaus ei saa alkaa kaarella.
+diag-compensation-other-side = Sama muoto koneistettiin aiemmin vastakkaisella sädekorjauksella: tässä työkalu on sen toisella puolella.
 diag-compensation-switched = Sädekorjaus vaihtaa tässä puolta, vaikka välissä ei ole R0-lausetta.
+diag-contour-at-rapid = Työkalu liikkuu tässä sädekorjattua muotoa pitkin pikaliikkeellä.
 diag-contour-data-missing = { $cycle } kutsutaan, mutta sitä ennen ei ole määritelty työkiertoa { $data }.
 diag-contour-def-wrong =
     { $what ->
@@ -71,6 +73,7 @@ diag-contour-wrong =
        *[open] se ei pääty siihen, mistä se alkaa
     }.
 diag-coordinate-out-of-place = Koordinaatit eivät sovi lauseeseen { $path }.
+diag-core-hole-too-large = Reiän halkaisija on { $other }, kierteen { $value }: kierteelle ei jää materiaalia.
 diag-corner-wrong =
     Tätä nurkkaa ei voi koneistaa: { $what ->
         [twice] heti sen edellä on toinen pyöristys tai viiste
@@ -179,6 +182,7 @@ diag-labels-of-unknown-language =
 diag-languages-mixed = Useimmat NC-tekstit ovat yhtä kieltä ({ $language }); näiden rivien määrittelyt ovat toista ({ $others }): { $lines }.
 diag-loop-endless = Tämä hyppy sulkee silmukan, joka ei koskaan pääty.
 diag-machine-coordinates-compensated = Konekoordinaatit (M91, M92) on tässä ohjelmoitu sädekorjauksen kanssa.
+diag-machine-coordinates-missing = Muualla ohjelma irtautuu arvoon { $value } M91-toiminnolla; tässä M91 puuttuu, ja korkeus lasketaan työkappaleen nollapisteestä.
 diag-main-runs-into-subprogram = Pääohjelma jatkuu tässä suoraan aliohjelmaan { $label }: M2 tai M30 ei päätä sitä.
 diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }={ $value }, joka on työkierron { $milling } jättämän pohjan ({ $floor }) alapuolella.
 diag-metric-values-in-inch = Ohjelman mittayksikkö on tuuma, mutta { $value } näyttää millimetriarvolta.
@@ -249,9 +253,14 @@ diag-pattern-wrong =
        *[diameter] Jakoympyrän halkaisijan { $word } on oltava suurempi kuin 0.
     }
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
-diag-plane-not-positioned = STAY ei liikuta kiertoakseleita, eikä mikään ohjelman lause aja niitä tämän tason kulmiin.
+diag-plane-not-positioned =
+    { $what ->
+        [cycle] Mikään lause ei paikoita kiertoakseleita tämän käännön jälkeen; koneesta riippuu, tekeekö työkierto sen.
+       *[plane] STAY ei liikuta kiertoakseleita, eikä mikään ohjelman lause aja niitä tämän tason kulmiin.
+    }
 diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
 diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, mutta siinä ei ole tason molempia koordinaatteja absoluuttisina.
+diag-position-twice = Piste { $value }; { $other } on jo koneistettu tällä määrittelyllä ja tällä työkalulla.
 diag-probe-while-turning = { $cycle } koskettaa tässä karan pyöriessä.
 diag-probed-axis-missing = Kosketus tapahtuu suunnassa { $direction }, mutta asemassa ei ole akselia { $axis }.
 diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
@@ -267,6 +276,11 @@ diag-programs-call-in-circle = Ohjelma { $name } kutsuu tätä ohjelmaa takaisin
 diag-rapid-into-blank = Työkalu ajaa tässä pikaliikkeellä aihioon: Z menee arvoon { $value }, ja aihion yläpinta on arvossa { $top }.
 diag-repeat-count-wrong = Toistojen määrän on oltava kokonaisluku 0–65534.
 diag-repeat-of-later-label = Labelin { $label } on oltava ennen toistoa, ei sen jäljessä.
+diag-repeated-infeed =
+    { $what ->
+        [deep] Toistot vievät arvoon { $value }, kauas aihion alapuolelle.
+       *[same] Jokainen toisto menee uudelleen arvoon { $value } ja tekee saman kuin ensimmäinen kierros.
+    }
 diag-reserved-parameter = Tässä kirjoitetaan parametriin { $parameter }, mutta Q100–Q199 kuuluvat ohjaukselle, joka kirjoittaa niiden päälle.
 diag-reset-order-wrong =
     { $what ->
@@ -276,6 +290,8 @@ diag-reset-order-wrong =
 diag-retract-missing =
     Työkalu on vielä arvossa { $value } aihion sisällä tai aivan sen yläpuolella, kun { $what ->
         [change] se vaihdetaan
+        [tilt] taso käännetään MOVE-sanalla
+        [end] ohjelma päättyy
        *[turn] kiertoakseli liikkuu pikaliikkeellä
     }: sitä ei ole vedetty irti.
 diag-row-not-in-table =
@@ -335,6 +351,7 @@ diag-tool-definition-wrong =
     }
 diag-tool-feed-missing = Tässä käytetään työkalukutsun syöttöarvoa, mutta työkalukutsussa ei ole sitä.
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään työkalukutsu ei ole määritellyt työkaluakselia.
+diag-tool-not-changed = { $cycle } kutsutaan työkalulla, jolla on jo suoritettu { $before }: se tarvitsee toisen työkalun.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
 diag-wrong-tool-type =
     { $what ->
@@ -365,9 +382,11 @@ diag-transformation-left-on =
         [mirroring] peilaus
        *[scaling] mittakerroin
     }.
-diag-turning-feed-unit =
+diag-feed-unit =
     { $what ->
         [revolution] { $parameter }={ $value } on tässä syöttöarvo kierrosta kohti, koska M136 on voimassa.
+        [revolving] { $parameter }{ $value } on tässä syöttöarvo kierrosta kohti, koska M136 on voimassa.
+        [moving] { $parameter }{ $value } on tässä syöttöarvo minuutissa, koska M136 ei ole voimassa.
        *[minute] { $parameter }={ $value } on tässä syöttöarvo minuutissa, koska M136 ei ole voimassa.
     }
 diag-turning-system-missing = { $cycle } kutsutaan tässä, mutta työkiertoa { $aligning } ei ole määritelty työkalukutsun jälkeen.

@@ -20,7 +20,11 @@ diag-machine-limit =
         [position] { $word } { $value } on akselin päätyarvon { $limit } takana.
        *[travel] Ohjelma käyttää akselista { $word } { $value }{"\u00A0"}mm, mutta akselin pituus on vain { $limit }{"\u00A0"}mm.
     }
-diag-machining-outside-blank = Koneistettava kohta { $value }; { $other } on kaukana aihiosta.
+diag-machining-outside-blank =
+    { $what ->
+        [over] Kohdassa { $value }; { $other } koneistus ulottuu aihion reunan yli.
+       *[outside] Koneistettava kohta { $value }; { $other } on kaukana aihiosta.
+    }
 diag-milling-deeper-than-edges = Työkalu jyrsii tässä syvyyteen { $value }, mikä on enemmän kuin sen terien pituus (LCUTS).
 diag-plane-left-on = Koneistustaso on vielä käännettynä, kun tämä työkalu kutsutaan.
 diag-preset-row-wrong =

@@ -40,7 +40,9 @@ diag-compensation-at-cycle =
     { $cycle } viene eseguito qui con la correzione del raggio attiva.
 diag-compensation-left-on = Qui la correzione del raggio è ancora attiva.
 diag-compensation-on-arc = La correzione del raggio non deve iniziare su un arco.
+diag-compensation-other-side = Lo stesso profilo è stato lavorato prima con la compensazione del raggio opposta: qui l’utensile è sull’altro lato.
 diag-compensation-switched = La correzione del raggio cambia lato qui senza R0 intermedio.
+diag-contour-at-rapid = Qui l’utensile percorre in rapido un profilo con compensazione del raggio.
 diag-contour-data-missing = { $cycle } viene chiamato, ma { $data } non è stato definito prima.
 diag-contour-def-wrong =
     { $what ->
@@ -71,6 +73,7 @@ diag-contour-wrong =
        *[open] non finisce dove comincia
     }.
 diag-coordinate-out-of-place = { $path } non ammette queste coordinate.
+diag-core-hole-too-large = Il foro ha diametro { $other }, la filettatura { $value }: non resta materiale per la filettatura.
 diag-corner-wrong =
     Questo spigolo non si può lavorare: { $what ->
         [twice] segue direttamente un altro arrotondamento o smusso
@@ -179,6 +182,7 @@ diag-labels-of-unknown-language =
 diag-languages-mixed = La maggior parte delle etichette è in una lingua ({ $language }); le definizioni in queste righe sono in un’altra ({ $others }): { $lines }.
 diag-loop-endless = Questo salto chiude una ripetizione che non termina mai.
 diag-machine-coordinates-compensated = Qui si programmano coordinate macchina (M91, M92) con compensazione del raggio.
+diag-machine-coordinates-missing = Altrove il programma si disimpegna a { $value } con M91; qui M91 manca, e la quota vale dall’origine del pezzo.
 diag-main-runs-into-subprogram = Il programma principale prosegue qui nel sottoprogramma { $label }: non lo termina né M2 né M30.
 diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value }, sotto il fondo a { $floor } lasciato in quel punto da { $milling }.
 diag-metric-values-in-inch = Il programma è in pollici, ma { $value } sembra espresso in millimetri.
@@ -249,9 +253,14 @@ diag-pattern-wrong =
        *[diameter] Il diametro { $word } di un cerchio parziale deve essere maggiore di 0.
     }
 diag-plane-incomplete = In questo PLANE manca { $word }.
-diag-plane-not-positioned = STAY non muove gli assi rotativi, e nessun blocco del programma li porta agli angoli di questo piano.
+diag-plane-not-positioned =
+    { $what ->
+        [cycle] Nessun blocco posiziona gli assi rotativi dopo questa rotazione del piano; se lo fa il ciclo dipende dalla macchina.
+       *[plane] STAY non muove gli assi rotativi, e nessun blocco del programma li porta agli angoli di questo piano.
+    }
 diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
 diag-position-after-contour = Questa è la prima posizione dopo { $cycle }, ma non ha valori assoluti per entrambe le coordinate del piano.
+diag-position-twice = Il punto { $value }; { $other } è già stato lavorato con questa definizione e questo utensile.
 diag-probe-while-turning = { $cycle } tasta qui mentre il mandrino gira.
 diag-probed-axis-missing = Si tasta in direzione { $direction }, ma la posizione non contiene { $axis }.
 diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
@@ -267,6 +276,11 @@ diag-programs-call-in-circle = Il programma { $name } richiama a sua volta quest
 diag-rapid-into-blank = Qui l’utensile entra nel pezzo grezzo in rapido: va a Z { $value }, e il bordo superiore del grezzo è a { $top }.
 diag-repeat-count-wrong = Il numero di ripetizioni deve essere un numero intero da 0 a 65534.
 diag-repeat-of-later-label = Il label { $label } deve trovarsi prima della ripetizione, non dopo.
+diag-repeated-infeed =
+    { $what ->
+        [deep] Le ripetizioni arrivano a { $value }, molto al di sotto del pezzo grezzo.
+       *[same] Ogni ripetizione va di nuovo a { $value } e fa lo stesso della prima passata.
+    }
 diag-reserved-parameter = Qui viene scritto { $parameter }, ma i parametri da Q100 a Q199 appartengono al controllo, che li sovrascrive.
 diag-reset-order-wrong =
     { $what ->
@@ -276,6 +290,8 @@ diag-reset-order-wrong =
 diag-retract-missing =
     L’utensile si trova ancora a { $value }, nel pezzo grezzo o appena sopra, quando { $what ->
         [change] viene cambiato
+        [tilt] il piano viene ruotato con MOVE
+        [end] il programma termina
        *[turn] un asse rotativo si muove in rapido
     }: non è stato disimpegnato.
 diag-row-not-in-table =
@@ -335,6 +351,7 @@ diag-tool-definition-wrong =
     }
 diag-tool-feed-missing = Qui si usa l’avanzamento della chiamata utensile, ma la chiamata non ne ha.
 diag-tool-missing = Qui un ciclo esegue movimenti, ma nessuna chiamata utensile ha indicato l’asse utensile.
+diag-tool-not-changed = { $cycle } viene chiamato con l’utensile già usato per { $before }: richiede un altro utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
 diag-wrong-tool-type =
     { $what ->
@@ -365,9 +382,11 @@ diag-transformation-left-on =
         [mirroring] una specularità attiva
        *[scaling] un fattore di scala attivo
     }.
-diag-turning-feed-unit =
+diag-feed-unit =
     { $what ->
         [revolution] { $parameter }={ $value } è qui un avanzamento al giro, perché M136 è attivo.
+        [revolving] { $parameter }{ $value } è qui un avanzamento al giro, perché M136 è attivo.
+        [moving] { $parameter }{ $value } è qui un avanzamento al minuto, perché M136 non è attivo.
        *[minute] { $parameter }={ $value } è qui un avanzamento al minuto, perché M136 non è attivo.
     }
 diag-turning-system-missing = Qui viene chiamato { $cycle }, ma { $aligning } non è stato definito dopo la chiamata utensile.

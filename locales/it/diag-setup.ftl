@@ -20,7 +20,11 @@ diag-machine-limit =
         [position] { $word } { $value } è oltre { $limit }, il finecorsa dell'asse.
        *[travel] Il programma usa { $value } mm dell'asse { $word }, lungo solo { $limit } mm.
     }
-diag-machining-outside-blank = Ciò che viene lavorato in { $value }; { $other } è lontano dal pezzo grezzo.
+diag-machining-outside-blank =
+    { $what ->
+        [over] Ciò che viene lavorato in { $value }; { $other } oltrepassa il bordo del pezzo grezzo.
+       *[outside] Ciò che viene lavorato in { $value }; { $other } è lontano dal pezzo grezzo.
+    }
 diag-milling-deeper-than-edges = Qui l'utensile fresa a una profondità di { $value }, maggiore della lunghezza dei suoi taglienti (LCUTS).
 diag-plane-left-on = Il piano di lavoro è ancora ruotato quando viene chiamato questo utensile.
 diag-preset-row-wrong =

@@ -40,7 +40,9 @@ diag-compensation-at-cycle =
     { $cycle } é executado aqui com a correção de raio ativa.
 diag-compensation-left-on = A correção de raio ainda está aqui ativa.
 diag-compensation-on-arc = A correção de raio não pode começar num arco.
+diag-compensation-other-side = O mesmo contorno foi maquinado antes com a compensação do raio oposta: aqui a ferramenta está do outro lado.
 diag-compensation-switched = A correção de raio muda aqui de lado sem R0 pelo meio.
+diag-contour-at-rapid = A ferramenta percorre aqui em avanço rápido um contorno com compensação do raio.
 diag-contour-data-missing = { $cycle } é chamado, mas { $data } não foi definido antes.
 diag-contour-def-wrong =
     { $what ->
@@ -71,6 +73,7 @@ diag-contour-wrong =
        *[open] não acaba onde começa
     }.
 diag-coordinate-out-of-place = { $path } não aceita estas coordenadas.
+diag-core-hole-too-large = O furo tem o diâmetro { $other }, a rosca { $value }: não fica material para a rosca.
 diag-corner-wrong =
     Esta esquina não se pode maquinar: { $what ->
         [twice] segue-se diretamente a outro arredondamento ou chanfro
@@ -179,6 +182,7 @@ diag-labels-of-unknown-language =
 diag-languages-mixed = A maioria das designações está num idioma ({ $language }); as definições nestas linhas estão noutro ({ $others }): { $lines }.
 diag-loop-endless = Este salto fecha uma repetição que nunca acaba.
 diag-machine-coordinates-compensated = Programam-se aqui coordenadas da máquina (M91, M92) com correção do raio.
+diag-machine-coordinates-missing = Noutro lugar o programa recua para { $value } com M91; aqui falta M91, e a altura conta a partir do ponto zero da peça.
 diag-main-runs-into-subprogram = O programa principal continua aqui para dentro do subprograma { $label }: nem M2 nem M30 o termina.
 diag-measuring-height-below-floor = { $cycle } mede em { $parameter }={ $value }, abaixo do fundo em { $floor } que { $milling } aí deixa.
 diag-metric-values-in-inch = O programa está em polegadas, mas { $value } parece estar em milímetros.
@@ -249,9 +253,14 @@ diag-pattern-wrong =
        *[diameter] O diâmetro { $word } de um círculo teórico tem de ser maior do que 0.
     }
 diag-plane-incomplete = Neste PLANE falta { $word }.
-diag-plane-not-positioned = STAY não move os eixos rotativos, e nenhuma frase do programa os leva para os ângulos deste plano.
+diag-plane-not-positioned =
+    { $what ->
+        [cycle] Nenhuma frase posiciona os eixos rotativos depois desta inclinação; se o ciclo o faz depende da máquina.
+       *[plane] STAY não move os eixos rotativos, e nenhuma frase do programa os leva para os ângulos deste plano.
+    }
 diag-plane-not-reset = O programa termina aqui com o plano de maquinação inclinado.
 diag-position-after-contour = Esta é a primeira posição depois de { $cycle }, mas não tem valores absolutos para ambas as coordenadas do plano.
+diag-position-twice = O ponto { $value }; { $other } já foi maquinado com esta definição e esta ferramenta.
 diag-probe-while-turning = { $cycle } apalpa aqui com o cabeçote a rodar.
 diag-probed-axis-missing = Apalpa-se na direção { $direction }, mas a posição não tem { $axis }.
 diag-program-begin-missing = O programa não começa com BEGIN PGM.
@@ -267,6 +276,11 @@ diag-programs-call-in-circle = O programa { $name } chama este de volta, diretam
 diag-rapid-into-blank = A ferramenta entra aqui no bloco em avanço rápido: vai para Z { $value }, e o topo do bloco está em { $top }.
 diag-repeat-count-wrong = O número de repetições tem de ser um número inteiro de 0 a 65534.
 diag-repeat-of-later-label = O label { $label } tem de vir antes da repetição, não depois dela.
+diag-repeated-infeed =
+    { $what ->
+        [deep] As repetições descem até { $value }, muito abaixo do bloco.
+       *[same] Cada repetição volta a { $value } e faz o mesmo que a primeira passagem.
+    }
 diag-reserved-parameter =
     { $parameter } é escrito aqui, mas Q100 a Q199 pertencem ao comando, que escreve por cima deles.
 diag-reset-order-wrong =
@@ -277,6 +291,8 @@ diag-reset-order-wrong =
 diag-retract-missing =
     A ferramenta ainda está em { $value }, dentro do bloco ou logo acima dele, quando { $what ->
         [change] é trocada
+        [tilt] o plano é inclinado com MOVE
+        [end] o programa termina
        *[turn] um eixo rotativo se move em avanço rápido
     }: não foi recuada.
 diag-row-not-in-table =
@@ -336,6 +352,7 @@ diag-tool-definition-wrong =
     }
 diag-tool-feed-missing = Utiliza-se aqui o avanço da chamada da ferramenta, mas esta não tem nenhum.
 diag-tool-missing = Aqui um ciclo faz movimentos, mas nenhuma chamada da ferramenta definiu o eixo da ferramenta.
+diag-tool-not-changed = { $cycle } é chamado com a ferramenta já usada para { $before }: precisa de outra ferramenta.
 diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
 diag-wrong-tool-type =
     { $what ->
@@ -366,9 +383,11 @@ diag-transformation-left-on =
         [mirroring] um espelho ativo
        *[scaling] um fator de escala ativo
     }.
-diag-turning-feed-unit =
+diag-feed-unit =
     { $what ->
         [revolution] Aqui { $parameter }={ $value } é um avanço por rotação, porque M136 está ativo.
+        [revolving] Aqui { $parameter }{ $value } é um avanço por rotação, porque M136 está ativo.
+        [moving] Aqui { $parameter }{ $value } é um avanço por minuto, porque M136 não está ativo.
        *[minute] Aqui { $parameter }={ $value } é um avanço por minuto, porque M136 não está ativo.
     }
 diag-turning-system-missing = { $cycle } é chamado aqui, mas { $aligning } não foi definido desde a chamada da ferramenta.

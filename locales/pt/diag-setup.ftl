@@ -20,7 +20,11 @@ diag-machine-limit =
         [position] { $word } { $value } está além de { $limit }, o fim de curso do eixo.
        *[travel] O programa usa { $value } mm do eixo { $word }, que só tem { $limit } mm.
     }
-diag-machining-outside-blank = O que é maquinado em { $value }; { $other } está longe do bloco.
+diag-machining-outside-blank =
+    { $what ->
+        [over] O que é maquinado em { $value }; { $other } ultrapassa a borda do bloco.
+       *[outside] O que é maquinado em { $value }; { $other } está longe do bloco.
+    }
 diag-milling-deeper-than-edges = Aqui a ferramenta fresa a uma profundidade de { $value }, maior do que o comprimento das suas lâminas (LCUTS).
 diag-plane-left-on = O plano de maquinagem ainda está inclinado quando esta ferramenta é chamada.
 diag-preset-row-wrong =

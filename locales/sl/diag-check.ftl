@@ -40,7 +40,9 @@ diag-compensation-at-cycle =
     { $cycle } se tu izvede pri aktivnem popravku polmera.
 diag-compensation-left-on = Popravek polmera je tu še aktiven.
 diag-compensation-on-arc = Popravek polmera se ne sme začeti na loku.
+diag-compensation-other-side = Ista kontura je bila prej obdelana z nasprotnim popravkom polmera: tu je orodje na njeni drugi strani.
 diag-compensation-switched = Popravek polmera tu zamenja stran brez vmesnega R0.
+diag-contour-at-rapid = Orodje se tu ob konturi s popravkom polmera premika v hitrem teku.
 diag-contour-data-missing = { $cycle } se prikliče, { $data } pa pred tem ni definiran.
 diag-contour-def-wrong =
     { $what ->
@@ -71,6 +73,7 @@ diag-contour-wrong =
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.
+diag-core-hole-too-large = Premer izvrtine je { $other }, navoja { $value }: za navoj ne ostane materiala.
 diag-corner-wrong =
     Tega vogala ni mogoče obdelati: { $what ->
         [twice] neposredno pred njim je druga zaokrožitev ali posneti rob
@@ -181,6 +184,7 @@ diag-labels-of-unknown-language =
 diag-languages-mixed = Večina oznak je v enem jeziku ({ $language }); definicije v teh vrsticah so v drugem ({ $others }): { $lines }.
 diag-loop-endless = Ta skok sklene zanko, ki se nikoli ne konča.
 diag-machine-coordinates-compensated = Strojne koordinate (M91, M92) so tu programirane s popravkom polmera.
+diag-machine-coordinates-missing = Drugje se program odmakne na { $value } z M91; tu M91 manjka in višina velja od izhodišča obdelovanca.
 diag-main-runs-into-subprogram = Glavni program se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
 diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ $value }, pod dnom pri { $floor }, ki ga tam pusti { $milling }.
 diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vrednost v milimetrih.
@@ -253,9 +257,14 @@ diag-pattern-wrong =
        *[diameter] Premer { $word } delnega kroga mora biti večji od 0.
     }
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
-diag-plane-not-positioned = STAY rotacijskih osi ne premakne in tudi noben stavek programa jih ne premakne na kote te ravnine.
+diag-plane-not-positioned =
+    { $what ->
+        [cycle] Za tem nagibom noben stavek ne pozicionira rotacijskih osi; ali to stori cikel, je odvisno od stroja.
+       *[plane] STAY rotacijskih osi ne premakne in tudi noben stavek programa jih ne premakne na kote te ravnine.
+    }
 diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle }, nima pa absolutnih vrednosti za obe koordinati ravnine.
+diag-position-twice = Točka { $value }; { $other } je bila s to definicijo in tem orodjem že obdelana.
 diag-probe-while-turning = { $cycle } tu tipa, medtem ko se vreteno vrti.
 diag-probed-axis-missing = Tipa se v smeri { $direction }, v položaju pa ni osi { $axis }.
 diag-program-begin-missing = Program se ne začne z BEGIN PGM.
@@ -271,6 +280,11 @@ diag-programs-call-in-circle = Program { $name } neposredno ali prek drugih znov
 diag-rapid-into-blank = Orodje se tu v hitrem teku premakne v surovec: gre na Z { $value }, zgornji rob surovca pa je pri { $top }.
 diag-repeat-count-wrong = Število ponovitev mora biti celo število od 0 do 65534.
 diag-repeat-of-later-label = Oznaka LBL { $label } mora stati pred ponovitvijo, ne za njo.
+diag-repeated-infeed =
+    { $what ->
+        [deep] Ponovitve vodijo do { $value }, daleč pod surovec.
+       *[same] Vsaka ponovitev gre znova na { $value } in naredi isto kot prvi prehod.
+    }
 diag-reserved-parameter = Tu se piše v { $parameter }, parametri od Q100 do Q199 pa pripadajo krmiljenju, ki jih prepisuje.
 diag-reset-order-wrong =
     { $what ->
@@ -280,6 +294,8 @@ diag-reset-order-wrong =
 diag-retract-missing =
     Orodje je še pri { $value }, v surovcu ali tik nad njim, ko { $what ->
         [change] se zamenja
+        [tilt] se ravnina nagne z MOVE
+        [end] se program konča
        *[turn] se rotacijska os premakne v hitrem teku
     }: ni bilo odmaknjeno.
 diag-row-not-in-table =
@@ -339,6 +355,7 @@ diag-tool-definition-wrong =
     }
 diag-tool-feed-missing = Tu se uporabi pomik iz priklica orodja, ta pa pomika nima.
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
+diag-tool-not-changed = { $cycle } se prikliče z orodjem, ki je že izvedlo { $before }: potrebuje drugo orodje.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
 diag-wrong-tool-type =
     { $what ->
@@ -369,9 +386,11 @@ diag-transformation-left-on =
         [mirroring] aktivno zrcaljenje
        *[scaling] aktiven faktor merila
     }.
-diag-turning-feed-unit =
+diag-feed-unit =
     { $what ->
         [revolution] { $parameter }={ $value } je tu pomik na vrtljaj, ker je M136 aktiven.
+        [revolving] { $parameter }{ $value } je tu pomik na vrtljaj, ker je M136 aktiven.
+        [moving] { $parameter }{ $value } je tu pomik na minuto, ker M136 ni aktiven.
        *[minute] { $parameter }={ $value } je tu pomik na minuto, ker M136 ni aktiven.
     }
 diag-turning-system-missing = { $cycle } se tu prikliče, od priklica orodja naprej pa { $aligning } ni bil definiran.

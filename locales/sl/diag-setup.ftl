@@ -22,7 +22,11 @@ diag-machine-limit =
         [position] { $word } { $value } presega { $limit }, konec osi.
        *[travel] Program uporablja { $value } mm osi { $word }, ki je dolga le { $limit } mm.
     }
-diag-machining-outside-blank = Kar se obdeluje na { $value }; { $other }, je daleč od surovca.
+diag-machining-outside-blank =
+    { $what ->
+        [over] Kar se obdeluje na { $value }; { $other }, sega čez rob surovca.
+       *[outside] Kar se obdeluje na { $value }; { $other }, je daleč od surovca.
+    }
 diag-milling-deeper-than-edges = Orodje tukaj rezka { $value } globoko, kar je več od dolžine njegovih rezil (LCUTS).
 diag-plane-left-on = Obdelovalna ravnina je ob priklicu tega orodja še vedno zavrtena.
 diag-preset-row-wrong =

@@ -38,6 +38,7 @@ pub const RENAMED: &[(&str, &str)] = &[
     ("syntax-remark", "syntax-text-after-tab"),
     ("table-value-not-taken", "table-value-not-allowed"),
     ("tool-unfit", "wrong-tool-type"),
+    ("turning-feed-unit", "feed-unit"),
     ("unlike-elsewhere", "differs-from-other-control"),
     ("value-without-sense", "meaningless-value"),
 ];

@@ -13,6 +13,21 @@ pub(super) enum Incident {
     ToolChange(f64),
     /// A rotary axis turns at rapid while the tool is inside of it, at a height.
     Turn(f64),
+    /// The plane is tilted with a compensating movement while the tool is inside of it, at a height.
+    Tilt(f64),
+    /// The program ends while the tool is inside of it, at a height.
+    End(f64),
+    /// A place that the same definition has machined before.
+    Again([f64; 2]),
+    /// A hole or pocket in which a thread is cut, as wide as the thread.
+    WideCore {
+        /// The diameter of the thread.
+        thread: f64,
+        /// That of the hole.
+        hole: f64,
+    },
+    /// A round pocket that is cut by the edge of the blank, or a rectangular one that covers all of it.
+    Over([f64; 2]),
     /// A pocket, or a place of a contour, far from it.
     Outside([f64; 2]),
     /// An approach or a departure on an arc that begins or ends inside of it, with its radius.

@@ -148,6 +148,8 @@ record! {
         functions: Vec<FunctionShown>,
         /// The greatest number of a label, if it is less than labels can have at all.
         greatest_label: Option<u32>,
+        /// The greatest number of a Q parameter, if it is less than 1999.
+        greatest_parameter: Option<u32>,
         /// Functions and cycles that it does not have, where no manual needs to say so.
         lacks: Vec<FunctionLacking>,
         /// Every cycle that its manuals name.

@@ -29,6 +29,12 @@ impl Tri {
     }
 }
 
+impl Aspect {
+    /// The axes of a datum shift that are followed one by one, with their names.
+    pub(in crate::check) const SHIFTS: [(Self, &'static str); 3] =
+        [(Self::ShiftX, "X"), (Self::ShiftY, "Y"), (Self::ShiftZ, "Z")];
+}
+
 /// What is followed through the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aspect {
@@ -88,4 +94,10 @@ pub enum Aspect {
     Aligned,
     /// Another tool was called, and nothing has turned the spindle on since.
     Unstarted,
+    /// A datum shift along X is active.
+    ShiftX,
+    /// The same along Y.
+    ShiftY,
+    /// The same along Z.
+    ShiftZ,
 }

@@ -5,7 +5,7 @@ use super::state::{Known, Pending, State, Values};
 use crate::base::expr::{QKind, QRef};
 use crate::check::cycle::{Aspect, Effect, Then, Tri, removes_material};
 use crate::check::program::{Defined, Definition, Reading};
-use crate::program::syntax::{CycleForm, CycleKeyword, CycleView, OldCycleLine, Program, ValueKind};
+use crate::program::syntax::{CycleForm, CycleKeyword, CycleView, NamedWord, OldCycleLine, Program, ValueKind};
 use crate::spec::{CycleKey, Known as Of, ParameterKind};
 
 /// What the definitions of a program do.
@@ -80,7 +80,12 @@ impl<'f, 'a> Effects<'f, 'a> {
         for q in named.iter().chain(&effect.results) {
             state.set(*q, Known::Unknown);
         }
+        let shift = self.shift(&definition.view, effect, state);
         for (aspect, then) in &effect.aspects {
+            // What it names is known better than what its cycle may do.
+            if shift.is_some() && *aspect == Aspect::DatumShift {
+                continue;
+            }
             let value = match then {
                 Then::Certain(value) => *value,
                 Then::Written => match changed(*aspect, &definition.view) {
@@ -97,6 +102,9 @@ impl<'f, 'a> Effects<'f, 'a> {
             };
             state.modal.set(*aspect, value);
         }
+        if let Some(axes) = shift {
+            state.modal.shift(axes);
+        }
         for rotates in &effect.rotations {
             let before = state.modal.is(Aspect::BasicRotation);
             let after = rotates.then(before, &Values(state, &effect.lacking));
@@ -107,6 +115,14 @@ impl<'f, 'a> Effects<'f, 'a> {
             Some(false) => state.modal.pending = Pending::Unknown,
             None => {}
         }
+    }
+
+    /// What a definition that shifts the datum does along the axes that it names.
+    fn shift(&self, view: &CycleView<'_>, effect: &Effect, state: &State) -> Option<[Option<Tri>; 3]> {
+        let written = |(aspect, then): &(Aspect, Then)| *aspect == Aspect::DatumShift && matches!(then, Then::Written);
+        let CycleForm::Lines(lines) = &view.form else { return None };
+        let words = lines.iter().filter(|line| line.line > 0).flat_map(|line| &line.words);
+        if effect.aspects.iter().any(written) { shifted(self.program, words, state) } else { None }
     }
 }
 
@@ -205,6 +221,40 @@ fn changed(aspect: Aspect, view: &CycleView<'_>) -> Tri {
         }
     }
     found
+}
+
+/// What a shift does along the axes that it names; nothing if it names none or others as well.
+pub(super) fn shifted<'w>(
+    program: &Program,
+    words: impl Iterator<Item = &'w NamedWord>,
+    state: &State,
+) -> Option<[Option<Tri>; 3]> {
+    let mut axes = [None; 3];
+    for word in words {
+        let name = program.slice(word.name).trim().to_ascii_uppercase();
+        let (incremental, name) = match name.strip_prefix('I') {
+            Some(axis) => (true, axis),
+            None => (false, name.as_str()),
+        };
+        let place = Aspect::SHIFTS.iter().position(|(_, axis)| *axis == name)?;
+        let number = match word.value.kind {
+            ValueKind::Number(number) => Some(number),
+            ValueKind::Q { q, .. } => match state.get(q) {
+                Known::Number(number) => Some(number),
+                Known::Unset | Known::Unknown => None,
+            },
+            _ => return None,
+        };
+        let zero = number.map(|number| number == 0.0);
+        axes[place] = Some(match (incremental, state.modal.is(Aspect::SHIFTS[place].0), zero) {
+            // What an incremental shift adds to another one may take it back.
+            (true, before, Some(true)) => before,
+            (true, Tri::No, Some(false)) | (false, _, Some(false)) => Tri::Yes,
+            (false, _, Some(true)) => Tri::No,
+            _ => Tri::Unknown,
+        });
+    }
+    axes.iter().any(Option::is_some).then_some(axes)
 }
 
 /// Whether a shift says how far it goes on from where the datum is.

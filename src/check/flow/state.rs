@@ -66,7 +66,33 @@ impl Modal {
         }
     }
 
+    /// From here on an aspect is so; a datum shift is so along each axis.
     pub(super) const fn set(&mut self, aspect: Aspect, value: Tri) {
+        self.put(aspect, value);
+        if matches!(aspect, Aspect::DatumShift) {
+            self.put(Aspect::ShiftX, value);
+            self.put(Aspect::ShiftY, value);
+            self.put(Aspect::ShiftZ, value);
+        }
+    }
+
+    /// From here on the datum shift along some axes is so; along the others it stays.
+    pub(super) fn shift(&mut self, axes: [Option<Tri>; 3]) {
+        for ((aspect, _), value) in Aspect::SHIFTS.into_iter().zip(axes) {
+            if let Some(value) = value {
+                self.put(aspect, value);
+            }
+        }
+        let all = Aspect::SHIFTS.map(|(aspect, _)| self.is(aspect));
+        let whole = match () {
+            () if all.contains(&Tri::Yes) => Tri::Yes,
+            () if all.contains(&Tri::Unknown) => Tri::Unknown,
+            () => Tri::No,
+        };
+        self.put(Aspect::DatumShift, whole);
+    }
+
+    const fn put(&mut self, aspect: Aspect, value: Tri) {
         self.aspects = self.aspects & !(3 << shift(aspect)) | ((value as u64) << shift(aspect));
     }
 

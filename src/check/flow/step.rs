@@ -1,7 +1,7 @@
 //! What a block does to the state.
 //!
 //! Invariant: what is not known for certain to stay as it is, is forgotten.
-use super::effects::Effects;
+use super::effects::{Effects, shifted};
 use super::project::Callees;
 use super::state::{Known, Loaded, Modal, Pending, State, Values};
 use crate::base::diag::Span;
@@ -306,11 +306,7 @@ impl<'f, 'a> Steps<'f, 'a> {
                 state.modal.set(Aspect::Tilting, if flat { Tri::No } else { Tri::Yes });
                 state.modal.set(Aspect::Feed, Tri::Unknown);
             }
-            StatementKind::Trans => {
-                for aspect in [Aspect::DatumShift, Aspect::Mirroring, Aspect::Rotation, Aspect::Scaling] {
-                    state.modal.set(aspect, Tri::Unknown);
-                }
-            }
+            StatementKind::Trans => self.transforms(statement, state),
             StatementKind::Function
                 if word(0) == "FUNCTION" && matches!(word(1), "TCPM" | "RESET" | "DWELL" | "FEED") =>
             {
@@ -367,6 +363,38 @@ impl<'f, 'a> Steps<'f, 'a> {
                 state.modal = modal;
             }
             _ => {}
+        }
+    }
+
+    /// What a block `TRANS` does: one of the transformations, and no other.
+    fn transforms(&self, statement: &Statement, state: &mut State) {
+        let head = self.program.slice(statement.head).split_ascii_whitespace();
+        let names = statement.words.iter().map(|word| self.program.slice(word.name).trim());
+        let all: Vec<String> = head.chain(names).map(str::to_ascii_uppercase).collect();
+        let resets = all.iter().any(|word| word == "RESET");
+        let aspect = match all.get(1).map(String::as_str) {
+            Some("DATUM") => Aspect::DatumShift,
+            Some("MIRROR") => Aspect::Mirroring,
+            Some("ROTATION") => Aspect::Rotation,
+            Some("SCALE") => Aspect::Scaling,
+            _ => {
+                for aspect in [Aspect::DatumShift, Aspect::Mirroring, Aspect::Rotation, Aspect::Scaling] {
+                    state.modal.set(aspect, Tri::Unknown);
+                }
+                return;
+            }
+        };
+        let shift = || {
+            let words = statement.words.iter().filter(|word| !matches!(word.value.kind, ValueKind::Missing));
+            shifted(self.program, words, state)
+        };
+        match (resets, aspect) {
+            (true, _) => state.modal.set(aspect, Tri::No),
+            (false, Aspect::DatumShift) => match shift() {
+                Some(axes) => state.modal.shift(axes),
+                None => state.modal.set(aspect, Tri::Unknown),
+            },
+            (false, _) => state.modal.set(aspect, Tri::Unknown),
         }
     }
 

@@ -1,6 +1,8 @@
-//! A pocket, a stud, a slot or a place of a contour that is so far from the blank that nothing of it is machined there.
+//! A pocket, a stud, a slot or a place of a contour that is so far from the blank that nothing of it is machined there, a
+//! round pocket that the edge of the blank cuts, a rectangular one that leaves nothing of it.
 //!
-//! Only at places that are known, in programs with a box as their blank and without transformations. Said once a program.
+//! Only at places that are known, in programs with a box as their blank and without transformations. Each is said once a
+//! program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
 use crate::check::travel::incidents;
@@ -9,11 +11,16 @@ use crate::check::{Facts, Rule};
 pub(super) const RULE: Rule = Rule { code: "machining-outside-blank", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let first = incidents(facts).iter().find_map(|(span, own)| match own {
-        Incident::Outside(place) => Some((*span, *place)),
-        _ => None,
-    });
-    if let Some((span, [x, y])) = first {
-        found.push(rule.at(facts, span).arg("value", Arg::Number(x)).arg("other", Arg::Number(y)));
+    let (mut outside, mut over) = (false, false);
+    for (span, own) in incidents(facts) {
+        let (what, [x, y], said) = match own {
+            Incident::Outside(place) => ("outside", *place, &mut outside),
+            Incident::Over(place) => ("over", *place, &mut over),
+            _ => continue,
+        };
+        if !std::mem::replace(said, true) {
+            let finding = rule.at(facts, *span).arg("what", what).arg("value", Arg::Number(x));
+            found.push(finding.arg("other", Arg::Number(y)));
+        }
     }
 }

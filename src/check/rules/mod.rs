@@ -22,7 +22,9 @@ mod clearance_height_too_low;
 mod compensation_at_cycle;
 mod compensation_left_on;
 mod compensation_on_arc;
+mod compensation_other_side;
 mod compensation_switched;
+mod contour_at_rapid;
 mod contour_data_missing;
 mod contour_def_wrong;
 mod contour_depth_missing;
@@ -31,6 +33,7 @@ mod contour_undeclared;
 mod contour_wrong;
 mod coordinate_out_of_place;
 mod coordinate_out_of_range;
+mod core_hole_too_large;
 mod corner_wrong;
 mod cutting_without_tool;
 mod cycle_line_empty;
@@ -51,6 +54,7 @@ mod duplicate_parameter;
 mod empty_word;
 mod feed_missing;
 mod feed_negative;
+mod feed_unit;
 mod feed_zero;
 mod field_word_missing;
 mod free_contour_wrong;
@@ -69,6 +73,7 @@ mod label_undefined;
 mod languages_mixed;
 mod loop_endless;
 mod machine_coordinates_compensated;
+mod machine_coordinates_missing;
 mod machine_limit;
 mod machining_outside_blank;
 mod main_runs_into_subprogram;
@@ -100,6 +105,7 @@ mod plane_not_positioned;
 mod plane_not_reset;
 mod pole_missing;
 mod position_after_contour;
+mod position_twice;
 mod preset_row_wrong;
 mod probe_while_turning;
 mod probed_axis_missing;
@@ -115,6 +121,7 @@ mod rapid_into_blank;
 mod repeat_count_wrong;
 mod repeat_of_later_label;
 mod repeat_without_effect;
+mod repeated_infeed;
 mod reserved_parameter;
 mod reset_order_wrong;
 mod retract_missing;
@@ -141,13 +148,13 @@ mod tool_called_twice;
 mod tool_definition_wrong;
 mod tool_feed_missing;
 mod tool_missing;
+mod tool_not_changed;
 mod tool_not_listed;
 mod tool_table_contradicts;
 mod tool_unused;
 mod transfer_parameter_overwritten;
 mod transformation_forbidden;
 mod transformation_left_on;
-mod turning_feed_unit;
 mod turning_system_missing;
 mod two_signs;
 mod unknown_cycle;
@@ -188,7 +195,9 @@ pub const RULES: &[&Rule] = &[
     &compensation_at_cycle::RULE,
     &compensation_left_on::RULE,
     &compensation_on_arc::RULE,
+    &compensation_other_side::RULE,
     &compensation_switched::RULE,
+    &contour_at_rapid::RULE,
     &contour_data_missing::RULE,
     &contour_def_wrong::RULE,
     &contour_depth_missing::RULE,
@@ -197,6 +206,7 @@ pub const RULES: &[&Rule] = &[
     &contour_wrong::RULE,
     &coordinate_out_of_place::RULE,
     &coordinate_out_of_range::RULE,
+    &core_hole_too_large::RULE,
     &corner_wrong::RULE,
     &cutting_without_tool::RULE,
     &cycle_line_empty::RULE,
@@ -217,6 +227,7 @@ pub const RULES: &[&Rule] = &[
     &empty_word::RULE,
     &feed_missing::RULE,
     &feed_negative::RULE,
+    &feed_unit::RULE,
     &feed_zero::RULE,
     &field_word_missing::RULE,
     &free_contour_wrong::RULE,
@@ -235,6 +246,7 @@ pub const RULES: &[&Rule] = &[
     &languages_mixed::RULE,
     &loop_endless::RULE,
     &machine_coordinates_compensated::RULE,
+    &machine_coordinates_missing::RULE,
     &machine_limit::RULE,
     &machining_outside_blank::RULE,
     &main_runs_into_subprogram::RULE,
@@ -266,6 +278,7 @@ pub const RULES: &[&Rule] = &[
     &plane_not_reset::RULE,
     &pole_missing::RULE,
     &position_after_contour::RULE,
+    &position_twice::RULE,
     &preset_row_wrong::RULE,
     &probe_while_turning::RULE,
     &probed_axis_missing::RULE,
@@ -281,6 +294,7 @@ pub const RULES: &[&Rule] = &[
     &repeat_count_wrong::RULE,
     &repeat_of_later_label::RULE,
     &repeat_without_effect::RULE,
+    &repeated_infeed::RULE,
     &reserved_parameter::RULE,
     &reset_order_wrong::RULE,
     &retract_missing::RULE,
@@ -307,13 +321,13 @@ pub const RULES: &[&Rule] = &[
     &tool_definition_wrong::RULE,
     &tool_feed_missing::RULE,
     &tool_missing::RULE,
+    &tool_not_changed::RULE,
     &tool_not_listed::RULE,
     &tool_table_contradicts::RULE,
     &tool_unused::RULE,
     &transfer_parameter_overwritten::RULE,
     &transformation_forbidden::RULE,
     &transformation_left_on::RULE,
-    &turning_feed_unit::RULE,
     &turning_system_missing::RULE,
     &two_signs::RULE,
     &unknown_cycle::RULE,

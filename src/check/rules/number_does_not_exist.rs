@@ -1,4 +1,4 @@
-//! The number of a parameter above 1999, of a local or lasting one above 499, of an M function above 999, or of a label
+//! The number of a parameter above the greatest one of the control (1999), of a local or lasting one above 499, of an M function above 999, or of a label
 //! above the greatest one of the control: there are none.
 use std::borrow::Cow;
 
@@ -11,10 +11,10 @@ use crate::program::syntax::{BlockKind, Label, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "number-does-not-exist", severity: Severity::Error, run };
 
-/// The greatest number of Q and QS parameters.
-const PARAMETER: u16 = 1999;
+/// The greatest number of Q and QS parameters where a control has no other.
+const PARAMETER: u32 = 1999;
 /// The greatest number of QL and QR parameters.
-const LOCAL: u16 = 499;
+const LOCAL: u32 = 499;
 /// The greatest number of FN functions: D39 of DIN/ISO is no other.
 const CALCULATION: u32 = 39;
 /// The greatest number of M functions.
@@ -22,6 +22,7 @@ const FUNCTION: u16 = 999;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let label = facts.against.on.control.greatest_label.unwrap_or(u32::MAX);
+    let parameter = facts.against.on.control.greatest_parameter.unwrap_or(PARAMETER);
     let mut read = Vec::new();
     for (_, block) in facts.marked() {
         let named = match &block.kind {
@@ -62,12 +63,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         reads(block, &mut read);
         for &(q, span) in &read {
             let (letters, greatest) = match q.kind {
-                QKind::Q => ("Q", PARAMETER),
+                QKind::Q => ("Q", parameter),
                 QKind::Qs => ("QS", PARAMETER),
                 QKind::Ql => ("QL", LOCAL),
                 QKind::Qr => ("QR", LOCAL),
             };
-            if q.number > greatest {
+            if u32::from(q.number) > greatest {
                 let finding = rule.at(facts, span).arg("name", q.to_string());
                 found.push(finding.arg("greatest", format!("{letters}{greatest}")));
             }

@@ -1,15 +1,24 @@
 //! A tilted working plane that leaves the rotary axes where they are, in a program that never moves one.
 //!
 //! PLANE with STAY only calculates the positions of the rotary axes; a block of its own is to take them there. Only
-//! reported of whole programs that call no others, where material is removed later, and once a program.
+//! reported of whole programs that call no others, where material is removed later, and once a program. Whether a cycle
+//! that tilts the plane positions them is up to the machine: it is reported where the program positions them after
+//! another one, or, as a note, where it never does so and states no feed for it.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::cycle::removes_material;
-use crate::check::{Defined, Facts, Pending, Rule};
-use crate::program::syntax::{Axis, Block, BlockKind, Motion, NamedWord, Path, StatementKind, ValueKind};
+use crate::check::cycle::{Effect, Then, removes_material};
+use crate::check::{Aspect, Defined, Facts, Pending, Rule};
+use crate::program::syntax::{
+    Axis, Block, BlockKind, CycleForm, MFunction, Motion, NamedWord, Path, StatementKind, ValueKind,
+};
 
 pub(super) const RULE: Rule = Rule { code: "plane-not-positioned", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    after_plane(rule, facts, found);
+    after_cycle(rule, facts, found);
+}
+
+fn after_plane(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some((index, block)) = facts.marked().find(|(_, block)| stays(facts, block)) else { return };
     if !facts.begins() || facts.flow.programs || facts.flow.unread.may_move() || block.skip {
         return;
@@ -27,8 +36,77 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         _ => false,
     });
     if !moved && cuts {
-        found.push(rule.at(facts, facts.content(block)));
+        found.push(rule.at(facts, facts.content(block)).arg("what", "plane"));
     }
+}
+
+/// Cycles that tilt the plane, with what follows each of them up to the next.
+fn after_cycle(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if !facts.begins() || facts.flow.programs || facts.flow.unread.may_move() || facts.flow.jumps {
+        return;
+    }
+    let tilting: Vec<_> = facts.definitions.iter().filter(|own| tilts(own)).collect();
+    let (mut positioned, mut forgotten) = (false, None);
+    for (at, own) in tilting.iter().enumerate() {
+        let end = tilting.get(at + 1).map_or(facts.program.blocks().len(), |next| next.view.first);
+        let part = facts.program.blocks().get(own.view.last + 1..end).unwrap_or_default();
+        let moved = part.iter().any(|block| match &block.kind {
+            BlockKind::Motion(motion) => {
+                motion.outline().has_coords() && turns(&motion.words()) || motion.functions().iter().any(is_unusual)
+            }
+            BlockKind::Functions(list) => list.iter().any(is_unusual),
+            BlockKind::CallLbl(_) | BlockKind::Lbl(_) => true,
+            _ => false,
+        });
+        if !is_tilt(facts, own) {
+            continue;
+        }
+        positioned |= moved;
+        let cuts = facts.run.calls.iter().any(|call| (own.view.last..end).contains(&call.block));
+        if !moved && cuts && !feeds(facts, own) {
+            forgotten = forgotten.or(Some(own.view.head));
+        }
+    }
+    if let Some(span) = forgotten {
+        let severity = if positioned { rule.severity } else { Severity::Note };
+        found.push(Diagnostic { severity, ..rule.at(facts, span) }.arg("what", "cycle"));
+    }
+}
+
+/// Whether a function may be one of the machine builder.
+const fn is_unusual(own: &MFunction) -> bool {
+    !matches!(own.number, 0..=9 | 13 | 14 | 30 | 99)
+}
+
+/// Whether a cycle tilts the plane.
+fn tilts(own: &Defined<'_>) -> bool {
+    let tilts = |cycle| {
+        Effect::of_cycle(cycle)
+            .aspects
+            .iter()
+            .any(|(aspect, then)| *aspect == Aspect::Tilting && matches!(then, Then::Written))
+    };
+    own.related_cycle().is_some_and(tilts)
+}
+
+/// The words of the lines of a definition.
+fn words<'d>(own: &'d Defined<'_>) -> impl Iterator<Item = &'d NamedWord> {
+    let lines = match &own.view.form {
+        CycleForm::Lines(lines) => lines.as_slice(),
+        CycleForm::Parameters(_) => &[],
+    };
+    lines.iter().filter(|line| line.line > 0).flat_map(|line| &line.words)
+}
+
+/// Whether a definition has an angle that is not 0.
+fn is_tilt(facts: &Facts<'_>, own: &Defined<'_>) -> bool {
+    let angle = |word: &NamedWord| matches!(facts.text(word.name).trim(), "A" | "B" | "C");
+    words(own).any(|word| angle(word) && word.value.kind != ValueKind::Number(0.0))
+}
+
+/// Whether a definition states the feed at which the axes turn.
+fn feeds(facts: &Facts<'_>, own: &Defined<'_>) -> bool {
+    words(own).any(|word| facts.text(word.name).trim().starts_with('F'))
 }
 
 /// Whether a block tilts the plane without moving.

@@ -1,14 +1,18 @@
-//! A tool call of a tool that the tool table lacks.
+//! A tool call, or a cycle that names a tool by its number or name, of a tool that the tool table lacks.
 //!
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`). Tool 0, tools that parameters choose and those
 //! that TOOL DEF defines are passed over; each tool is reported once.
 use std::collections::HashSet;
 
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::{Facts, Rule, ToolName};
-use crate::program::syntax::{Amount, BlockKind, ToolRef};
+use crate::check::program::with_meaning;
+use crate::check::{Defined, Facts, Rule, ToolName};
+use crate::program::syntax::{Amount, BlockKind, ToolRef, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "tool-not-listed", severity: Severity::Warning, run };
+
+/// The meanings of values that name a tool.
+const TOOLS: [&str; 2] = ["rough-out-tool", "coarse-roughing-tool"];
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(project) = facts.project else { return };
@@ -35,4 +39,25 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.at(facts, facts.content(block)).arg("tool", shown));
         }
     }
+    for definition in facts.definitions.iter().filter(|own| names_tool(own)) {
+        let related = definition.as_related_cycle();
+        for item in facts.read(&related).items {
+            if item.param.is_none_or(|param| !TOOLS.contains(&param.is.as_str())) {
+                continue;
+            }
+            let name = match item.value.map(|value| value.kind) {
+                Some(ValueKind::Number(number)) if number > 0.0 => ToolName::Number(number),
+                Some(ValueKind::Text(name)) => ToolName::Name(facts.text(name).trim()),
+                _ => continue,
+            };
+            if passed.insert(name.key()) && project.has_tool(name) == Some(false) {
+                found.push(rule.at(facts, item.value_span).arg("tool", item.printed.as_ref()));
+            }
+        }
+    }
+}
+
+/// Whether a cycle names a tool.
+fn names_tool(own: &Defined<'_>) -> bool {
+    own.related_cycle().is_some_and(|cycle| TOOLS.iter().any(|meaning| with_meaning(cycle, meaning).is_some()))
 }

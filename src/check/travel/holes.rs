@@ -1,10 +1,12 @@
 //! What cycles do to the blank where they are called: holes, taps and pockets at places that are known.
+use std::collections::HashMap;
+
 use super::{Cut, REACH, SKIN, Walk};
 use crate::base::diag::Span;
 use crate::check::blank::is_unmoved;
 use crate::check::incident::Incident;
 use crate::check::program::{number, with_meaning};
-use crate::check::{Aspect, Defined, Definition, Modal, Pending, Tri};
+use crate::check::{Aspect, Defined, Definition, Loaded, Modal, Pending, Tri};
 use crate::program::syntax::{Block, BlockKind, CallForm, Coord};
 use crate::spec::{Group, Keyword, Quantity, Reference};
 
@@ -31,6 +33,10 @@ pub(super) struct Holes {
     made: Vec<([f64; 2], Option<f64>)>,
     /// Whether there may be others.
     others: bool,
+    /// The diameters of round holes and pockets, with their places.
+    wide: Vec<([f64; 2], f64)>,
+    /// What was machined already: the definition, the tool call, the place.
+    machined: HashMap<(u32, Loaded, [u64; 2]), Span>,
     /// Whether a tap without a hole, and one that is too deep, were found.
     reported: [bool; 2],
 }
@@ -49,6 +55,17 @@ impl Holes {
         self.made.iter().filter(here).map(|(_, bottom)| *bottom)
     }
 }
+
+/// What says how wide a thread is.
+const NOMINAL: &str = "nominal-diameter";
+/// What says how wide a round pocket is.
+const CIRCLE: &str = "circle-diameter";
+/// The sides of a rectangular pocket.
+const LENGTHS: [&str; 2] = ["first-side-length", "second-side-length"];
+/// A pocket may be so far beyond an edge of the blank, in millimetres.
+const OVER: f64 = 0.5;
+/// Around a hole of which nobody says how wide it is, so much is never looked at, in millimetres.
+const NARROW: f64 = 20.0;
 
 /// What a cycle makes at a place.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -111,6 +128,7 @@ impl Walk<'_, '_> {
             (self.open, self.at) = (true, [None; 3]);
             return self.holes.lose();
         };
+        self.widths(definition, what, modal, span, &places);
         if what == Makes::Anything {
             (self.open, self.at) = (true, [None; 3]);
             return self.holes.lose();
@@ -129,6 +147,8 @@ impl Walk<'_, '_> {
                     self.holes.lose();
                     if size.is_some_and(|size| self.blank.distance(*place) > size) {
                         self.found.push((span, Incident::Outside(*place)));
+                    } else if self.goes_over(&read, *place) {
+                        self.found.push((span, Incident::Over(*place)));
                     }
                 }
                 Makes::Tap => self.tap(&read, span, *place),
@@ -139,13 +159,86 @@ impl Walk<'_, '_> {
             }
             if usual {
                 self.come_down(&read, *place);
+                self.note_place(index, modal, span, *place);
             }
-            let reach = REACH * self.unit + size.unwrap_or(0.0);
+            let narrow = what != Makes::Pocket && read.item(NOMINAL).is_none();
+            let reach = if narrow { NARROW } else { REACH } * self.unit + size.unwrap_or(0.0);
             let [x, y] = *place;
             self.remember(Cut { low: [x - reach, y - reach], high: [x + reach, y + reach], floor: f64::NEG_INFINITY });
         }
         self.open |= size.is_none();
         self.at[2] = None;
+    }
+
+    /// Notes that a definition machines at a place, and whether it has done so before, from another block.
+    fn note_place(&mut self, index: Option<u32>, modal: &Modal, span: Span, place: [f64; 2]) {
+        let Some(index) = index.filter(|_| matches!(modal.loaded, Loaded::By(_))) else { return };
+        // Zero has two signs.
+        let key = (index, modal.loaded, place.map(|own| (own + 0.0).to_bits()));
+        if self.holes.machined.len() >= super::MANY {
+            return;
+        }
+        let first = *self.holes.machined.entry(key).or_insert(span);
+        if first != span {
+            self.found.push((span, Incident::Again(place)));
+        }
+    }
+
+    /// Notes how wide holes are, and compares a thread with the one that it is cut in.
+    fn widths(&mut self, own: &Defined<'_>, what: Makes, modal: &Modal, span: Span, places: &[[f64; 2]]) {
+        let threads = own.related_cycle().is_some_and(|cycle| cycle.file.group == Group::Threads);
+        let usual = is_unmoved(modal) && modal.is(Aspect::OtherAxis) != Tri::Yes && self.turned == [false; 3];
+        if !usual || (what == Makes::Anything && !threads) {
+            return;
+        }
+        let related = own.as_related_cycle();
+        let read = self.facts.read(&related);
+        let tool = self.tools.as_ref().and_then(|tools| tools.get(modal.loaded)).map(|tool| 2.0 * tool.radius);
+        let width = match what {
+            Makes::Pocket => read.item(CIRCLE).and_then(number),
+            _ if read.item(NOMINAL).is_some() => read.item(NOMINAL).and_then(number),
+            // What only centres is not as wide as its tool.
+            Makes::Hole if !is_whole(&read) => None,
+            _ => tool,
+        };
+        let Some(width) = width.filter(|width| *width > 0.0) else { return };
+        let same = SAME * self.unit;
+        for place in places {
+            if !threads {
+                if self.holes.wide.len() < super::MANY {
+                    self.holes.wide.push((*place, width));
+                }
+                continue;
+            }
+            let near = |other: [f64; 2]| (0..2).all(|axis| (other[axis] - place[axis]).abs() <= same);
+            let here = self.holes.wide.iter().filter(|(other, _)| near(*other)).map(|(_, width)| *width);
+            let hole = here.fold(0.0, f64::max);
+            // The external thread of a hollow stud is wider than its hole, too.
+            if hole >= width - same {
+                self.found.push((span, Incident::WideCore { thread: width, hole }));
+                return;
+            }
+        }
+    }
+
+    /// Whether a round pocket is cut by the edge of the blank, or a rectangular one covers all of it.
+    fn goes_over(&self, read: &Definition<'_>, place: [f64; 2]) -> bool {
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        let room = OVER * self.unit;
+        if let Some(diameter) = value(CIRCLE) {
+            let beyond = |axis: usize| {
+                place[axis] - diameter / 2.0 < self.blank.low[axis] - room
+                    || place[axis] + diameter / 2.0 > self.blank.high[axis] + room
+            };
+            return (0..2).any(beyond);
+        }
+        let sides = LENGTHS.map(value);
+        let centred = ["angle-of-rotation", "pocket-position"].iter().all(|meaning| value(meaning) == Some(0.0));
+        let ([Some(length), Some(width)], true) = (sides, centred) else { return false };
+        [length, width].iter().enumerate().all(|(axis, side)| {
+            place[axis] - side / 2.0 < self.blank.low[axis] - room
+                && place[axis] + side / 2.0 > self.blank.high[axis] + room
+        })
     }
 
     /// A cycle comes down at rapid to the set-up clearance above its surface, which must not be inside of the blank where
@@ -168,7 +261,7 @@ impl Walk<'_, '_> {
     fn hole(&mut self, read: &Definition<'_>, place: [f64; 2]) {
         let value = |meaning: &str| read.item(meaning).and_then(number);
         // Where a value decides that the depth acts, it is not looked at.
-        let acts = read.item(DEPTH).is_some_and(|item| item.param.is_some_and(|param| param.effective.is_none()));
+        let acts = is_whole(read);
         let bottom = match value(SURFACE).zip(value(DEPTH)) {
             Some((surface, depth)) if acts => Some(surface + depth),
             // What only centres makes no hole for a tap.
@@ -227,6 +320,11 @@ impl Walk<'_, '_> {
             self.found.push((place, Incident::Through(surface + depth)));
         }
     }
+}
+
+/// Whether the depth of a hole acts whatever else its definition says: nothing only centres it.
+fn is_whole(read: &Definition<'_>) -> bool {
+    read.item(DEPTH).is_some_and(|item| item.param.is_some_and(|param| param.effective.is_none()))
 }
 
 /// More than a pocket, stud or slot measures from its place; nothing if that is not certain.

@@ -117,7 +117,10 @@ fn found(facts: &Facts<'_>) -> Vec<(Span, Incident)> {
         for (index, block) in facts.program.blocks().iter().enumerate().take(to.min(until)).skip(from) {
             while calls.next_if(|call| call.block < index).is_some() {}
             match usual {
-                Some(modal) if !block.skip => walk.block(index, block, &modal),
+                Some(modal) if !block.skip => {
+                    walk.block(index, block, &modal);
+                    walk.end(block, &modal);
+                }
                 _ => walk.lose(),
             }
             while let Some(call) = calls.next_if(|call| call.block == index) {
@@ -137,6 +140,15 @@ impl Walk<'_, '_> {
 
     fn tell(&mut self, block: &Block, incident: Incident) {
         self.found.push((self.facts.content(block), incident));
+    }
+
+    /// The program ends with a block.
+    fn end(&mut self, block: &Block, modal: &Modal) {
+        if self.facts.ends(block)
+            && let Some(height) = self.inside(0.0).filter(|_| modal.is(Aspect::Tool) == Tri::Yes)
+        {
+            self.tell(block, Incident::End(height));
+        }
     }
 
     fn block(&mut self, index: usize, block: &Block, modal: &Modal) {
@@ -175,6 +187,10 @@ impl Walk<'_, '_> {
                 let turns = text.contains(" TURN") && modal.is(Aspect::Tcpm) == Tri::No;
                 if let Some(height) = self.inside(CLEAR).filter(|_| turns && !text.contains("RESET")) {
                     self.tell(block, Incident::Turn(height));
+                }
+                let swings = text.contains(" MOVE") && modal.is(Aspect::Tcpm) == Tri::No;
+                if let Some(height) = self.inside(0.0).filter(|_| swings && !text.contains("RESET")) {
+                    self.tell(block, Incident::Tilt(height));
                 }
                 self.lose();
             }

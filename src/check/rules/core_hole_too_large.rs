@@ -1,0 +1,20 @@
+//! A thread that is cut in a hole as wide as the thread: nothing is left for it.
+//!
+//! The hole is a round pocket or a milled bore, or one of a drill that a table or TOOL DEF describes. Only at places that
+//! are known, in programs with a box as their blank and without transformations. Said once a program.
+use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::incident::Incident;
+use crate::check::travel::incidents;
+use crate::check::{Facts, Rule};
+
+pub(super) const RULE: Rule = Rule { code: "core-hole-too-large", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let first = incidents(facts).iter().find_map(|(span, own)| match own {
+        Incident::WideCore { thread, hole } => Some((*span, *thread, *hole)),
+        _ => None,
+    });
+    if let Some((span, thread, hole)) = first {
+        found.push(rule.at(facts, span).arg("value", Arg::Number(thread)).arg("other", Arg::Number(hole)));
+    }
+}
