@@ -14,6 +14,9 @@ words! {
         Plan = "plan",
         /// Along the secondary axis, without a cut.
         Side = "side",
+        /// Half of a turned part cut open: the rotary axis to the right, upwards the radius. Coordinates of the main
+        /// axis are diameters, and what is measured along it is a length on the radius.
+        Turned = "turned",
     }
 }
 
@@ -108,6 +111,19 @@ record! {
 }
 
 record! {
+    /// How the insert of a turning tool stands.
+    pub struct FigureInsert {
+        /// The direction from the centre of its nose to its tip, a point: its signs along the main and the tool axis.
+        tip: Formula,
+        /// The axis along which it goes into the part, if it is one for recesses or threads; the main axis if nothing
+        /// is said.
+        plunges: Option<Along>,
+        /// The pitch of the thread that it cuts.
+        pitch: Option<Formula>,
+    }
+}
+
+record! {
     /// A figure of a cycle, drawn from a run of one of its examples.
     pub struct Figure {
         /// Its name, text `figure-<name>`.
@@ -138,6 +154,8 @@ record! {
         cut: Option<Formula>,
         /// The blank.
         blank: Option<FigureBlank>,
+        /// The insert of a turned figure.
+        insert: Option<FigureInsert>,
         /// The parameters that it shows.
         dimensions: Vec<Dimension>,
         /// Numbered places.

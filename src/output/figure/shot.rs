@@ -3,8 +3,9 @@
 //! Invariant: all points are in the coordinates that were active when the cycle began: main, secondary, tool axis.
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
 
+use super::half_plane::{HalfPlane, Stand};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Value, parse};
 use crate::engine::geometry::{Axis, WorkingPlane};
@@ -16,7 +17,7 @@ use crate::engine::solid::{Body, Path, Shape};
 use crate::program::syntax;
 
 use crate::spec::{
-    Along, Cycle, CycleKey, Dimension, Example, Figure, FigureMoment, Formula, Kind, Name, Node, OnControl,
+    Along, Cycle, CycleKey, Dimension, Example, Figure, FigureMoment, FigureView, Formula, Kind, Name, Node, OnControl,
 };
 use crate::tools::conform::{self, World};
 
@@ -67,6 +68,8 @@ pub(super) struct Shot {
     pub(super) back: DAffine3,
     /// The axes of the working plane.
     pub(super) plane: WorkingPlane,
+    /// What is left of a part that is turned.
+    pub(super) turned: Option<HalfPlane>,
     /// The values of the places of each dimension: its parameter, from, to, centre.
     pub(super) places: Vec<[Option<Value>; 4]>,
     /// The values of the places of the figure itself.
@@ -98,7 +101,7 @@ impl Shot {
     }
 }
 
-/// What a figure asks of a run beside its dimensions: the cut, the four values of the blank, the marks.
+/// What a figure asks of a run beside its dimensions: the cut, the four values of the blank, the marks, the insert.
 fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
     let blank = figure.blank.as_ref();
     let mut places = vec![
@@ -109,6 +112,8 @@ fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
         blank.and_then(|blank| blank.greatest.as_ref()),
     ];
     places.extend(figure.marks.iter().map(|mark| Some(&mark.at)));
+    let insert = figure.insert.as_ref();
+    places.extend([insert.map(|insert| &insert.tip), insert.and_then(|insert| insert.pitch.as_ref())]);
     places
 }
 
@@ -253,7 +258,42 @@ pub(super) fn take(
             shot.places.push(values);
         }
     }
+    if figure.view == FigureView::Turned {
+        shot.turn(figure, &scene);
+    }
     Ok(shot)
+}
+
+/// A point whose main coordinate is a diameter, by its radius.
+fn by_radius(value: &mut Option<Value>) {
+    if let Some(Value::Point(point)) = value {
+        point.x /= 2.0;
+    }
+}
+
+impl Shot {
+    /// Makes radii of the diameters of places, and turns the blank.
+    fn turn(&mut self, figure: &Figure, scene: &Scene) {
+        self.own.iter_mut().for_each(by_radius);
+        self.places.iter_mut().flat_map(|places| &mut places[1..]).for_each(by_radius);
+        let at = 5 + figure.marks.len();
+        let point = |place: usize| match self.own.get(place) {
+            Some(Some(Value::Point(point))) => Some(DVec2::new(point.z, point.x)),
+            _ => None,
+        };
+        let (Some(least), Some(greatest), Some((tool, _))) = (point(3), point(4), self.tool) else { return };
+        let insert = figure.insert.as_ref();
+        let stand = Stand {
+            tip: point(at).unwrap_or(DVec2::NEG_ONE).map(|sign| if sign < 0.0 { -1.0 } else { 1.0 }),
+            axial: insert.and_then(|insert| insert.plunges) == Some(Along::Tool),
+            pitch: match self.own.get(at + 1) {
+                Some(Some(Value::Number(pitch))) if *pitch > 0.0 => Some(*pitch),
+                _ => None,
+            },
+        };
+        let tool = (&scene.tools, tool.number);
+        self.turned = Some(HalfPlane::new(stand, tool, [least, greatest], [&self.strokes, &self.later]));
+    }
 }
 
 /// The part of a run that is seen so far.
@@ -362,6 +402,7 @@ impl<'f> Film<'f> {
             body: scene.body.clone(),
             back,
             plane,
+            turned: None,
             places: Vec::new(),
             own: Vec::new(),
         }

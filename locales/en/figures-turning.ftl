@@ -1,0 +1,10 @@
+# Titles of figures of turning cycles.
+
+figure-turning-roughing = Roughing
+figure-turning-finishing = Finishing
+figure-turning-inside = Inside
+figure-turning-smoothing = Contour smoothing
+figure-turning-start-element = Element at the beginning
+figure-turning-end-element = Element at the end
+figure-turning-elements = Chamfer, rounding and corner radius
+figure-turning-angles = Angles

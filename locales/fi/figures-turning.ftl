@@ -1,0 +1,10 @@
+# Sorvaustyökiertojen kuvien otsikot.
+
+figure-turning-roughing = Rouhinta
+figure-turning-finishing = Silitys
+figure-turning-inside = Sisäpuoli
+figure-turning-smoothing = Muodon tasoitus
+figure-turning-start-element = Elementti alussa
+figure-turning-end-element = Elementti lopussa
+figure-turning-elements = Viiste, pyöristys ja nurkan säde
+figure-turning-angles = Kulmat

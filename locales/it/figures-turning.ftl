@@ -1,0 +1,10 @@
+# Titoli delle figure dei cicli di tornitura.
+
+figure-turning-roughing = Sgrossatura
+figure-turning-finishing = Finitura
+figure-turning-inside = Lato interno
+figure-turning-smoothing = Lisciatura del profilo
+figure-turning-start-element = Elemento iniziale
+figure-turning-end-element = Elemento finale
+figure-turning-elements = Smusso, arrotondamento e raggio dello spigolo
+figure-turning-angles = Angoli

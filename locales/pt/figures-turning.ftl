@@ -1,0 +1,10 @@
+# Títulos das figuras dos ciclos de torneamento.
+
+figure-turning-roughing = Desbaste
+figure-turning-finishing = Acabamento
+figure-turning-inside = Lado interior
+figure-turning-smoothing = Alisamento do contorno
+figure-turning-start-element = Elemento no início
+figure-turning-end-element = Elemento no fim
+figure-turning-elements = Chanfro, arredondamento e raio da esquina
+figure-turning-angles = Ângulos

@@ -1,0 +1,10 @@
+# Naslovi slik stružnih ciklov.
+
+figure-turning-roughing = Grobo obdelovanje
+figure-turning-finishing = Fino obdelovanje
+figure-turning-inside = Notranja stran
+figure-turning-smoothing = Glajenje konture
+figure-turning-start-element = Element na začetku
+figure-turning-end-element = Element na koncu
+figure-turning-elements = Posneti rob, zaokrožitev in polmer kota
+figure-turning-angles = Koti
