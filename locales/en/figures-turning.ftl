@@ -8,3 +8,6 @@ figure-turning-start-element = Element at the beginning
 figure-turning-end-element = Element at the end
 figure-turning-elements = Chamfer, rounding and corner radius
 figure-turning-angles = Angles
+figure-turning-limit = Cutting limit
+figure-turning-reversal = Direction of the contour
+figure-turning-undercut = Plunging

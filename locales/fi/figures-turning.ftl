@@ -8,3 +8,6 @@ figure-turning-start-element = Elementti alussa
 figure-turning-end-element = Elementti lopussa
 figure-turning-elements = Viiste, pyöristys ja nurkan säde
 figure-turning-angles = Kulmat
+figure-turning-limit = Lastuamisraja
+figure-turning-reversal = Muodon suunta
+figure-turning-undercut = Sisäänpisto

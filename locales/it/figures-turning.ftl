@@ -8,3 +8,6 @@ figure-turning-start-element = Elemento iniziale
 figure-turning-end-element = Elemento finale
 figure-turning-elements = Smusso, arrotondamento e raggio dello spigolo
 figure-turning-angles = Angoli
+figure-turning-limit = Limitazione taglio
+figure-turning-reversal = Direzione del profilo
+figure-turning-undercut = Entrata

@@ -8,3 +8,6 @@ figure-turning-start-element = Elemento no início
 figure-turning-end-element = Elemento no fim
 figure-turning-elements = Chanfro, arredondamento e raio da esquina
 figure-turning-angles = Ângulos
+figure-turning-limit = Limite de corte
+figure-turning-reversal = Direção do contorno
+figure-turning-undercut = Afundamento

@@ -8,3 +8,6 @@ figure-turning-start-element = Element na začetku
 figure-turning-end-element = Element na koncu
 figure-turning-elements = Posneti rob, zaokrožitev in polmer kota
 figure-turning-angles = Koti
+figure-turning-limit = Omejitev reza
+figure-turning-reversal = Smer konture
+figure-turning-undercut = Spuščanje
