@@ -107,6 +107,8 @@ record! {
         greatest: Option<Formula>,
         /// Whether it is round from above.
         round: bool,
+        /// The corners of what a turned one lacks beside that, a convex polygon, points: a step, a cone.
+        without: Vec<Formula>,
     }
 }
 

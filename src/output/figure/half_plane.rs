@@ -31,48 +31,65 @@ pub(super) struct Stand {
     pub(super) pitch: Option<f64>,
 }
 
+/// A blank: what is between two places, but for a convex polygon.
+#[derive(Clone, Debug)]
+pub(super) struct Blank {
+    pub(super) least: DVec2,
+    pub(super) greatest: DVec2,
+    pub(super) lacks: Vec<DVec2>,
+}
+
 /// What is turned, as it is at a moment.
 #[derive(Clone, Debug, Default)]
 pub(super) struct HalfPlane {
     /// The insert about its tip.
     pub(super) insert: Vec<DVec2>,
-    /// What is left of the blank: closed lines, holes among them.
+    /// The outline of the blank.
+    pub(super) blank: Vec<Vec<DVec2>>,
+    /// What is left of it: closed lines, holes among them.
     pub(super) left: Vec<Vec<DVec2>>,
     /// What will be left of it at the end of the run, if that is something else.
     pub(super) finished: Vec<Vec<DVec2>>,
 }
 
 impl HalfPlane {
-    /// What is left of a blank, given by its least and greatest place, after the ways of a tool of the table, and after
-    /// later ones.
+    /// What is left of a blank after the ways of a tool of the table, and after later ones.
     pub(super) fn new(
         stand: Stand,
         (tools, tool): (&Table, f64),
-        blank: [DVec2; 2],
+        blank: Blank,
         [strokes, later]: [&[Stroke]; 2],
     ) -> Self {
         let insert = outline(stand, tools, tool);
-        let mut taken = cuts(strokes, &insert, stand);
-        let left = without(blank, &taken);
+        let edges = [blank.least, blank.greatest];
+        let mut taken: Vec<Vec<DVec2>> = vec![blank.lacks];
+        let blank = without(edges, &taken);
+        taken.extend(cuts(strokes, &insert, stand));
+        let left = without(edges, &taken);
         let later = cuts(later, &insert, stand);
         let finished = if later.is_empty() {
             Vec::new()
         } else {
             taken.extend(later);
-            without(blank, &taken)
+            without(edges, &taken)
         };
-        Self { insert, left, finished }
+        Self { insert, blank, left, finished }
     }
 
-    /// Whether a corner of what is or will be left has a coordinate, of the rotary axis (0) or of the radius (1).
+    /// The outlines of the blank and of what is or will be left of it.
+    fn lines(&self) -> impl Iterator<Item = &Vec<DVec2>> {
+        self.blank.iter().chain(&self.left).chain(&self.finished)
+    }
+
+    /// Whether a corner of the blank or of what is or will be left has a coordinate, of the rotary axis (0) or of the radius (1).
     pub(super) fn has(&self, axis: usize, at: f64) -> bool {
-        self.left.iter().chain(&self.finished).flatten().any(|p| (p[axis] - at).abs() < 1e-3)
+        self.lines().flatten().any(|p| (p[axis] - at).abs() < 1e-3)
     }
 
-    /// How far a place is from the surface of what is or will be left.
+    /// How far a place is from the surface of the blank or of what is or will be left.
     pub(super) fn distance(&self, place: DVec2) -> f64 {
         let sides =
-            self.left.iter().chain(&self.finished).flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
+            self.lines().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
         sides.map(|(a, b)| super::measure::distance(place, *a, *b)).fold(f64::INFINITY, f64::min)
     }
 }
@@ -195,7 +212,7 @@ fn hull(insert: &[DVec2], from: DVec2, to: DVec2) -> Vec<DVec2> {
 fn outline(stand: Stand, tools: &Table, tool: f64) -> Vec<DVec2> {
     let number = |column: &str| tools.number(tool, column).ok().flatten().filter(|number| *number > 0.0);
     let radius = number("RS").unwrap_or_default();
-    let length = number("CUTLENGTH").unwrap_or(EDGE);
+    let length = number("LCUTS").unwrap_or(EDGE);
     match number("CUTWIDTH") {
         Some(width) => recessing(stand, radius, width, length),
         None => {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-use super::half_plane::{HalfPlane, Stand};
+use super::half_plane::{Blank, HalfPlane, Stand};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Value, parse};
 use crate::engine::geometry::{Axis, WorkingPlane};
@@ -114,6 +114,7 @@ fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
     places.extend(figure.marks.iter().map(|mark| Some(&mark.at)));
     let insert = figure.insert.as_ref();
     places.extend([insert.map(|insert| &insert.tip), insert.and_then(|insert| insert.pitch.as_ref())]);
+    places.extend(blank.iter().flat_map(|blank| &blank.without).map(Some));
     places
 }
 
@@ -292,7 +293,9 @@ impl Shot {
             },
         };
         let tool = (&scene.tools, tool.number);
-        self.turned = Some(HalfPlane::new(stand, tool, [least, greatest], [&self.strokes, &self.later]));
+        let corners = figure.blank.as_ref().map_or(0, |blank| blank.without.len());
+        let lacks: Vec<DVec2> = (0..corners).filter_map(|n| point(at + 2 + n)).collect();
+        self.turned = Some(HalfPlane::new(stand, tool, Blank { least, greatest, lacks }, [&self.strokes, &self.later]));
     }
 }
 

@@ -19,11 +19,9 @@ pub(super) fn part(pen: &mut Pen, subject: &Subject<'_>, frame: &Frame) {
     let data: String = lines.iter().map(|line| Pen::data(line, true)).collect();
     pen.path("m", &data);
     pen.hatch(&lines);
-    let mut blank = vec![DVec2::new(min.x, min.y), DVec2::new(min.x, max.y), max, DVec2::new(max.x, min.y)];
-    if min.y > ON_AXIS {
-        blank.push(blank[0]);
+    for line in subject.shot.turned.iter().flat_map(|turned| &turned.blank) {
+        outline(pen, "v", line, &place);
     }
-    pen.line("v", &blank.into_iter().map(place).collect::<Vec<_>>());
     for line in subject.shot.turned.iter().flat_map(|turned| &turned.finished) {
         outline(pen, "x", line, &place);
     }
