@@ -17,3 +17,6 @@ figure-turning-infeed = Infeed
 figure-turning-infeed-type = Type of infeed
 figure-turning-depth = Depth and run-out
 figure-turning-face = Face
+figure-recess-offset = Offset width
+figure-recess-compensation = Depth compensation
+figure-recess-direction = Machining direction

@@ -17,3 +17,6 @@ figure-turning-infeed = Asetus
 figure-turning-infeed-type = Asetustapa
 figure-turning-depth = Syvyys ja ulosajo
 figure-turning-face = Otsapinta
+figure-recess-offset = Siirtymäleveys
+figure-recess-compensation = Syvyyskorjaus
+figure-recess-direction = Koneistussuunta

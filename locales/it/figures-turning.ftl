@@ -17,3 +17,6 @@ figure-turning-infeed = Incremento
 figure-turning-infeed-type = Tipo di incremento
 figure-turning-depth = Profondità e uscita
 figure-turning-face = Lato frontale
+figure-recess-offset = Larghezza di offset
+figure-recess-compensation = Correzione profondità
+figure-recess-direction = Direzione di lavorazione

@@ -17,3 +17,6 @@ figure-turning-infeed = Passo
 figure-turning-infeed-type = Tipo de passo
 figure-turning-depth = Profundidade e saída
 figure-turning-face = Face
+figure-recess-offset = Largura de deslocação
+figure-recess-compensation = Correção da profundidade
+figure-recess-direction = Direção de maquinação

@@ -17,3 +17,6 @@ figure-turning-infeed = Primik
 figure-turning-infeed-type = Vrsta primika
 figure-turning-depth = Globina in iztek
 figure-turning-face = Čelo
+figure-recess-offset = Širina zamika
+figure-recess-compensation = Popravilo globine
+figure-recess-direction = Smer obdelave
