@@ -20,3 +20,5 @@ figure-turning-face = Face
 figure-recess-offset = Offset width
 figure-recess-compensation = Depth compensation
 figure-recess-direction = Machining direction
+figure-text-on-arc = Text on an arc
+figure-text-arrangement = Text on a line or on an arc

@@ -20,3 +20,5 @@ figure-turning-face = Otsapinta
 figure-recess-offset = Siirtymäleveys
 figure-recess-compensation = Syvyyskorjaus
 figure-recess-direction = Koneistussuunta
+figure-text-on-arc = Teksti kaarella
+figure-text-arrangement = Teksti suoralla tai kaarella

@@ -20,3 +20,5 @@ figure-turning-face = Lato frontale
 figure-recess-offset = Larghezza di offset
 figure-recess-compensation = Correzione profondità
 figure-recess-direction = Direzione di lavorazione
+figure-text-on-arc = Testo su arco
+figure-text-arrangement = Testo su retta o su arco

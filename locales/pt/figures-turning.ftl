@@ -20,3 +20,5 @@ figure-turning-face = Face
 figure-recess-offset = Largura de deslocação
 figure-recess-compensation = Correção da profundidade
 figure-recess-direction = Direção de maquinação
+figure-text-on-arc = Texto num arco
+figure-text-arrangement = Texto em linha reta ou em arco

@@ -20,3 +20,5 @@ figure-turning-face = Čelo
 figure-recess-offset = Širina zamika
 figure-recess-compensation = Popravilo globine
 figure-recess-direction = Smer obdelave
+figure-text-on-arc = Besedilo na loku
+figure-text-arrangement = Besedilo naravnost ali na loku
