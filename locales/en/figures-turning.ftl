@@ -22,3 +22,4 @@ figure-recess-compensation = Depth compensation
 figure-recess-direction = Machining direction
 figure-text-on-arc = Text on an arc
 figure-text-arrangement = Text on a line or on an arc
+figure-around-cylinder = Around the cylinder

@@ -22,3 +22,4 @@ figure-recess-compensation = Syvyyskorjaus
 figure-recess-direction = Koneistussuunta
 figure-text-on-arc = Teksti kaarella
 figure-text-arrangement = Teksti suoralla tai kaarella
+figure-around-cylinder = Lieriön ympäri

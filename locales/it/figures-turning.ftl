@@ -22,3 +22,4 @@ figure-recess-compensation = Correzione profondità
 figure-recess-direction = Direzione di lavorazione
 figure-text-on-arc = Testo su arco
 figure-text-arrangement = Testo su retta o su arco
+figure-around-cylinder = Attorno al cilindro

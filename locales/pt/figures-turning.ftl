@@ -22,3 +22,4 @@ figure-recess-compensation = Correção da profundidade
 figure-recess-direction = Direção de maquinação
 figure-text-on-arc = Texto num arco
 figure-text-arrangement = Texto em linha reta ou em arco
+figure-around-cylinder = Em torno do cilindro

@@ -22,3 +22,4 @@ figure-recess-compensation = Popravilo globine
 figure-recess-direction = Smer obdelave
 figure-text-on-arc = Besedilo na loku
 figure-text-arrangement = Besedilo naravnost ali na loku
+figure-around-cylinder = Okoli valja

@@ -17,6 +17,8 @@ words! {
         /// Half of a turned part cut open: the rotary axis to the right, upwards the radius. Coordinates of the main
         /// axis are diameters, and what is measured along it is a length on the radius.
         Turned = "turned",
+        /// Across the axis of a rotary table, cut open: the main axis to the right, the tool axis upwards.
+        Rotary = "rotary",
     }
 }
 
@@ -107,6 +109,8 @@ record! {
         greatest: Option<Formula>,
         /// Whether it is round from above.
         round: bool,
+        /// The radius of one that is round about the datum, in a rotary figure.
+        radius: Option<Formula>,
         /// The corners of what a turned one lacks beside that, a convex polygon, points: a step, a cone.
         without: Vec<Formula>,
     }

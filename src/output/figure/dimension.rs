@@ -146,7 +146,7 @@ impl Work<'_> {
         let camera = &self.frame.camera;
         let material = [self.frame.material.min, self.frame.material.max].map(|p| camera.place(p)[across]);
         let edge = if side == 0 { material[0].min(material[1]) } else { material[0].max(material[1]) };
-        if matches!(self.subject.view, FigureView::Plan | FigureView::Turned)
+        if matches!(self.subject.view, FigureView::Plan | FigureView::Turned | FigureView::Rotary)
             || axis == 0
             || (coordinate - self.frame.top).abs() < 1e-6
         {

@@ -128,6 +128,8 @@ impl Frame {
         } else if subject.view == FigureView::Turned {
             // The rotary axis, and some room for what goes on below it.
             content.take(DVec2::new(content.min.x, -0.02 * content.size().x));
+        } else if let Some(round) = &shot.round {
+            material = Window { min: DVec2::splat(-round.radius), max: DVec2::splat(round.radius) };
         } else if !known_edges && faces.is_empty() {
             let more = DVec2::splat(0.12 * content.size().max_element());
             material = Window { min: content.min - more, max: content.max + more };
@@ -296,7 +298,7 @@ fn content(subject: &Subject<'_>, faces: &[Face]) -> Window {
         let around = match view {
             FigureView::Plan => DVec2::splat(tool.radius),
             FigureView::Turned => DVec2::ZERO,
-            FigureView::Section | FigureView::Side => DVec2::new(tool.radius, 0.0),
+            FigureView::Section | FigureView::Side | FigureView::Rotary => DVec2::new(tool.radius, 0.0),
         };
         window.take(flat(tip, view) - around);
         window.take(flat(tip, view) + around);

@@ -12,7 +12,7 @@ use crate::program::table::Table;
 /// Points that are nearer to each other are one, mm.
 const SAME: f64 = 1e-5;
 /// What is smaller is not seen, mm².
-const SPECK: f64 = 0.02;
+pub(super) const SPECK: f64 = 0.02;
 /// How far the edges of an insert go from its nose where the table does not say it, mm.
 const EDGE: f64 = 12.0;
 /// The angles of an insert of which the table says none: a rhombus of 80 degrees, as most roughing tools have.
@@ -88,8 +88,7 @@ impl HalfPlane {
 
     /// How far a place is from the surface of the blank or of what is or will be left.
     pub(super) fn distance(&self, place: DVec2) -> f64 {
-        let sides =
-            self.lines().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
+        let sides = self.lines().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
         sides.map(|(a, b)| super::measure::distance(place, *a, *b)).fold(f64::INFINITY, f64::min)
     }
 }
@@ -107,7 +106,7 @@ fn without(blank: [DVec2; 2], cuts: &[Vec<DVec2>]) -> Vec<Vec<DVec2>> {
 }
 
 /// The area within a closed line, negative of one that runs clockwise.
-fn area(line: &[DVec2]) -> f64 {
+pub(super) fn area(line: &[DVec2]) -> f64 {
     line.iter().zip(line.iter().cycle().skip(1)).map(|(a, b)| a.perp_dot(*b)).sum::<f64>() / 2.0
 }
 
@@ -116,7 +115,7 @@ fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
 }
 
 /// The corners of a closed line, without those that lie between two others.
-fn corners_of(line: &[DVec2]) -> Vec<DVec2> {
+pub(super) fn corners_of(line: &[DVec2]) -> Vec<DVec2> {
     let mut corners: Vec<DVec2> = Vec::new();
     // Begins at a corner, the lowest one farthest to the left.
     let first =
@@ -187,7 +186,11 @@ fn turns(
 
 /// What an insert covers on a straight way.
 fn hull(insert: &[DVec2], from: DVec2, to: DVec2) -> Vec<DVec2> {
-    let mut points: Vec<DVec2> = insert.iter().flat_map(|p| [*p + from, *p + to]).collect();
+    around(insert.iter().flat_map(|p| [*p + from, *p + to]).collect())
+}
+
+/// The convex line around some points.
+pub(super) fn around(mut points: Vec<DVec2>) -> Vec<DVec2> {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup_by(|a, b| a.distance(*b) < SAME);
     let half = |points: &mut dyn Iterator<Item = DVec2>| {

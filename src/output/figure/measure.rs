@@ -69,7 +69,7 @@ pub(super) const fn along(point: DVec3, axis: Along) -> f64 {
 /// The axes that a view shows: to the right and upwards.
 pub(super) const fn axes(view: FigureView) -> [Along; 2] {
     match view {
-        FigureView::Section | FigureView::Side => [Along::Main, Along::Tool],
+        FigureView::Section | FigureView::Side | FigureView::Rotary => [Along::Main, Along::Tool],
         FigureView::Plan => [Along::Main, Along::Minor],
         FigureView::Turned => [Along::Tool, Along::Main],
     }
@@ -254,6 +254,7 @@ fn coordinate_is_reached(at: f64, axis: Along, shot: &Shot) -> bool {
     shot.strokes.iter().chain(&shot.later).any(by_stroke)
         || shot.contacts.iter().chain(&shot.centres).chain(&shot.datum).any(|point| near(along(*point, axis)))
         || blank_coordinates(shot, axis).any(near)
+        || shot.round.as_ref().is_some_and(|round| axis != Along::Minor && near(at.signum() * round.radius))
         || shot.turned.as_ref().is_some_and(|turned| turned.has(usize::from(axis == Along::Main), at))
 }
 

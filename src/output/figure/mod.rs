@@ -10,6 +10,7 @@ mod lanes;
 mod measure;
 mod pen;
 mod profile;
+mod rotary;
 mod sheet;
 mod shot;
 mod slabs;

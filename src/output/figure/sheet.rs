@@ -12,7 +12,7 @@ use super::pen::{ARROW, Pen, Rect, short};
 use super::profile;
 use super::shot::{Shot, Stroke, Way};
 use super::slice::{self, Face, Outline};
-use super::turned;
+use super::{rotary, turned};
 use crate::base::expr::{Value, tand};
 use crate::spec::{Along, FigureView};
 
@@ -94,7 +94,7 @@ fn depth(subject: &Subject<'_>) -> f64 {
     let tool = shot.tool.map_or(DVec3::ZERO, |(_, tip)| tip);
     number(shot, 0).unwrap_or_else(|| match subject.view {
         FigureView::Plan => shot.contacts.first().map_or(tool.z, |contact| contact.z),
-        FigureView::Section | FigureView::Side => tool.y,
+        FigureView::Section | FigureView::Side | FigureView::Rotary => tool.y,
         FigureView::Turned => 0.0,
     })
 }
@@ -123,6 +123,7 @@ impl Sheet<'_> {
             FigureView::Plan => self.from_above(),
             FigureView::Section | FigureView::Side => self.cut_open(),
             FigureView::Turned => turned::part(&mut self.pen, self.subject, self.frame),
+            FigureView::Rotary => rotary::part(&mut self.pen, self.subject, self.frame),
         }
     }
 
@@ -258,6 +259,9 @@ impl Sheet<'_> {
         for (stroke, offset) in self.subject.shot.strokes.iter().zip(self.offsets()) {
             let points: Vec<DVec2> = stroke.points.iter().map(|p| self.at(*p) + DVec2::new(offset, 0.0)).collect();
             let points = clip_line(&points, &paper);
+            if self.view == FigureView::Rotary && !rotary::meets(stroke, number(self.subject.shot, 0)) {
+                continue;
+            }
             let class = ["r", "f", "p"][stroke.way as usize];
             let data = Pen::data(&points, false);
             if !data.contains('L') || !drawn.insert((stroke.way as usize, data.clone())) {
@@ -281,7 +285,9 @@ impl Sheet<'_> {
     fn offsets(&self) -> Vec<f64> {
         let strokes = &self.subject.shot.strokes;
         let mut offsets = vec![0.0; strokes.len()];
-        if matches!(self.view, FigureView::Plan | FigureView::Turned) || self.subject.shot.ball.is_some() {
+        if matches!(self.view, FigureView::Plan | FigureView::Turned | FigureView::Rotary)
+            || self.subject.shot.ball.is_some()
+        {
             return offsets;
         }
         let mut columns: Vec<(f64, Vec<(usize, bool)>)> = Vec::new();
