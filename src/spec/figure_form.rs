@@ -14,6 +14,11 @@ words! {
         Plan = "plan",
         /// Along the secondary axis, without a cut.
         Side = "side",
+        /// Half of a turned part cut open: the rotary axis to the right, upwards the radius. Coordinates of the main
+        /// axis are diameters, and what is measured along it is a length on the radius.
+        Turned = "turned",
+        /// Across the axis of a rotary table, cut open: the main axis to the right, the tool axis upwards.
+        Rotary = "rotary",
     }
 }
 
@@ -104,6 +109,23 @@ record! {
         greatest: Option<Formula>,
         /// Whether it is round from above.
         round: bool,
+        /// The radius of one that is round about the datum, in a rotary figure.
+        radius: Option<Formula>,
+        /// The corners of what a turned one lacks beside that, a convex polygon, points: a step, a cone.
+        without: Vec<Formula>,
+    }
+}
+
+record! {
+    /// How the insert of a turning tool stands.
+    pub struct FigureInsert {
+        /// The direction from the centre of its nose to its tip, a point: its signs along the main and the tool axis.
+        tip: Formula,
+        /// The axis along which it goes into the part, if it is one for recesses or threads; the main axis if nothing
+        /// is said.
+        plunges: Option<Along>,
+        /// The pitch of the thread that it cuts.
+        pitch: Option<Formula>,
     }
 }
 
@@ -138,6 +160,8 @@ record! {
         cut: Option<Formula>,
         /// The blank.
         blank: Option<FigureBlank>,
+        /// The insert of a turned figure.
+        insert: Option<FigureInsert>,
         /// The parameters that it shows.
         dimensions: Vec<Dimension>,
         /// Numbered places.

@@ -104,7 +104,8 @@ const FOOT: f64 = 42.0;
 /// The axis of a lane: 0 for bars that lie, 1 for upright ones; none for dimensions inside the drawing.
 pub(super) fn direction(measured: &Measured, view: FigureView) -> Option<usize> {
     let axis = measured.along?;
-    (measured.kind == DimensionKind::Length).then(|| usize::from(axes(view)[1] == axis))
+    let in_lane = measured.kind == DimensionKind::Length || (view == FigureView::Turned && measured.is_half());
+    in_lane.then(|| usize::from(axes(view)[1] == axis))
 }
 
 impl Frame {
@@ -114,7 +115,7 @@ impl Frame {
         let top = number(shot, 1).unwrap_or(0.0);
         let known_edges = point(shot, 3).is_some() && point(shot, 4).is_some();
         let mut material = content;
-        let section = subject.view != FigureView::Plan;
+        let section = matches!(subject.view, FigureView::Section | FigureView::Side);
         if section {
             material.max.y = top;
             let below = 0.16 * content.size().y;
@@ -124,6 +125,11 @@ impl Frame {
             if !known_edges && faces.is_empty() {
                 (material.min.x, material.max.x) = (content.min.x - cut, content.max.x + cut);
             }
+        } else if subject.view == FigureView::Turned {
+            // The rotary axis, and some room for what goes on below it.
+            content.take(DVec2::new(content.min.x, -0.02 * content.size().x));
+        } else if let Some(round) = &shot.round {
+            material = Window { min: DVec2::splat(-round.radius), max: DVec2::splat(round.radius) };
         } else if !known_edges && faces.is_empty() {
             let more = DVec2::splat(0.12 * content.size().max_element());
             material = Window { min: content.min - more, max: content.max + more };
@@ -136,7 +142,7 @@ impl Frame {
             }
         }
         let shows_datum = subject.whole || subject.measured.iter().any(Measured::begins_at_datum);
-        if shows_datum && !section {
+        if shows_datum && subject.view == FigureView::Plan {
             // The sign of the datum has room around it.
             content.take(DVec2::ZERO);
             content.take(-0.03 * content.size());
@@ -263,7 +269,8 @@ fn content(subject: &Subject<'_>, faces: &[Face]) -> Window {
     for (n, stroke) in shot.strokes.iter().enumerate() {
         // The tool comes from far away: where from does not matter.
         let skipped = usize::from(n == 0 && stroke.way == Way::Rapid);
-        let radius = if stroke.way == Way::Feed { stroke.tool.radius } else { 0.0 };
+        let is_wide = stroke.way == Way::Feed && view != FigureView::Turned;
+        let radius = if is_wide { stroke.tool.radius } else { 0.0 };
         for p in stroke.points.iter().skip(skipped) {
             let p = flat(*p, view);
             let around = if view == FigureView::Plan { DVec2::splat(radius) } else { DVec2::new(radius, 0.0) };
@@ -288,9 +295,15 @@ fn content(subject: &Subject<'_>, faces: &[Face]) -> Window {
     }
     shot.contacts.iter().for_each(|p| window.take(flat(*p, view)));
     if let Some((tool, tip)) = shot.tool.filter(|_| !shot.strokes.is_empty()) {
-        let around = if view == FigureView::Plan { DVec2::splat(tool.radius) } else { DVec2::new(tool.radius, 0.0) };
+        let around = match view {
+            FigureView::Plan => DVec2::splat(tool.radius),
+            FigureView::Turned => DVec2::ZERO,
+            FigureView::Section | FigureView::Side | FigureView::Rotary => DVec2::new(tool.radius, 0.0),
+        };
         window.take(flat(tip, view) - around);
         window.take(flat(tip, view) + around);
+        let insert = shot.turned.iter().flat_map(|turned| &turned.insert);
+        insert.for_each(|p| window.take(flat(tip, view) + *p));
     }
     for face in faces.iter().filter(|face| face.material) {
         match &face.outline {

@@ -45,6 +45,11 @@ pub(super) struct Measured {
 }
 
 impl Measured {
+    /// Whether it is a diameter of which the drawing shows the half.
+    pub(super) fn is_half(&self) -> bool {
+        self.kind == DimensionKind::Diameter && self.along == Some(Along::Main)
+    }
+
     /// Whether it is measured from the datum, or from a place that has the coordinate 0 as the datum has.
     pub(super) fn begins_at_datum(&self) -> bool {
         let beside = |axis| matches!(self.from, Spot::Point(point) if along(point, axis).abs() <= NEAR);
@@ -64,8 +69,19 @@ pub(super) const fn along(point: DVec3, axis: Along) -> f64 {
 /// The axes that a view shows: to the right and upwards.
 pub(super) const fn axes(view: FigureView) -> [Along; 2] {
     match view {
-        FigureView::Section | FigureView::Side => [Along::Main, Along::Tool],
+        FigureView::Section | FigureView::Side | FigureView::Rotary => [Along::Main, Along::Tool],
         FigureView::Plan => [Along::Main, Along::Minor],
+        FigureView::Turned => [Along::Tool, Along::Main],
+    }
+}
+
+/// A coordinate of a turned part as the view has it: of the main axis a radius.
+fn seen(spot: Spot, axis: Option<Along>, figure: &Figure) -> Spot {
+    match spot {
+        Spot::Coordinate(diameter) if figure.view == FigureView::Turned && axis == Some(Along::Main) => {
+            Spot::Coordinate(diameter / 2.0)
+        }
+        _ => spot,
     }
 }
 
@@ -153,6 +169,9 @@ fn one(
     if axis.is_some_and(|axis| !visible.contains(&axis)) {
         return Err(Wrong::new("figure-axis-not-visible"));
     }
+    let [from, to] = [from, to].map(|spot| seen(spot, axis, figure));
+    // Where radii are drawn, a diameter is twice as long.
+    let is_diameter = figure.view == FigureView::Turned && kind == DimensionKind::Diameter;
     let wanted = match value {
         Some(Value::Number(number)) => *number,
         Some(Value::Point(point)) => along(*point, axis.ok_or_else(no_value)?),
@@ -164,6 +183,7 @@ fn one(
         (Spot::Point(a), Spot::Point(b), None) => (b - a).length(),
         _ => return Err(Wrong::new("figure-mixed-places")),
     };
+    let signed = if is_diameter { 2.0 * signed } else { signed };
     let agrees = match kind {
         DimensionKind::Angle => ((signed - wanted) / 360.0 + 0.5).rem_euclid(1.0) * 360.0 - 180.0,
         _ if wanted < 0.0 && axis.is_some() => signed - wanted,
@@ -234,6 +254,8 @@ fn coordinate_is_reached(at: f64, axis: Along, shot: &Shot) -> bool {
     shot.strokes.iter().chain(&shot.later).any(by_stroke)
         || shot.contacts.iter().chain(&shot.centres).chain(&shot.datum).any(|point| near(along(*point, axis)))
         || blank_coordinates(shot, axis).any(near)
+        || shot.round.as_ref().is_some_and(|round| axis != Along::Minor && near(at.signum() * round.radius))
+        || shot.turned.as_ref().is_some_and(|turned| turned.has(usize::from(axis == Along::Main), at))
 }
 
 fn point_is_reached(point: DVec3, shot: &Shot) -> bool {
@@ -252,6 +274,13 @@ fn point_is_reached(point: DVec3, shot: &Shot) -> bool {
         let on = |list: &[f64], value: f64| list.iter().any(|own| (own - value).abs() <= NEAR);
         on(&xs, at.x) && on(&ys, at.y)
     };
+    if let Some(turned) = &shot.turned {
+        let at = DVec2::new(point.z, point.x);
+        let ways = shot.strokes.iter().chain(&shot.later).flat_map(|stroke| stroke.points.windows(2));
+        let flat = |p: DVec3| DVec2::new(p.z, p.x);
+        let on_way = |pair: &[DVec3]| distance(at, flat(pair[0]), flat(pair[1])) <= ON_WAY;
+        return turned.distance(at) <= ON_WAY || ways.into_iter().any(on_way);
+    }
     at.length() <= NEAR
         || shot.strokes.iter().chain(&shot.later).any(by_stroke)
         || shot
@@ -265,7 +294,7 @@ fn point_is_reached(point: DVec3, shot: &Shot) -> bool {
 }
 
 /// How far a point is from a line between two others.
-fn distance(p: DVec2, a: DVec2, b: DVec2) -> f64 {
+pub(super) fn distance(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     let way = b - a;
     let share =
         if way.length_squared() > 0.0 { ((p - a).dot(way) / way.length_squared()).clamp(0.0, 1.0) } else { 0.0 };

@@ -5,13 +5,17 @@
 //! and scenes, specifications and texts, and no command; the same data give the same bytes.
 mod dimension;
 mod frame;
+mod half_plane;
 mod lanes;
 mod measure;
 mod pen;
 mod profile;
+mod rotary;
 mod sheet;
 mod shot;
+mod slabs;
 mod slice;
+mod turned;
 
 use std::fmt::Write as _;
 
@@ -134,6 +138,7 @@ impl Figure<'_> {
                 (Some(before), Some(axis)) => format!("{before}{}", self.shot.letter(axis)),
                 _ => param.word.clone(),
             },
+            _ if measured.is_half() => format!("\u{2300} {}", measured.of),
             _ => measured.of.clone(),
         });
         let labels = labels.zip(&self.measured).map(|(label, measured)| match &measured.plus {

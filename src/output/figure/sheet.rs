@@ -12,6 +12,7 @@ use super::pen::{ARROW, Pen, Rect, short};
 use super::profile;
 use super::shot::{Shot, Stroke, Way};
 use super::slice::{self, Face, Outline};
+use super::{rotary, turned};
 use crate::base::expr::{Value, tand};
 use crate::spec::{Along, FigureView};
 
@@ -93,7 +94,8 @@ fn depth(subject: &Subject<'_>) -> f64 {
     let tool = shot.tool.map_or(DVec3::ZERO, |(_, tip)| tip);
     number(shot, 0).unwrap_or_else(|| match subject.view {
         FigureView::Plan => shot.contacts.first().map_or(tool.z, |contact| contact.z),
-        FigureView::Section | FigureView::Side => tool.y,
+        FigureView::Section | FigureView::Side | FigureView::Rotary => tool.y,
+        FigureView::Turned => 0.0,
     })
 }
 
@@ -120,6 +122,8 @@ impl Sheet<'_> {
         match self.view {
             FigureView::Plan => self.from_above(),
             FigureView::Section | FigureView::Side => self.cut_open(),
+            FigureView::Turned => turned::part(&mut self.pen, self.subject, self.frame),
+            FigureView::Rotary => rotary::part(&mut self.pen, self.subject, self.frame),
         }
     }
 
@@ -140,7 +144,7 @@ impl Sheet<'_> {
                     let points: Vec<DVec2> = window.clip(points).iter().map(|p| self.camera().place(*p)).collect();
                     self.pen.area(class, &points);
                     if face.material && self.view != FigureView::Plan {
-                        self.hatch(&points);
+                        self.pen.hatch(&[points]);
                     }
                 }
             }
@@ -203,42 +207,15 @@ impl Sheet<'_> {
         let mut area = line.clone();
         area.extend([DVec2::new(max.x, min.y), min].map(|p| self.camera().place(p)));
         self.pen.area("m", &area);
-        self.hatch(&area);
+        self.pen.hatch(&[area]);
         self.pen.line("o", &line);
-    }
-
-    /// Lines from lower left to upper right inside a polygon.
-    fn hatch(&mut self, polygon: &[DVec2]) {
-        const STEP: f64 = 7.0;
-        let turned = |p: DVec2| p.x + p.y;
-        let (low, high) = polygon
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(turned(*p)), high.max(turned(*p))));
-        if !(low < high) {
-            return;
-        }
-        let mut data = String::new();
-        let mut line = (low / STEP).ceil() * STEP + 0.35;
-        while line < high {
-            let mut crossings: Vec<DVec2> = Vec::new();
-            for (n, a) in polygon.iter().enumerate() {
-                let b = polygon.get((n + 1) % polygon.len()).copied().unwrap_or(*a);
-                let (from, to) = (turned(*a) - line, turned(b) - line);
-                if (from < 0.0) != (to < 0.0) {
-                    crossings.push(a.lerp(b, from / (from - to)));
-                }
-            }
-            crossings.sort_by(|a, b| a.x.total_cmp(&b.x));
-            for pair in crossings.chunks_exact(2).filter(|pair| (pair[0] - pair[1]).length() > 1.5) {
-                data.push_str(&Pen::data(pair, false));
-            }
-            line += STEP;
-        }
-        self.pen.path("h", &data);
     }
 
     /// The tool where it is at the moment, to scale; from the side it is cut off at the edge of the drawing.
     fn tool(&mut self) {
+        if self.view == FigureView::Turned {
+            return turned::insert(&mut self.pen, self.subject, self.frame);
+        }
         let Some((tool, tip)) = self.subject.shot.tool else { return };
         let (scale, place) = (self.camera().scale, self.at(tip));
         let radius = self.subject.shot.ball.unwrap_or(tool.radius) * scale;
@@ -282,6 +259,9 @@ impl Sheet<'_> {
         for (stroke, offset) in self.subject.shot.strokes.iter().zip(self.offsets()) {
             let points: Vec<DVec2> = stroke.points.iter().map(|p| self.at(*p) + DVec2::new(offset, 0.0)).collect();
             let points = clip_line(&points, &paper);
+            if self.view == FigureView::Rotary && !rotary::meets(stroke, number(self.subject.shot, 0)) {
+                continue;
+            }
             let class = ["r", "f", "p"][stroke.way as usize];
             let data = Pen::data(&points, false);
             if !data.contains('L') || !drawn.insert((stroke.way as usize, data.clone())) {
@@ -305,7 +285,9 @@ impl Sheet<'_> {
     fn offsets(&self) -> Vec<f64> {
         let strokes = &self.subject.shot.strokes;
         let mut offsets = vec![0.0; strokes.len()];
-        if self.view == FigureView::Plan || self.subject.shot.ball.is_some() {
+        if matches!(self.view, FigureView::Plan | FigureView::Turned | FigureView::Rotary)
+            || self.subject.shot.ball.is_some()
+        {
             return offsets;
         }
         let mut columns: Vec<(f64, Vec<(usize, bool)>)> = Vec::new();

@@ -3,8 +3,10 @@
 //! Invariant: all points are in the coordinates that were active when the cycle began: main, secondary, tool axis.
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
 
+use super::half_plane::{Blank, HalfPlane, Stand};
+use super::rotary::{Round, Table};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Value, parse};
 use crate::engine::geometry::{Axis, WorkingPlane};
@@ -16,7 +18,7 @@ use crate::engine::solid::{Body, Path, Shape};
 use crate::program::syntax;
 
 use crate::spec::{
-    Along, Cycle, CycleKey, Dimension, Example, Figure, FigureMoment, Formula, Kind, Name, Node, OnControl,
+    Along, Cycle, CycleKey, Dimension, Example, Figure, FigureMoment, FigureView, Formula, Kind, Name, Node, OnControl,
 };
 use crate::tools::conform::{self, World};
 
@@ -40,6 +42,8 @@ pub(super) struct Stroke {
     pub(super) points: Vec<DVec3>,
     /// The tool that goes it.
     pub(super) tool: Tool,
+    /// Where the table turns what is milled: the direction of the tool at each of the points.
+    pub(super) up: Vec<DVec3>,
 }
 
 /// A run at a moment.
@@ -67,6 +71,10 @@ pub(super) struct Shot {
     pub(super) back: DAffine3,
     /// The axes of the working plane.
     pub(super) plane: WorkingPlane,
+    /// What is left of a part on a rotary axis.
+    pub(super) round: Option<Round>,
+    /// What is left of a part that is turned.
+    pub(super) turned: Option<HalfPlane>,
     /// The values of the places of each dimension: its parameter, from, to, centre.
     pub(super) places: Vec<[Option<Value>; 4]>,
     /// The values of the places of the figure itself.
@@ -98,7 +106,7 @@ impl Shot {
     }
 }
 
-/// What a figure asks of a run beside its dimensions: the cut, the four values of the blank, the marks.
+/// What a figure asks of a run beside its dimensions: the cut, the four values of the blank, the marks, the insert.
 fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
     let blank = figure.blank.as_ref();
     let mut places = vec![
@@ -109,6 +117,10 @@ fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
         blank.and_then(|blank| blank.greatest.as_ref()),
     ];
     places.extend(figure.marks.iter().map(|mark| Some(&mark.at)));
+    let insert = figure.insert.as_ref();
+    places.extend([insert.map(|insert| &insert.tip), insert.and_then(|insert| insert.pitch.as_ref())]);
+    places.push(blank.and_then(|blank| blank.radius.as_ref()));
+    places.extend(blank.iter().flat_map(|blank| &blank.without).map(Some));
     places
 }
 
@@ -228,13 +240,15 @@ pub(super) fn take(
         return Err(vec![wrong("figure-moment-never", &figure.place).arg("reason", reason)]);
     };
     let mut film = Film::new(&scene, runner, figure.whole);
+    film.table = (figure.view == FigureView::Rotary).then(|| Table::new(&scene));
     let end = if figure.whole { events.len() } else { moment.events.min(events.len()) };
     let (before, after) = events.split_at(end);
     before.iter().for_each(|event| film.see(event));
     film.now = Some(film.strokes.len());
-    let (tool, here, touched, system) = (film.tool, film.here, film.contacts.len(), film.system);
+    let (tool, here, touched, system, table) =
+        (film.tool, film.here, film.contacts.len(), film.system, film.table.clone());
     after.iter().for_each(|event| film.see(event));
-    (film.tool, film.here, film.system) = (tool, here, system);
+    (film.tool, film.here, film.system, film.table) = (tool, here, system, table);
     film.contacts.truncate(touched);
     let mut shot = film.end(&scene);
     for (index, asked) in asked.iter().enumerate() {
@@ -253,7 +267,52 @@ pub(super) fn take(
             shot.places.push(values);
         }
     }
+    if figure.view == FigureView::Turned {
+        shot.turn(figure, &scene);
+    }
+    if let (FigureView::Rotary, Some(Some(Value::Number(radius)))) = (figure.view, shot.own.get(7 + figure.marks.len()))
+    {
+        let plane = match shot.own.first() {
+            Some(Some(Value::Number(plane))) => Some(*plane),
+            _ => None,
+        };
+        shot.round = Some(Round::new(*radius, plane, [&shot.strokes, &shot.later]));
+    }
     Ok(shot)
+}
+
+/// A point whose main coordinate is a diameter, by its radius.
+fn by_radius(value: &mut Option<Value>) {
+    if let Some(Value::Point(point)) = value {
+        point.x /= 2.0;
+    }
+}
+
+impl Shot {
+    /// Makes radii of the diameters of places, and turns the blank.
+    fn turn(&mut self, figure: &Figure, scene: &Scene) {
+        self.own.iter_mut().for_each(by_radius);
+        self.places.iter_mut().flat_map(|places| &mut places[1..]).for_each(by_radius);
+        let at = 5 + figure.marks.len();
+        let point = |place: usize| match self.own.get(place) {
+            Some(Some(Value::Point(point))) => Some(DVec2::new(point.z, point.x)),
+            _ => None,
+        };
+        let (Some(least), Some(greatest), Some((tool, _))) = (point(3), point(4), self.tool) else { return };
+        let insert = figure.insert.as_ref();
+        let stand = Stand {
+            tip: point(at).unwrap_or(DVec2::NEG_ONE).map(|sign| if sign < 0.0 { -1.0 } else { 1.0 }),
+            axial: insert.and_then(|insert| insert.plunges) == Some(Along::Tool),
+            pitch: match self.own.get(at + 1) {
+                Some(Some(Value::Number(pitch))) if *pitch > 0.0 => Some(*pitch),
+                _ => None,
+            },
+        };
+        let tool = (&scene.tools, tool.number);
+        let corners = figure.blank.as_ref().map_or(0, |blank| blank.without.len());
+        let lacks: Vec<DVec2> = (0..corners).filter_map(|n| point(at + 3 + n)).collect();
+        self.turned = Some(HalfPlane::new(stand, tool, Blank { least, greatest, lacks }, [&self.strokes, &self.later]));
+    }
 }
 
 /// The part of a run that is seen so far.
@@ -272,6 +331,8 @@ struct Film<'f> {
     here: Option<DVec3>,
     /// How many strokes there are at the moment.
     now: Option<usize>,
+    /// The table, where it turns what the figure shows.
+    table: Option<Table<'f>>,
 }
 
 fn affine(rows: [[f64; 4]; 3]) -> DAffine3 {
@@ -293,6 +354,7 @@ impl<'f> Film<'f> {
             centres: Vec::new(),
             here: Some(scene.start),
             now: None,
+            table: None,
         }
     }
 
@@ -312,6 +374,13 @@ impl<'f> Film<'f> {
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
                 self.go(if rapid { Way::Rapid } else { Way::Feed }, points(path));
             }
+            EventKind::Turn { axes, rapid, .. } => {
+                if let (Some(table), Some(here)) = (&mut self.table, self.here) {
+                    let way = if *rapid { Way::Rapid } else { Way::Feed };
+                    let poses = table.turn(axes, here);
+                    self.add(way, poses);
+                }
+            }
             EventKind::Probe(probing) => {
                 let ball = probing.contact.map_or(probing.target, |(_, ball)| ball);
                 let ends = [probing.from, ball].map(|p| self.system.transform_point3(p));
@@ -326,8 +395,14 @@ impl<'f> Film<'f> {
         if way != Way::Probe {
             self.here = points.last().copied().or(self.here);
         }
+        let up = vec![DVec3::Z; if self.table.is_some() { points.len() } else { 0 }];
+        let poses = self.table.as_ref().map(|table| table.held(&points, &up));
+        self.add(way, poses.unwrap_or((points, up)));
+    }
+
+    fn add(&mut self, way: Way, (points, up): (Vec<DVec3>, Vec<DVec3>)) {
         if self.first.is_some() {
-            self.strokes.push(Stroke { way, points, tool: self.tool.unwrap_or_default() });
+            self.strokes.push(Stroke { way, points, tool: self.tool.unwrap_or_default(), up });
         }
     }
 
@@ -341,7 +416,11 @@ impl<'f> Film<'f> {
         let ball = self.tool.and_then(|tool| tool.probe).and(scene.probe.as_ref()).map(|probe| probe.ball_radius);
         // Moves are those of the tip; a probe is drawn by the centre of its ball, as it is when it touches.
         let centre = |tip: DVec3| own(tip) + DVec3::Z * ball.unwrap_or(0.0);
-        let placed = |stroke: Stroke| {
+        let placed = |mut stroke: Stroke| {
+            if let Some(table) = &self.table {
+                (stroke.points, stroke.up) = table.lying(&stroke.points, &stroke.up);
+                stroke.up = stroke.up.into_iter().map(|up| own(up) - own(DVec3::ZERO)).collect();
+            }
             let points = stroke.points.into_iter();
             let points =
                 if stroke.way == Way::Probe { points.map(own).collect() } else { points.map(centre).collect() };
@@ -362,6 +441,8 @@ impl<'f> Film<'f> {
             body: scene.body.clone(),
             back,
             plane,
+            round: None,
+            turned: None,
             places: Vec::new(),
             own: Vec::new(),
         }

@@ -41,7 +41,8 @@ pub(super) fn faces(shot: &Shot, view: FigureView, depth: f64) -> Vec<Face> {
         let p = plane.flat(p).extend(plane.tool.of(p));
         match view {
             FigureView::Plan => DVec3::new(p.x, p.y, p.z - depth),
-            FigureView::Section | FigureView::Side => DVec3::new(p.x, p.z, depth - p.y),
+            FigureView::Section | FigureView::Side | FigureView::Rotary => DVec3::new(p.x, p.z, depth - p.y),
+            FigureView::Turned => DVec3::new(p.z, p.x, p.y - depth),
         }
     };
     let (origin, x, y, z) = (turned(DVec3::ZERO), turned(DVec3::X), turned(DVec3::Y), turned(DVec3::Z));
