@@ -57,3 +57,6 @@ diag-figure-nothing-to-see = La figura { $figure } di { $cycle } mostra { $name 
 diag-figure-place-not-reached = La figura { $figure } di { $cycle } mostra { $name } fino a un punto ({ $place }) che né l'utensile né il pezzo raggiungono.
 diag-figure-none = Il ciclo { $cycle } non ha figure su questo controllo numerico.
 diag-figure-parameter-not-shown = Nessuna figura di { $cycle } mostra { $name } e la specifica non ne indica il motivo.
+figure-teeth = Taglienti sul sistema di tastatura utensile
+figure-turning-tool = Utensile rotante
+figure-single-teeth = Taglienti singoli

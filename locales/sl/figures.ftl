@@ -77,3 +77,9 @@ figure-rounding = Notranji zaokroževalni polmer
 figure-between-points = Pot med točkami tipanja
 
 figure-no-contact = Pot brez dotika
+
+figure-teeth = Rezila na napravi za merjenje orodja
+
+figure-turning-tool = Vrteče se orodje
+
+figure-single-teeth = Posamezna rezila

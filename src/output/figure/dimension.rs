@@ -9,6 +9,7 @@ use super::frame::{Frame, direction};
 use super::lanes::{Bar, Lane};
 use super::measure::{Measured, Spot};
 use super::pen::{ARROW, Pen, escaped, short, width};
+use super::setter;
 use super::sheet::{Subject, Words, flat};
 use crate::base::expr::{cosd, sind};
 use crate::spec::{DimensionKind, FigureView};
@@ -132,7 +133,7 @@ impl Work<'_> {
         // At the wall of what is cut at that height, or at the tool.
         let hollow = self.frame.surface.iter().filter(|p| p.y <= coordinate + 1e-6).map(|p| camera.place(*p)[across]);
         let wall = if side == 0 { hollow.reduce(f64::min) } else { hollow.reduce(f64::max) };
-        let tool = self.subject.shot.tool.map(|(tool, tip)| {
+        let tool = setter::pose(self.subject.shot).map(|(tool, tip)| {
             let radius = tool.radius * camera.scale;
             self.at(tip)[across] + if side == 0 { -radius } else { radius }
         });

@@ -6,6 +6,7 @@ use glam::DVec2;
 use super::lanes::{Bar, Lane, lanes};
 use super::measure::{Measured, Spot, axes};
 use super::pen::{Rect, height, width};
+use super::setter::{self, Setter};
 use super::sheet::{Subject, Words, coordinate, flat, number, point, surface};
 use super::shot::Way;
 use super::slice::{Face, Outline};
@@ -115,7 +116,9 @@ impl Frame {
         let known_edges = point(shot, 3).is_some() && point(shot, 4).is_some();
         let mut material = content;
         let section = subject.view != FigureView::Plan;
-        if section {
+        // At a tool setter there is no workpiece.
+        let blank = shot.setter.is_none();
+        if section && blank {
             material.max.y = top;
             let below = 0.16 * content.size().y;
             material.min.y = number(shot, 2).unwrap_or(content.min.y.min(top) - below);
@@ -124,7 +127,7 @@ impl Frame {
             if !known_edges && faces.is_empty() {
                 (material.min.x, material.max.x) = (content.min.x - cut, content.max.x + cut);
             }
-        } else if !known_edges && faces.is_empty() {
+        } else if !known_edges && faces.is_empty() && blank {
             let more = DVec2::splat(0.12 * content.size().max_element());
             material = Window { min: content.min - more, max: content.max + more };
         }
@@ -160,7 +163,7 @@ impl Frame {
             pitch,
         };
         frame.find_scale(subject, words);
-        if section && faces.is_empty() {
+        if section && faces.is_empty() && blank {
             let edges = [frame.material.min.x, frame.material.max.x];
             frame.surface = surface(subject, edges, top);
         }
@@ -287,7 +290,10 @@ fn content(subject: &Subject<'_>, faces: &[Face]) -> Window {
         }
     }
     shot.contacts.iter().for_each(|p| window.take(flat(*p, view)));
-    if let Some((tool, tip)) = shot.tool.filter(|_| !shot.strokes.is_empty()) {
+    for p in shot.setter.iter().flat_map(Setter::bounds).chain(setter::around(shot)) {
+        window.take(flat(p, view));
+    }
+    if let Some((tool, tip)) = setter::pose(shot).filter(|_| !shot.strokes.is_empty()) {
         let around = if view == FigureView::Plan { DVec2::splat(tool.radius) } else { DVec2::new(tool.radius, 0.0) };
         window.take(flat(tip, view) - around);
         window.take(flat(tip, view) + around);

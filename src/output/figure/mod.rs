@@ -9,6 +9,7 @@ mod lanes;
 mod measure;
 mod pen;
 mod profile;
+mod setter;
 mod sheet;
 mod shot;
 mod slice;

@@ -10,6 +10,7 @@ use super::frame::{Camera, Frame, Window};
 use super::measure::{Measured, Spot, along, axes};
 use super::pen::{ARROW, Pen, Rect, short};
 use super::profile;
+use super::setter;
 use super::shot::{Shot, Stroke, Way};
 use super::slice::{self, Face, Outline};
 use crate::base::expr::{Value, tand};
@@ -79,6 +80,7 @@ pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Drawn {
     let mut sheet = Sheet { subject, frame: &frame, pen: Pen::new(frame.size), view: subject.view };
     sheet.workpiece(&faces);
     sheet.tool();
+    sheet.poses();
     sheet.ways();
     sheet.datum();
     super::dimension::all(&mut sheet.pen, subject, words, &frame);
@@ -114,6 +116,10 @@ impl Sheet<'_> {
     }
 
     fn workpiece(&mut self, faces: &[Face]) {
+        if let Some(setter) = &self.subject.shot.setter {
+            let camera = self.frame.camera;
+            return setter::draw(&mut self.pen, setter, self.view, &|p| camera.place(flat(p, self.view)));
+        }
         if !faces.is_empty() {
             return self.parts(faces);
         }
@@ -239,7 +245,7 @@ impl Sheet<'_> {
 
     /// The tool where it is at the moment, to scale; from the side it is cut off at the edge of the drawing.
     fn tool(&mut self) {
-        let Some((tool, tip)) = self.subject.shot.tool else { return };
+        let Some((tool, tip)) = setter::pose(self.subject.shot) else { return };
         let (scale, place) = (self.camera().scale, self.at(tip));
         let radius = self.subject.shot.ball.unwrap_or(tool.radius) * scale;
         if !self.frame.paper().holds(place) || radius <= 0.0 {
@@ -274,6 +280,12 @@ impl Sheet<'_> {
         self.pen.blocked.push(Rect { min: DVec2::new(left, top), max: DVec2::new(right, place.y) });
     }
 
+    /// What else is to be seen of a tool at a tool setter.
+    fn poses(&mut self) {
+        let (camera, view, top) = (self.frame.camera, self.view, self.frame.paper().min.y);
+        setter::poses(&mut self.pen, self.subject.shot, view, top, &|p| camera.place(flat(p, view)));
+    }
+
     /// The ways of the tool. Ways up and down over one another are drawn side by side.
     fn ways(&mut self) {
         let paper = self.frame.paper();
@@ -281,7 +293,7 @@ impl Sheet<'_> {
         let mut drawn: BTreeSet<(usize, String)> = BTreeSet::new();
         for (stroke, offset) in self.subject.shot.strokes.iter().zip(self.offsets()) {
             let points: Vec<DVec2> = stroke.points.iter().map(|p| self.at(*p) + DVec2::new(offset, 0.0)).collect();
-            let points = clip_line(&points, &paper);
+            let points = clip_line(&points, &paper.grown(0.5));
             let class = ["r", "f", "p"][stroke.way as usize];
             let data = Pen::data(&points, false);
             if !data.contains('L') || !drawn.insert((stroke.way as usize, data.clone())) {
@@ -295,8 +307,10 @@ impl Sheet<'_> {
                 if stroke.way == Way::Rapid { self.pen.chevron(head, tip, way) } else { self.pen.arrow(head, tip, way) }
             }
         }
-        for contact in &self.subject.shot.contacts {
-            let place = self.at(*contact);
+        let shot = self.subject.shot;
+        let contacts = if shot.setter.is_some() { setter::touched(shot) } else { shot.contacts.clone() };
+        for contact in contacts {
+            let place = self.at(contact);
             self.pen.circle("n", place, 3.0);
         }
     }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use super::setter::{Setter, Turning};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Value, parse};
 use crate::engine::geometry::{Axis, WorkingPlane};
@@ -16,7 +17,7 @@ use crate::engine::solid::{Body, Path, Shape};
 use crate::program::syntax;
 
 use crate::spec::{
-    Along, Cycle, CycleKey, Dimension, Example, Figure, FigureMoment, Formula, Kind, Name, Node, OnControl,
+    Along, Cycle, CycleKey, Dimension, Example, Figure, FigureMoment, FigureView, Formula, Kind, Name, Node, OnControl,
 };
 use crate::tools::conform::{self, World};
 
@@ -40,6 +41,8 @@ pub(super) struct Stroke {
     pub(super) points: Vec<DVec3>,
     /// The tool that goes it.
     pub(super) tool: Tool,
+    /// How the spindle stands or turns meanwhile.
+    pub(super) turning: Turning,
 }
 
 /// A run at a moment.
@@ -59,6 +62,8 @@ pub(super) struct Shot {
     pub(super) datum: Option<DVec3>,
     /// The radius of the ball of the touch probe, if it is one.
     pub(super) ball: Option<f64>,
+    /// The tool setter, if a tool is at it that is no touch probe.
+    pub(super) setter: Option<Setter>,
     /// The parts of the scene, and from the machine to the coordinates of the shot.
     pub(super) parts: Shape,
     /// The same, ready for questions.
@@ -237,6 +242,10 @@ pub(super) fn take(
     (film.tool, film.here, film.system) = (tool, here, system);
     film.contacts.truncate(touched);
     let mut shot = film.end(&scene);
+    if let Some(setter) = shot.setter.as_ref().filter(|_| figure.view != FigureView::Plan) {
+        // From the side, what goes on before and behind the setter hides it.
+        shot.strokes.retain(|stroke| setter.is_in_plane(stroke));
+    }
     for (index, asked) in asked.iter().enumerate() {
         let mut values: [Option<Value>; 4] = Default::default();
         let note = noted(&outcome.noted, index, asked);
@@ -265,6 +274,7 @@ struct Film<'f> {
     first: Option<DAffine3>,
     plane: WorkingPlane,
     tool: Option<Tool>,
+    turning: Turning,
     /// In machine coordinates.
     strokes: Vec<Stroke>,
     contacts: Vec<DVec3>,
@@ -288,6 +298,7 @@ impl<'f> Film<'f> {
             first: whole.then_some(system),
             plane: WorkingPlane::of_tool_axis(Axis::Z),
             tool: None,
+            turning: Turning::default(),
             strokes: Vec::new(),
             contacts: Vec::new(),
             centres: Vec::new(),
@@ -302,8 +313,11 @@ impl<'f> Film<'f> {
         }
         match &event.kind {
             EventKind::Transform(system) => self.system = affine(system.matrix),
-            EventKind::Spindle { tool: Some((tool, axis)), .. } => {
-                (self.tool, self.plane) = (Some(*tool), WorkingPlane::of_tool_axis(*axis));
+            EventKind::Spindle { tool, direction, orient, .. } => {
+                if let Some((tool, axis)) = tool {
+                    (self.tool, self.plane) = (Some(*tool), WorkingPlane::of_tool_axis(*axis));
+                }
+                (self.turning.direction, self.turning.angle) = (*direction, *orient);
             }
             EventKind::Move { kind, path, .. } => {
                 if let MoveKind::Arc { centre, .. } = kind {
@@ -327,7 +341,7 @@ impl<'f> Film<'f> {
             self.here = points.last().copied().or(self.here);
         }
         if self.first.is_some() {
-            self.strokes.push(Stroke { way, points, tool: self.tool.unwrap_or_default() });
+            self.strokes.push(Stroke { way, points, tool: self.tool.unwrap_or_default(), turning: self.turning });
         }
     }
 
@@ -341,7 +355,12 @@ impl<'f> Film<'f> {
         let ball = self.tool.and_then(|tool| tool.probe).and(scene.probe.as_ref()).map(|probe| probe.ball_radius);
         // Moves are those of the tip; a probe is drawn by the centre of its ball, as it is when it touches.
         let centre = |tip: DVec3| own(tip) + DVec3::Z * ball.unwrap_or(0.0);
-        let placed = |stroke: Stroke| {
+        let first = |tool: &Tool| {
+            let known = scene.true_tools.iter().find(|(number, _)| *number == tool.number);
+            known.map_or(0.0, |(_, known)| known.first)
+        };
+        let placed = |mut stroke: Stroke| {
+            stroke.turning.first = first(&stroke.tool);
             let points = stroke.points.into_iter();
             let points =
                 if stroke.way == Way::Probe { points.map(own).collect() } else { points.map(centre).collect() };
@@ -357,6 +376,7 @@ impl<'f> Film<'f> {
             centres: self.centres.into_iter().map(own).collect(),
             tool: self.tool.zip(self.here.map(centre)),
             datum: (datum.length() > 1e-9).then_some(datum),
+            setter: if ball.is_none() { Setter::of(scene, plane, &own) } else { None },
             ball,
             parts: scene.parts.clone(),
             body: scene.body.clone(),
