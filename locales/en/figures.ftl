@@ -60,3 +60,4 @@ diag-figure-parameter-not-shown = No figure of { $cycle } shows { $name }, and t
 figure-teeth = Cutting edges at the tool setter
 figure-turning-tool = Rotating tool
 figure-single-teeth = Single cutting edges
+figure-line-angle = Angle of the lines

@@ -60,3 +60,4 @@ diag-figure-parameter-not-shown = Mikään työkierron { $cycle } kuva ei näyt�
 figure-teeth = Terät mittauslaitteella
 figure-turning-tool = Pyörivä työkalu
 figure-single-teeth = Yksittäiset terät
+figure-line-angle = Rivien kulma

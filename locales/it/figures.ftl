@@ -60,3 +60,4 @@ diag-figure-parameter-not-shown = Nessuna figura di { $cycle } mostra { $name } 
 figure-teeth = Taglienti sul sistema di tastatura utensile
 figure-turning-tool = Utensile rotante
 figure-single-teeth = Taglienti singoli
+figure-line-angle = Angolo delle righe

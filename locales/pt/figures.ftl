@@ -60,3 +60,4 @@ diag-figure-parameter-not-shown = Nenhuma figura de { $cycle } mostra { $name } 
 figure-teeth = Navalhas no apalpador de ferramenta
 figure-turning-tool = Ferramenta em rotação
 figure-single-teeth = Navalhas individuais
+figure-line-angle = Ângulo das linhas

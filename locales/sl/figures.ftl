@@ -83,3 +83,5 @@ figure-teeth = Rezila na napravi za merjenje orodja
 figure-turning-tool = Vrteče se orodje
 
 figure-single-teeth = Posamezna rezila
+
+figure-line-angle = Kot vrstic

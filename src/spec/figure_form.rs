@@ -108,6 +108,16 @@ record! {
 }
 
 record! {
+    /// The range of a scan, drawn as an outline.
+    pub struct FigureScan {
+        /// Its least corner, a point.
+        least: Formula,
+        /// Its greatest corner, a point.
+        greatest: Formula,
+    }
+}
+
+record! {
     /// A figure of a cycle, drawn from a run of one of its examples.
     pub struct Figure {
         /// Its name, text `figure-<name>`.
@@ -138,6 +148,8 @@ record! {
         cut: Option<Formula>,
         /// The blank.
         blank: Option<FigureBlank>,
+        /// The range that is scanned.
+        scan: Option<FigureScan>,
         /// The parameters that it shows.
         dimensions: Vec<Dimension>,
         /// Numbered places.

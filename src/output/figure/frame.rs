@@ -6,6 +6,7 @@ use glam::DVec2;
 use super::lanes::{Bar, Lane, lanes};
 use super::measure::{Measured, Spot, axes};
 use super::pen::{Rect, height, width};
+use super::scan;
 use super::setter::{self, Setter};
 use super::sheet::{Subject, Words, coordinate, flat, number, point, surface};
 use super::shot::Way;
@@ -289,6 +290,7 @@ fn content(subject: &Subject<'_>, faces: &[Face]) -> Window {
             window.take(flat(measured.centre, view));
         }
     }
+    scan::range(shot).iter().flatten().for_each(|p| window.take(flat(*p, view)));
     shot.contacts.iter().for_each(|p| window.take(flat(*p, view)));
     for p in shot.setter.iter().flat_map(Setter::bounds).chain(setter::around(shot)) {
         window.take(flat(p, view));

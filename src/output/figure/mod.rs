@@ -9,6 +9,7 @@ mod lanes;
 mod measure;
 mod pen;
 mod profile;
+mod scan;
 mod setter;
 mod sheet;
 mod shot;
@@ -130,7 +131,7 @@ impl Figure<'_> {
     pub fn svg(&self, text: &CycleText<'_>, medium: Medium) -> Svg {
         let params: Vec<_> = self.measured.iter().map(|measured| self.param(text, measured)).collect();
         let labels = params.iter().zip(&self.measured).map(|(param, measured)| match (measured.field, param) {
-            (true, Some(param)) => match (param.coordinates, measured.along) {
+            (true, Some(param)) => match (&param.coordinates, measured.along) {
                 // A position has a number for each axis.
                 (Some(before), Some(axis)) => format!("{before}{}", self.shot.letter(axis)),
                 _ => param.word.clone(),
@@ -210,8 +211,10 @@ impl Figure<'_> {
         let word = word.filter(|word| !word.is_empty()).unwrap_or_else(|| texts.name.to_string());
         let shown = if measured.field { word.clone() } else { measured.of.clone() };
         let coordinates = match param.field.as_ref().map(|field| field.shape) {
-            Some(Shape::Position | Shape::AxisCoordinate) => Some(""),
-            Some(Shape::Centre) => Some("CC"),
+            Some(Shape::Position | Shape::AxisCoordinate) => {
+                Some(text.before_axis(param).map(|word| format!("{word} ")).unwrap_or_default())
+            }
+            Some(Shape::Centre) => Some("CC".to_owned()),
             _ => None,
         };
         Some(Shown { row: row(&texts.q), name: texts.name.into_owned(), word, shown, coordinates })
@@ -230,5 +233,5 @@ struct Shown {
     word: String,
     shown: String,
     /// Of a value with a number for each axis, what programs write before the letters of the axes.
-    coordinates: Option<&'static str>,
+    coordinates: Option<String>,
 }

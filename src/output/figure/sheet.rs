@@ -10,9 +10,9 @@ use super::frame::{Camera, Frame, Window};
 use super::measure::{Measured, Spot, along, axes};
 use super::pen::{ARROW, Pen, Rect, short};
 use super::profile;
-use super::setter;
 use super::shot::{Shot, Stroke, Way};
 use super::slice::{self, Face, Outline};
+use super::{scan, setter};
 use crate::base::expr::{Value, tand};
 use crate::spec::{Along, FigureView};
 
@@ -42,6 +42,9 @@ pub(super) struct Words {
     /// Rapid traverse, feed, probing.
     pub(super) ways: [String; 3],
 }
+
+/// Where the marks begin among the values of the figure itself.
+const MARKS: usize = 7;
 
 /// A coordinate among those of the figure itself: of the cut, top, bottom.
 pub(super) fn number(shot: &Shot, place: usize) -> Option<f64> {
@@ -79,6 +82,7 @@ pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Drawn {
     let frame = Frame::new(subject, words, &faces);
     let mut sheet = Sheet { subject, frame: &frame, pen: Pen::new(frame.size), view: subject.view };
     sheet.workpiece(&faces);
+    sheet.scan();
     sheet.tool();
     sheet.poses();
     sheet.ways();
@@ -137,9 +141,10 @@ impl Sheet<'_> {
                 // A hole may go on beyond the part.
                 (window.min, window.max) = (window.min.max(bounds[0]), window.max.min(bounds[1]));
             }
-            let class = if face.material { "m o" } else { "b o" };
+            let class = if face.material { "m" } else { "b" };
             match &face.outline {
                 Outline::Circle(centre, radius) => {
+                    let class = if face.material { "m o" } else { "b o" };
                     self.pen.circle(class, self.camera().place(*centre), radius * self.camera().scale);
                 }
                 Outline::Polygon(points) => {
@@ -151,6 +156,10 @@ impl Sheet<'_> {
                 }
             }
         }
+        let edges = slice::edges(faces, &window);
+        let edges = edges.iter().map(|edge| Pen::data(&edge.map(|p| self.camera().place(p)), false));
+        let edges: String = edges.collect();
+        self.pen.path("o", &edges);
     }
 
     /// The blank from above with what was milled off it.
@@ -280,6 +289,12 @@ impl Sheet<'_> {
         self.pen.blocked.push(Rect { min: DVec2::new(left, top), max: DVec2::new(right, place.y) });
     }
 
+    /// The range of a scan.
+    fn scan(&mut self) {
+        let (camera, view) = (self.frame.camera, self.view);
+        scan::outline(&mut self.pen, self.subject.shot, &|p| camera.place(flat(p, view)));
+    }
+
     /// What else is to be seen of a tool at a tool setter.
     fn poses(&mut self) {
         let (camera, view, top) = (self.frame.camera, self.view, self.frame.paper().min.y);
@@ -309,7 +324,7 @@ impl Sheet<'_> {
         }
         let shot = self.subject.shot;
         let contacts = if shot.setter.is_some() { setter::touched(shot) } else { shot.contacts.clone() };
-        for contact in contacts {
+        for contact in contacts.into_iter().chain(scan::points(shot)) {
             let place = self.at(contact);
             self.pen.circle("n", place, 3.0);
         }
@@ -367,7 +382,7 @@ impl Sheet<'_> {
 
     fn marks(&mut self) {
         for (n, number) in self.subject.marks.iter().enumerate() {
-            let Some(point) = point(self.subject.shot, 5 + n) else { continue };
+            let Some(point) = point(self.subject.shot, MARKS + n) else { continue };
             let place = self.at(point);
             let text = number.to_string();
             let around =

@@ -88,6 +88,14 @@ impl Shot {
         }
     }
 
+    /// Whether the ball of the touch probe touches a part when its centre is there.
+    pub(super) fn ball_touches(&self, centre: DVec3) -> bool {
+        const NEAR: f64 = 1e-3;
+        let own = self.plane.lift(centre.truncate(), centre.z);
+        let machine = self.back.inverse().transform_point3(own);
+        self.ball.is_some_and(|ball| self.body.touches(ball + NEAR, machine).unwrap_or(false))
+    }
+
     /// Whether a place lies on the surface of a part: there is material near it, and none.
     pub(super) fn is_on_part(&self, place: DVec3) -> bool {
         const NEAR: f64 = 0.02;
@@ -103,7 +111,8 @@ impl Shot {
     }
 }
 
-/// What a figure asks of a run beside its dimensions: the cut, the four values of the blank, the marks.
+/// What a figure asks of a run beside its dimensions: the cut, the four values of the blank, the corners of a scan, the
+/// marks.
 fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
     let blank = figure.blank.as_ref();
     let mut places = vec![
@@ -112,6 +121,8 @@ fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
         blank.and_then(|blank| blank.bottom.as_ref()),
         blank.and_then(|blank| blank.least.as_ref()),
         blank.and_then(|blank| blank.greatest.as_ref()),
+        figure.scan.as_ref().map(|scan| &scan.least),
+        figure.scan.as_ref().map(|scan| &scan.greatest),
     ];
     places.extend(figure.marks.iter().map(|mark| Some(&mark.at)));
     places
