@@ -85,3 +85,13 @@ figure-turning-tool = Vrteče se orodje
 figure-single-teeth = Posamezna rezila
 
 figure-line-angle = Kot vrstic
+
+figure-rotary-a = Vzdolž rotacijske osi A
+
+figure-rotary-b = Vzdolž rotacijske osi B
+
+figure-rotary-c = Vzdolž rotacijske osi C
+
+figure-backlash = Zračnost
+
+figure-sphere = Tipanje umeritvene krogle

@@ -14,6 +14,12 @@ words! {
         Plan = "plan",
         /// Along the secondary axis, without a cut.
         Side = "side",
+        /// Against the main axis, about which a table turns with its axis A.
+        RotaryA = "rotary-a",
+        /// Along the secondary axis, about which a table turns with its axis B.
+        RotaryB = "rotary-b",
+        /// Against the tool axis, about which a table turns with its axis C.
+        RotaryC = "rotary-c",
     }
 }
 
@@ -40,6 +46,8 @@ words! {
         Radius = "radius",
         /// An angle from one direction to another about a centre, counter-clockwise positive.
         Angle = "angle",
+        /// A turn of the rotary axis along which the view is seen, from one of its angles to another one.
+        Turn = "turn",
     }
 }
 

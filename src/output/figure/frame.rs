@@ -6,11 +6,11 @@ use glam::DVec2;
 use super::lanes::{Bar, Lane, lanes};
 use super::measure::{Measured, Spot, axes};
 use super::pen::{Rect, height, width};
-use super::scan;
 use super::setter::{self, Setter};
 use super::sheet::{Subject, Words, coordinate, flat, number, point, surface};
 use super::shot::Way;
 use super::slice::{Face, Outline};
+use super::{rotary, scan};
 use crate::spec::{Along, DimensionKind, FigureView};
 
 /// A rectangle of the world, to the right and upwards.
@@ -116,9 +116,9 @@ impl Frame {
         let top = number(shot, 1).unwrap_or(0.0);
         let known_edges = point(shot, 3).is_some() && point(shot, 4).is_some();
         let mut material = content;
-        let section = subject.view != FigureView::Plan;
-        // At a tool setter there is no workpiece.
-        let blank = shot.setter.is_none();
+        let section = !matches!(subject.view, FigureView::Plan | FigureView::RotaryC);
+        // At a tool setter, and where a sphere is measured, there is no workpiece.
+        let blank = shot.setter.is_none() && rotary::axis(subject.view).is_none();
         if section && blank {
             material.max.y = top;
             let below = 0.16 * content.size().y;
@@ -294,6 +294,14 @@ fn content(subject: &Subject<'_>, faces: &[Face]) -> Window {
     shot.contacts.iter().for_each(|p| window.take(flat(*p, view)));
     for p in shot.setter.iter().flat_map(Setter::bounds).chain(setter::around(shot)) {
         window.take(flat(p, view));
+    }
+    if let Some((rotary, axis)) = shot.rotary.as_ref().zip(rotary::axis(view)) {
+        for (centre, foot, radius) in rotary.spheres(axis) {
+            window.take(flat(centre, view) - 1.1 * radius);
+            window.take(flat(centre, view) + 1.1 * radius);
+            window.take(flat(foot, view));
+        }
+        rotary.centre(axis).into_iter().for_each(|centre| window.take(flat(centre, view)));
     }
     if let Some((tool, tip)) = setter::pose(shot).filter(|_| !shot.strokes.is_empty()) {
         let around = if view == FigureView::Plan { DVec2::splat(tool.radius) } else { DVec2::new(tool.radius, 0.0) };

@@ -9,6 +9,7 @@ mod lanes;
 mod measure;
 mod pen;
 mod profile;
+mod rotary;
 mod scan;
 mod setter;
 mod sheet;

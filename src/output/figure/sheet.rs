@@ -12,7 +12,7 @@ use super::pen::{ARROW, Pen, Rect, short};
 use super::profile;
 use super::shot::{Shot, Stroke, Way};
 use super::slice::{self, Face, Outline};
-use super::{scan, setter};
+use super::{rotary, scan, setter};
 use crate::base::expr::{Value, tand};
 use crate::spec::{Along, FigureView};
 
@@ -78,7 +78,10 @@ pub(super) struct Drawn {
 
 /// Draws a figure.
 pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Drawn {
-    let faces = slice::faces(subject.shot, subject.view, depth(subject));
+    let faces = match rotary::axis(subject.view) {
+        Some(_) => Vec::new(),
+        None => slice::faces(subject.shot, subject.view, depth(subject)),
+    };
     let frame = Frame::new(subject, words, &faces);
     let mut sheet = Sheet { subject, frame: &frame, pen: Pen::new(frame.size), view: subject.view };
     sheet.workpiece(&faces);
@@ -98,8 +101,9 @@ fn depth(subject: &Subject<'_>) -> f64 {
     let shot = subject.shot;
     let tool = shot.tool.map_or(DVec3::ZERO, |(_, tip)| tip);
     number(shot, 0).unwrap_or_else(|| match subject.view {
-        FigureView::Plan => shot.contacts.first().map_or(tool.z, |contact| contact.z),
-        FigureView::Section | FigureView::Side => tool.y,
+        FigureView::Plan | FigureView::RotaryC => shot.contacts.first().map_or(tool.z, |contact| contact.z),
+        FigureView::Section | FigureView::Side | FigureView::RotaryB => tool.y,
+        FigureView::RotaryA => tool.x,
     })
 }
 
@@ -119,6 +123,10 @@ impl Sheet<'_> {
         self.camera().place(flat(p, self.view))
     }
 
+    const fn is_from_above(&self) -> bool {
+        matches!(self.view, FigureView::Plan | FigureView::RotaryC)
+    }
+
     fn workpiece(&mut self, faces: &[Face]) {
         if let Some(setter) = &self.subject.shot.setter {
             let camera = self.frame.camera;
@@ -130,6 +138,16 @@ impl Sheet<'_> {
         match self.view {
             FigureView::Plan => self.from_above(),
             FigureView::Section | FigureView::Side => self.cut_open(),
+            FigureView::RotaryA | FigureView::RotaryB | FigureView::RotaryC => self.rotary(),
+        }
+    }
+
+    /// The rotary axis with the sphere that goes around it.
+    fn rotary(&mut self) {
+        let (camera, view) = (self.frame.camera, self.view);
+        if let Some((rotary, axis)) = self.subject.shot.rotary.as_ref().zip(rotary::axis(view)) {
+            let paper = self.frame.paper().grown(4.0);
+            rotary::draw(&mut self.pen, rotary, axis, &paper, &|p| camera.place(flat(p, view)));
         }
     }
 
@@ -260,7 +278,7 @@ impl Sheet<'_> {
         if !self.frame.paper().holds(place) || radius <= 0.0 {
             return;
         }
-        if self.view == FigureView::Plan {
+        if self.is_from_above() {
             self.pen.circle("t", place, radius);
             return;
         }
@@ -323,6 +341,9 @@ impl Sheet<'_> {
             }
         }
         let shot = self.subject.shot;
+        if shot.rotary.is_some() && rotary::axis(self.view).is_some() {
+            return;
+        }
         let contacts = if shot.setter.is_some() { setter::touched(shot) } else { shot.contacts.clone() };
         for contact in contacts.into_iter().chain(scan::points(shot)) {
             let place = self.at(contact);
@@ -334,7 +355,7 @@ impl Sheet<'_> {
     fn offsets(&self) -> Vec<f64> {
         let strokes = &self.subject.shot.strokes;
         let mut offsets = vec![0.0; strokes.len()];
-        if self.view == FigureView::Plan || self.subject.shot.ball.is_some() {
+        if self.is_from_above() || self.subject.shot.ball.is_some() {
             return offsets;
         }
         let mut columns: Vec<(f64, Vec<(usize, bool)>)> = Vec::new();

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use super::rotary::{self, Rotary};
 use super::setter::{Setter, Turning};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Value, parse};
@@ -43,6 +44,8 @@ pub(super) struct Stroke {
     pub(super) tool: Tool,
     /// How the spindle stands or turns meanwhile.
     pub(super) turning: Turning,
+    /// The angles of the rotary axes at its end, in the program.
+    pub(super) angles: DVec3,
 }
 
 /// A run at a moment.
@@ -64,6 +67,8 @@ pub(super) struct Shot {
     pub(super) ball: Option<f64>,
     /// The tool setter, if a tool is at it that is no touch probe.
     pub(super) setter: Option<Setter>,
+    /// The rotary axes, in a view along one of them.
+    pub(super) rotary: Option<Rotary>,
     /// The parts of the scene, and from the machine to the coordinates of the shot.
     pub(super) parts: Shape,
     /// The same, ready for questions.
@@ -253,6 +258,9 @@ pub(super) fn take(
     (film.tool, film.here, film.system) = (tool, here, system);
     film.contacts.truncate(touched);
     let mut shot = film.end(&scene);
+    if rotary::axis(figure.view).is_some() {
+        shot.strokes = rotary::between_stations(std::mem::take(&mut shot.strokes));
+    }
     if let Some(setter) = shot.setter.as_ref().filter(|_| figure.view != FigureView::Plan) {
         // From the side, what goes on before and behind the setter hides it.
         shot.strokes.retain(|stroke| setter.is_in_plane(stroke));
@@ -286,6 +294,15 @@ struct Film<'f> {
     plane: WorkingPlane,
     tool: Option<Tool>,
     turning: Turning,
+    /// Of the rotary axes, in the program.
+    angles: DVec3,
+    /// What those of the machine are more.
+    angle_datum: DVec3,
+    /// In the machine, when the cycle began.
+    first_angles: Option<DVec3>,
+    /// The angles to which the axes turned since, and those at which the probe touched a point of the machine.
+    turns: Vec<DVec3>,
+    touches: Vec<(DVec3, DVec3)>,
     /// In machine coordinates.
     strokes: Vec<Stroke>,
     contacts: Vec<DVec3>,
@@ -310,6 +327,11 @@ impl<'f> Film<'f> {
             plane: WorkingPlane::of_tool_axis(Axis::Z),
             tool: None,
             turning: Turning::default(),
+            angles: scene.start_angles,
+            angle_datum: DVec3::ZERO,
+            first_angles: None,
+            turns: Vec::new(),
+            touches: Vec::new(),
             strokes: Vec::new(),
             contacts: Vec::new(),
             centres: Vec::new(),
@@ -321,6 +343,7 @@ impl<'f> Film<'f> {
     fn see(&mut self, event: &Event) {
         if self.first.is_none() && event.at.cycle.as_ref().is_some_and(|(key, _)| *key == self.cycle.key) {
             self.first = Some(self.system);
+            self.first_angles = Some(self.angles + self.angle_datum);
         }
         match &event.kind {
             EventKind::Transform(system) => self.system = affine(system.matrix),
@@ -337,10 +360,19 @@ impl<'f> Film<'f> {
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
                 self.go(if rapid { Way::Rapid } else { Way::Feed }, points(path));
             }
+            EventKind::Turn { axes, .. } => {
+                for turned in axes {
+                    self.angles = turned.axis.with(self.angles, turned.to);
+                    self.angle_datum = turned.axis.with(self.angle_datum, turned.machine - turned.to);
+                }
+                self.turns.push(self.angles);
+            }
             EventKind::Probe(probing) => {
                 let ball = probing.contact.map_or(probing.target, |(_, ball)| ball);
                 let ends = [probing.from, ball].map(|p| self.system.transform_point3(p));
                 self.contacts.extend(probing.contact.map(|(point, _)| self.system.transform_point3(point)));
+                let touched = probing.contact.map(|(point, _)| (self.angles, self.system.transform_point3(point)));
+                self.touches.extend(touched);
                 self.go(Way::Probe, ends.to_vec());
             }
             _ => {}
@@ -352,7 +384,13 @@ impl<'f> Film<'f> {
             self.here = points.last().copied().or(self.here);
         }
         if self.first.is_some() {
-            self.strokes.push(Stroke { way, points, tool: self.tool.unwrap_or_default(), turning: self.turning });
+            self.strokes.push(Stroke {
+                way,
+                points,
+                tool: self.tool.unwrap_or_default(),
+                turning: self.turning,
+                angles: self.angles,
+            });
         }
     }
 
@@ -377,6 +415,12 @@ impl<'f> Film<'f> {
                 if stroke.way == Way::Probe { points.map(own).collect() } else { points.map(centre).collect() };
             Stroke { points, ..stroke }
         };
+        let rotary = self.first_angles.filter(|_| !self.turns.is_empty()).map(|angles| {
+            let mut rotary = Rotary::new(&scene.machine, back, plane, angles, self.angle_datum);
+            self.turns.iter().for_each(|angles| rotary.turned(*angles));
+            self.touches.iter().for_each(|(angles, point)| rotary.touched(*angles, own(*point)));
+            rotary
+        });
         let datum = own(self.system.transform_point3(DVec3::ZERO));
         let mut strokes: Vec<Stroke> = self.strokes.into_iter().map(placed).collect();
         let later = strokes.split_off(self.now.unwrap_or(strokes.len()).min(strokes.len()));
@@ -387,6 +431,7 @@ impl<'f> Film<'f> {
             centres: self.centres.into_iter().map(own).collect(),
             tool: self.tool.zip(self.here.map(centre)),
             datum: (datum.length() > 1e-9).then_some(datum),
+            rotary,
             setter: if ball.is_none() { Setter::of(scene, plane, &own) } else { None },
             ball,
             parts: scene.parts.clone(),

@@ -41,8 +41,9 @@ pub(super) fn faces(shot: &Shot, view: FigureView, depth: f64) -> Vec<Face> {
         let p = own.transform_point3(p);
         let p = plane.flat(p).extend(plane.tool.of(p));
         match view {
-            FigureView::Plan => DVec3::new(p.x, p.y, p.z - depth),
-            FigureView::Section | FigureView::Side => DVec3::new(p.x, p.z, depth - p.y),
+            FigureView::Plan | FigureView::RotaryC => DVec3::new(p.x, p.y, p.z - depth),
+            FigureView::Section | FigureView::Side | FigureView::RotaryB => DVec3::new(p.x, p.z, depth - p.y),
+            FigureView::RotaryA => DVec3::new(p.y, p.z, p.x - depth),
         }
     };
     let (origin, x, y, z) = (turned(DVec3::ZERO), turned(DVec3::X), turned(DVec3::Y), turned(DVec3::Z));
