@@ -15,6 +15,7 @@ mod setter;
 mod sheet;
 mod shot;
 mod slice;
+mod window;
 
 use std::fmt::Write as _;
 

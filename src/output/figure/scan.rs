@@ -4,8 +4,7 @@
 use glam::{DVec2, DVec3};
 
 use super::pen::Pen;
-use super::sheet::point;
-use super::shot::{Shot, Way};
+use super::shot::{Shot, Way, point};
 
 /// Where the corners of the range are among the values of the figure itself.
 const CORNERS: [usize; 2] = [5, 6];

@@ -6,14 +6,15 @@ use std::fmt::Write as _;
 
 use glam::{DVec2, DVec3};
 
-use super::frame::{Camera, Frame, Window};
+use super::frame::{Camera, Frame};
 use super::measure::{Measured, Spot, along, axes};
 use super::pen::{ARROW, Pen, Rect, short};
 use super::profile;
-use super::shot::{Shot, Stroke, Way};
+use super::shot::{Shot, Stroke, Way, number, point};
 use super::slice::{self, Face, Outline};
+use super::window::Window;
 use super::{rotary, scan, setter};
-use crate::base::expr::{Value, tand};
+use crate::base::expr::tand;
 use crate::spec::{Along, FigureView};
 
 /// What a figure shows, measured.
@@ -45,22 +46,6 @@ pub(super) struct Words {
 
 /// Where the marks begin among the values of the figure itself.
 const MARKS: usize = 7;
-
-/// A coordinate among those of the figure itself: of the cut, top, bottom.
-pub(super) fn number(shot: &Shot, place: usize) -> Option<f64> {
-    match shot.own.get(place)? {
-        Some(Value::Number(number)) => Some(*number),
-        _ => None,
-    }
-}
-
-/// A point among those of the figure itself.
-pub(super) fn point(shot: &Shot, place: usize) -> Option<DVec3> {
-    match shot.own.get(place)? {
-        Some(Value::Point(point)) => Some(*point),
-        _ => None,
-    }
-}
 
 /// A point as the view sees it: to the right and upwards.
 pub(super) const fn flat(p: DVec3, view: FigureView) -> DVec2 {

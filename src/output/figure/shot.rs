@@ -116,6 +116,22 @@ impl Shot {
     }
 }
 
+/// A coordinate among those of the figure itself: of the cut, top, bottom.
+pub(super) fn number(shot: &Shot, place: usize) -> Option<f64> {
+    match shot.own.get(place)? {
+        Some(Value::Number(number)) => Some(*number),
+        _ => None,
+    }
+}
+
+/// A point among those of the figure itself.
+pub(super) fn point(shot: &Shot, place: usize) -> Option<DVec3> {
+    match shot.own.get(place)? {
+        Some(Value::Point(point)) => Some(*point),
+        _ => None,
+    }
+}
+
 /// What a figure asks of a run beside its dimensions: the cut, the four values of the blank, the corners of a scan, the
 /// marks.
 fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {

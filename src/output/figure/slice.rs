@@ -3,8 +3,8 @@
 //! Invariant: what cannot be cut exactly (a cone, a ball or a cylinder askew to the plane) is given by many corners.
 use glam::{DAffine3, DVec2, DVec3};
 
-use super::frame::Window;
 use super::shot::Shot;
+use super::window::Window;
 use crate::base::expr::{cosd, sind};
 use crate::engine::solid::Shape;
 use crate::spec::FigureView;
