@@ -19,6 +19,12 @@ words! {
         Turned = "turned",
         /// Across the axis of a rotary table, cut open: the main axis to the right, the tool axis upwards.
         Rotary = "rotary",
+        /// Against the main axis, about which a table turns with its axis A.
+        RotaryA = "rotary-a",
+        /// Along the secondary axis, about which a table turns with its axis B.
+        RotaryB = "rotary-b",
+        /// Against the tool axis, about which a table turns with its axis C.
+        RotaryC = "rotary-c",
     }
 }
 
@@ -45,6 +51,8 @@ words! {
         Radius = "radius",
         /// An angle from one direction to another about a centre, counter-clockwise positive.
         Angle = "angle",
+        /// A turn of the rotary axis along which the view is seen, from one of its angles to another one.
+        Turn = "turn",
     }
 }
 
@@ -130,6 +138,16 @@ record! {
 }
 
 record! {
+    /// The range of a scan, drawn as an outline.
+    pub struct FigureScan {
+        /// Its least corner, a point.
+        least: Formula,
+        /// Its greatest corner, a point.
+        greatest: Formula,
+    }
+}
+
+record! {
     /// A figure of a cycle, drawn from a run of one of its examples.
     pub struct Figure {
         /// Its name, text `figure-<name>`.
@@ -162,6 +180,8 @@ record! {
         blank: Option<FigureBlank>,
         /// The insert of a turned figure.
         insert: Option<FigureInsert>,
+        /// The range that is scanned.
+        scan: Option<FigureScan>,
         /// The parameters that it shows.
         dimensions: Vec<Dimension>,
         /// Numbered places.

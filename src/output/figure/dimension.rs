@@ -10,6 +10,7 @@ use super::lanes::{Bar, Lane};
 use super::measure::{Measured, Spot};
 use super::pen::{ARROW, Pen, escaped, short, width};
 use super::sheet::{Subject, Words, flat};
+use super::{rotary, setter};
 use crate::base::expr::{cosd, sind};
 use crate::spec::{DimensionKind, FigureView};
 
@@ -27,9 +28,10 @@ pub(super) fn all(pen: &mut Pen, subject: &Subject<'_>, words: &Words, frame: &F
             match (measured.kind, frame.placed.get(n).copied().flatten()) {
                 (_, Some((bar, lane))) => work.in_lane(measured, bar, lane),
                 (DimensionKind::Angle, None) => work.angle(measured, turn),
+                (DimensionKind::Turn, None) => work.turn(measured, turn),
                 (_, None) => work.inside(measured),
             }
-            turn += usize::from(measured.kind == DimensionKind::Angle);
+            turn += usize::from(matches!(measured.kind, DimensionKind::Angle | DimensionKind::Turn));
             let _ = writeln!(pen.body, "</{tag}>");
         }
     }
@@ -155,7 +157,7 @@ impl Work<'_> {
         // At the wall of what is cut at that height, or at the tool.
         let hollow = self.frame.surface.iter().filter(|p| p.y <= coordinate + 1e-6).map(|p| camera.place(*p)[across]);
         let wall = if side == 0 { hollow.reduce(f64::min) } else { hollow.reduce(f64::max) };
-        let tool = self.subject.shot.tool.map(|(tool, tip)| {
+        let tool = setter::pose(self.subject.shot).map(|(tool, tip)| {
             let radius = tool.radius * camera.scale;
             self.at(tip)[across] + if side == 0 { -radius } else { radius }
         });
@@ -189,6 +191,16 @@ impl Work<'_> {
         places.extend([14.0, 22.0, 32.0].map(|more| b + out * more));
         let place = self.pen.place(self.label, &places);
         self.pen.text("l", self.label, place);
+    }
+
+    /// A turn of the rotary axis along which the view is seen.
+    fn turn(self, measured: &Measured, turn: usize) {
+        let (Spot::Coordinate(from), Spot::Coordinate(to)) = (measured.from, measured.to) else { return };
+        let (camera, view) = (self.frame.camera, self.subject.view);
+        if let Some((known, axis)) = self.subject.shot.rotary.as_ref().zip(rotary::axis(view)) {
+            let at = |p: DVec3| camera.place(flat(p, view));
+            rotary::angle(self.pen, known, axis, [from, to], turn, self.label, &at);
+        }
     }
 
     /// An angle: its two directions and an arc that points its way.

@@ -2,7 +2,8 @@
 //! ends is a place that the run reached or a face of the workpiece.
 use glam::{DVec2, DVec3};
 
-use super::shot::{Shot, Stroke};
+use super::rotary;
+use super::shot::{CORNERS, CUT, Shot, Stroke, TOP};
 use crate::base::diag::Diagnostic;
 use crate::base::expr::{Value, tand};
 use crate::spec::{Along, Cycle, Dimension, DimensionKind, Figure, FigureView};
@@ -69,8 +70,9 @@ pub(super) const fn along(point: DVec3, axis: Along) -> f64 {
 /// The axes that a view shows: to the right and upwards.
 pub(super) const fn axes(view: FigureView) -> [Along; 2] {
     match view {
-        FigureView::Section | FigureView::Side | FigureView::Rotary => [Along::Main, Along::Tool],
-        FigureView::Plan => [Along::Main, Along::Minor],
+        FigureView::Section | FigureView::Side | FigureView::Rotary | FigureView::RotaryB => [Along::Main, Along::Tool],
+        FigureView::Plan | FigureView::RotaryC => [Along::Main, Along::Minor],
+        FigureView::RotaryA => [Along::Minor, Along::Tool],
         FigureView::Turned => [Along::Tool, Along::Main],
     }
 }
@@ -91,6 +93,11 @@ fn spot(value: &Option<Value>) -> Option<Spot> {
         Some(Value::Point(point)) => Some(Spot::Point(*point)),
         _ => None,
     }
+}
+
+/// Whether what is measured is an angle.
+const fn is_angle(kind: DimensionKind) -> bool {
+    matches!(kind, DimensionKind::Angle | DimensionKind::Turn)
 }
 
 /// Measures all dimensions of a figure.
@@ -161,9 +168,7 @@ fn one(
     };
     let visible = axes(figure.view);
     let axis = match (from, to) {
-        (Spot::Coordinate(_), Spot::Coordinate(_)) if kind != DimensionKind::Angle => {
-            Some(dimension.along.unwrap_or(visible[1]))
-        }
+        (Spot::Coordinate(_), Spot::Coordinate(_)) if !is_angle(kind) => Some(dimension.along.unwrap_or(visible[1])),
         _ => dimension.along,
     };
     if axis.is_some_and(|axis| !visible.contains(&axis)) {
@@ -178,6 +183,14 @@ fn one(
         _ => return Err(no_value()),
     };
     let signed = match (from, to, axis) {
+        (Spot::Coordinate(a), Spot::Coordinate(b), _) if kind == DimensionKind::Turn => {
+            let rotary = rotary::axis(figure.view).zip(shot.rotary.as_ref());
+            let turned = rotary.and_then(|(axis, rotary)| rotary.between(axis, a, b));
+            turned.ok_or_else(|| Wrong {
+                code: "figure-place-not-reached",
+                args: vec![("place", format!("{} {}", shown(a), shown(b)))],
+            })?
+        }
         (Spot::Coordinate(a), Spot::Coordinate(b), _) => b - a,
         (Spot::Point(a), Spot::Point(b), Some(axis)) => along(b, axis) - along(a, axis),
         (Spot::Point(a), Spot::Point(b), None) => (b - a).length(),
@@ -185,7 +198,7 @@ fn one(
     };
     let signed = if is_diameter { 2.0 * signed } else { signed };
     let agrees = match kind {
-        DimensionKind::Angle => ((signed - wanted) / 360.0 + 0.5).rem_euclid(1.0) * 360.0 - 180.0,
+        DimensionKind::Angle | DimensionKind::Turn => ((signed - wanted) / 360.0 + 0.5).rem_euclid(1.0) * 360.0 - 180.0,
         _ if wanted < 0.0 && axis.is_some() => signed - wanted,
         _ => signed.abs() - wanted.abs(),
     };
@@ -205,10 +218,10 @@ fn one(
         from,
         to,
         centre,
-        from_datum: dimension.from.is_none() && kind != DimensionKind::Angle,
+        from_datum: dimension.from.is_none() && !is_angle(kind),
     };
     let ends: &[Spot] = match kind {
-        DimensionKind::Angle => &[],
+        DimensionKind::Angle | DimensionKind::Turn => &[],
         DimensionKind::Radius => &[to],
         _ => &[from, to],
     };
@@ -234,7 +247,7 @@ fn is_reached(spot: Spot, axis: Option<Along>, shot: &Shot) -> bool {
 
 /// The coordinates of the blank that the figure gives.
 fn blank_coordinates(shot: &Shot, axis: Along) -> impl Iterator<Item = f64> {
-    shot.own.iter().skip(1).take(4).flatten().filter_map(move |value| match value {
+    shot.own.iter().skip(TOP).take(CORNERS[1] - CUT).flatten().filter_map(move |value| match value {
         Value::Number(number) => (axis == Along::Tool).then_some(*number),
         Value::Point(point) => Some(along(*point, axis)),
         _ => None,
