@@ -77,3 +77,21 @@ figure-rounding = Notranji zaokroževalni polmer
 figure-between-points = Pot med točkami tipanja
 
 figure-no-contact = Pot brez dotika
+
+figure-teeth = Rezila na napravi za merjenje orodja
+
+figure-turning-tool = Vrteče se orodje
+
+figure-single-teeth = Posamezna rezila
+
+figure-line-angle = Kot vrstic
+
+figure-rotary-a = Vzdolž rotacijske osi A
+
+figure-rotary-b = Vzdolž rotacijske osi B
+
+figure-rotary-c = Vzdolž rotacijske osi C
+
+figure-backlash = Zračnost
+
+figure-sphere = Tipanje umeritvene krogle

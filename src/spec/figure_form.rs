@@ -14,6 +14,17 @@ words! {
         Plan = "plan",
         /// Along the secondary axis, without a cut.
         Side = "side",
+        /// Half of a turned part cut open: the rotary axis to the right, upwards the radius. Coordinates of the main
+        /// axis are diameters, and what is measured along it is a length on the radius.
+        Turned = "turned",
+        /// Across the axis of a rotary table, cut open: the main axis to the right, the tool axis upwards.
+        Rotary = "rotary",
+        /// Against the main axis, about which a table turns with its axis A.
+        RotaryA = "rotary-a",
+        /// Along the secondary axis, about which a table turns with its axis B.
+        RotaryB = "rotary-b",
+        /// Against the tool axis, about which a table turns with its axis C.
+        RotaryC = "rotary-c",
     }
 }
 
@@ -40,6 +51,8 @@ words! {
         Radius = "radius",
         /// An angle from one direction to another about a centre, counter-clockwise positive.
         Angle = "angle",
+        /// A turn of the rotary axis along which the view is seen, from one of its angles to another one.
+        Turn = "turn",
     }
 }
 
@@ -104,6 +117,33 @@ record! {
         greatest: Option<Formula>,
         /// Whether it is round from above.
         round: bool,
+        /// The radius of one that is round about the datum, in a rotary figure.
+        radius: Option<Formula>,
+        /// The corners of what a turned one lacks beside that, a convex polygon, points: a step, a cone.
+        without: Vec<Formula>,
+    }
+}
+
+record! {
+    /// How the insert of a turning tool stands.
+    pub struct FigureInsert {
+        /// The direction from the centre of its nose to its tip, a point: its signs along the main and the tool axis.
+        tip: Formula,
+        /// The axis along which it goes into the part, if it is one for recesses or threads; the main axis if nothing
+        /// is said.
+        plunges: Option<Along>,
+        /// The pitch of the thread that it cuts.
+        pitch: Option<Formula>,
+    }
+}
+
+record! {
+    /// The range of a scan, drawn as an outline.
+    pub struct FigureScan {
+        /// Its least corner, a point.
+        least: Formula,
+        /// Its greatest corner, a point.
+        greatest: Formula,
     }
 }
 
@@ -138,6 +178,10 @@ record! {
         cut: Option<Formula>,
         /// The blank.
         blank: Option<FigureBlank>,
+        /// The insert of a turned figure.
+        insert: Option<FigureInsert>,
+        /// The range that is scanned.
+        scan: Option<FigureScan>,
         /// The parameters that it shows.
         dimensions: Vec<Dimension>,
         /// Numbered places.

@@ -23,7 +23,8 @@ use crate::language::locale::{Key, Language, Locales, Scope};
 use crate::spec::Catalogue;
 
 /// Attributes whose wording is each language's own: printed labels, lists, sources.
-const OWN: [&str; 11] = [
+const OWN: [&str; 12] = [
+    "figure",
     "label",
     "label-aliases",
     "nc",

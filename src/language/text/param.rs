@@ -64,6 +64,11 @@ impl<'a> CycleText<'a> {
         self.label(param, &format!("parameter-{}", param.is.as_str()))
     }
 
+    /// What figures write before the letter of an axis where several parameters have a number for each, `MIN`.
+    pub fn before_axis(&self, param: &Param) -> Option<Cow<'a, str>> {
+        self.find(&format!("parameter-{}.figure", param.is.as_str()))
+    }
+
     /// Other printed forms of the label.
     pub fn label_aliases_of(&self, param: &Param) -> Vec<String> {
         let id = format!("parameter-{}.label-aliases", param.is.as_str());

@@ -10,6 +10,7 @@ use super::lanes::{Bar, Lane};
 use super::measure::{Measured, Spot};
 use super::pen::{ARROW, Pen, escaped, short, width};
 use super::sheet::{Subject, Words, flat};
+use super::{rotary, setter};
 use crate::base::expr::{cosd, sind};
 use crate::spec::{DimensionKind, FigureView};
 
@@ -27,9 +28,10 @@ pub(super) fn all(pen: &mut Pen, subject: &Subject<'_>, words: &Words, frame: &F
             match (measured.kind, frame.placed.get(n).copied().flatten()) {
                 (_, Some((bar, lane))) => work.in_lane(measured, bar, lane),
                 (DimensionKind::Angle, None) => work.angle(measured, turn),
+                (DimensionKind::Turn, None) => work.turn(measured, turn),
                 (_, None) => work.inside(measured),
             }
-            turn += usize::from(measured.kind == DimensionKind::Angle);
+            turn += usize::from(matches!(measured.kind, DimensionKind::Angle | DimensionKind::Turn));
             let _ = writeln!(pen.body, "</{tag}>");
         }
     }
@@ -52,6 +54,12 @@ fn open(pen: &mut Pen, measured: &Measured, link: Option<&str>) -> &'static str 
             "g"
         }
     }
+}
+
+/// From the middle of a label to its edge in a direction.
+fn reach(label: &str, way: DVec2) -> f64 {
+    let half = Pen::size(label) / 2.0;
+    half.x * way.x.abs() + half.y * way.y.abs()
 }
 
 struct Work<'w> {
@@ -86,6 +94,9 @@ impl Work<'_> {
             if (line - start) * outward > 0.0 {
                 self.pen.line("e", &[put(place, start), put(place, line + BEYOND * outward)]);
             }
+            if self.is_half(measured) && spot == measured.from {
+                continue;
+            }
             if measured.from_datum && spot == measured.from {
                 self.pen.datum(put(place, line + (BEYOND + 4.0) * outward), 4.0);
             }
@@ -93,7 +104,13 @@ impl Work<'_> {
         let [low, high] = bar.ends;
         let (first, last) = (put(low, line), put(high, line));
         let way = last - first;
-        if bar.fits() {
+        if self.is_half(measured) {
+            // The other half is below the rotary axis.
+            let (edge, axis) = if self.place_along(measured.to, axis) == low { (first, last) } else { (last, first) };
+            let way = (edge - axis).normalize_or_zero();
+            self.pen.line("e", &[edge, axis - way * 6.0]);
+            self.pen.arrow("ea", edge, way);
+        } else if bar.fits() {
             self.pen.line("e", &[first, last]);
             self.pen.arrow("ea", first, -way);
             self.pen.arrow("ea", last, way);
@@ -105,6 +122,11 @@ impl Work<'_> {
         }
         let middle = put(bar.middle(), line);
         self.pen.text("l", self.label, middle);
+    }
+
+    /// Whether only one end of it is in the drawing.
+    fn is_half(&self, measured: &Measured) -> bool {
+        measured.from_datum && self.subject.view == FigureView::Turned && measured.is_half()
     }
 
     fn place_along(&self, spot: Spot, axis: usize) -> f64 {
@@ -126,13 +148,16 @@ impl Work<'_> {
         let camera = &self.frame.camera;
         let material = [self.frame.material.min, self.frame.material.max].map(|p| camera.place(p)[across]);
         let edge = if side == 0 { material[0].min(material[1]) } else { material[0].max(material[1]) };
-        if self.subject.view == FigureView::Plan || axis == 0 || (coordinate - self.frame.top).abs() < 1e-6 {
+        if matches!(self.subject.view, FigureView::Plan | FigureView::Turned | FigureView::Rotary)
+            || axis == 0
+            || (coordinate - self.frame.top).abs() < 1e-6
+        {
             return edge;
         }
         // At the wall of what is cut at that height, or at the tool.
         let hollow = self.frame.surface.iter().filter(|p| p.y <= coordinate + 1e-6).map(|p| camera.place(*p)[across]);
         let wall = if side == 0 { hollow.reduce(f64::min) } else { hollow.reduce(f64::max) };
-        let tool = self.subject.shot.tool.map(|(tool, tip)| {
+        let tool = setter::pose(self.subject.shot).map(|(tool, tip)| {
             let radius = tool.radius * camera.scale;
             self.at(tip)[across] + if side == 0 { -radius } else { radius }
         });
@@ -155,8 +180,9 @@ impl Work<'_> {
         }
         let side = way.normalize_or_zero().perp();
         let mut places: Vec<DVec2> = Vec::new();
-        // Beside a line that is too short for it.
-        let beside = [12.0, -12.0, 20.0, -20.0, 0.0];
+        // Beside a line that is too short for it, so far that it does not cover it.
+        let near = reach(self.label, side) + 4.0;
+        let beside = [near, -near, near + 8.0, -near - 8.0, 0.0];
         let on = [0.0, 12.0, -12.0, 20.0, -20.0];
         for off in if way.length() < width(self.label) + 16.0 { beside } else { on } {
             places.extend([0.5, 0.62, 0.38, 0.72, 0.28, 0.82].map(|share| a + way * share + side * off));
@@ -165,6 +191,16 @@ impl Work<'_> {
         places.extend([14.0, 22.0, 32.0].map(|more| b + out * more));
         let place = self.pen.place(self.label, &places);
         self.pen.text("l", self.label, place);
+    }
+
+    /// A turn of the rotary axis along which the view is seen.
+    fn turn(self, measured: &Measured, turn: usize) {
+        let (Spot::Coordinate(from), Spot::Coordinate(to)) = (measured.from, measured.to) else { return };
+        let (camera, view) = (self.frame.camera, self.subject.view);
+        if let Some((known, axis)) = self.subject.shot.rotary.as_ref().zip(rotary::axis(view)) {
+            let at = |p: DVec3| camera.place(flat(p, view));
+            rotary::angle(self.pen, known, axis, [from, to], turn, self.label, &at);
+        }
     }
 
     /// An angle: its two directions and an arc that points its way.
@@ -189,7 +225,9 @@ impl Work<'_> {
         self.pen.arrow("ea", end, ray(to + turning - lean, 1.0) - centre);
         let middle = (from + to) / 2.0;
         let mut places = Vec::new();
-        for more in [20.0, 30.0, 12.0, -18.0, 42.0, 0.0] {
+        // So far out that it does not cover the arc.
+        let out = reach(self.label, ray(middle, 1.0) - centre) + 6.0;
+        for more in [out, out + 10.0, 12.0, -18.0, out + 22.0, 0.0] {
             places.extend([middle, middle + 12.0, middle - 12.0].map(|angle| ray(angle, radius + more)));
         }
         let place = self.pen.place(self.label, &places);

@@ -6,52 +6,13 @@ use glam::DVec2;
 use super::lanes::{Bar, Lane, lanes};
 use super::measure::{Measured, Spot, axes};
 use super::pen::{Rect, height, width};
-use super::sheet::{Subject, Words, coordinate, flat, number, point, surface};
-use super::shot::Way;
+use super::setter::{self, Setter};
+use super::sheet::{Subject, Words, coordinate, flat, surface};
+use super::shot::{BOTTOM, CORNERS, TOP, Way, number, point};
 use super::slice::{Face, Outline};
+use super::window::Window;
+use super::{rotary, scan};
 use crate::spec::{Along, DimensionKind, FigureView};
-
-/// A rectangle of the world, to the right and upwards.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Window {
-    pub(super) min: DVec2,
-    pub(super) max: DVec2,
-}
-
-impl Window {
-    const EMPTY: Self = Self { min: DVec2::INFINITY, max: DVec2::NEG_INFINITY };
-
-    fn take(&mut self, p: DVec2) {
-        (self.min, self.max) = (self.min.min(p), self.max.max(p));
-    }
-
-    fn size(&self) -> DVec2 {
-        (self.max - self.min).max(DVec2::splat(1e-6))
-    }
-
-    /// The part of a convex polygon inside.
-    pub(super) fn clip(&self, polygon: &[DVec2]) -> Vec<DVec2> {
-        let mut points = polygon.to_vec();
-        for (axis, limit, sign) in
-            [(0, self.min.x, 1.0), (0, self.max.x, -1.0), (1, self.min.y, 1.0), (1, self.max.y, -1.0)]
-        {
-            let inside = |p: &DVec2| (p[axis] - limit) * sign;
-            let mut kept = Vec::new();
-            for (n, a) in points.iter().enumerate() {
-                let b = points.get((n + 1) % points.len()).copied().unwrap_or(*a);
-                let (from, to) = (inside(a), inside(&b));
-                if from >= 0.0 {
-                    kept.push(*a);
-                }
-                if (from < 0.0) != (to < 0.0) {
-                    kept.push(a.lerp(b, from / (from - to)));
-                }
-            }
-            points = kept;
-        }
-        points
-    }
-}
 
 /// From the world to the sheet.
 #[derive(Clone, Copy, Debug)]
@@ -104,39 +65,47 @@ const FOOT: f64 = 42.0;
 /// The axis of a lane: 0 for bars that lie, 1 for upright ones; none for dimensions inside the drawing.
 pub(super) fn direction(measured: &Measured, view: FigureView) -> Option<usize> {
     let axis = measured.along?;
-    (measured.kind == DimensionKind::Length).then(|| usize::from(axes(view)[1] == axis))
+    let in_lane = measured.kind == DimensionKind::Length || (view == FigureView::Turned && measured.is_half());
+    in_lane.then(|| usize::from(axes(view)[1] == axis))
 }
 
 impl Frame {
     pub(super) fn new(subject: &Subject<'_>, words: &Words, faces: &[Face]) -> Self {
         let mut content = content(subject, faces);
         let shot = subject.shot;
-        let top = number(shot, 1).unwrap_or(0.0);
-        let known_edges = point(shot, 3).is_some() && point(shot, 4).is_some();
+        let top = number(shot, TOP).unwrap_or(0.0);
+        let known_edges = CORNERS.iter().all(|place| point(shot, *place).is_some());
         let mut material = content;
-        let section = subject.view != FigureView::Plan;
-        if section {
+        let section = matches!(subject.view, FigureView::Section | FigureView::Side);
+        // At a tool setter, and where a sphere is measured, there is no workpiece.
+        let blank = shot.setter.is_none() && rotary::axis(subject.view).is_none();
+        if section && blank {
             material.max.y = top;
             let below = 0.16 * content.size().y;
-            material.min.y = number(shot, 2).unwrap_or(content.min.y.min(top) - below);
+            material.min.y = number(shot, BOTTOM).unwrap_or(content.min.y.min(top) - below);
             content.min.y = content.min.y.min(material.min.y);
             let cut = 0.3 * content.size().x.max(0.45 * content.size().y);
             if !known_edges && faces.is_empty() {
                 (material.min.x, material.max.x) = (content.min.x - cut, content.max.x + cut);
             }
-        } else if !known_edges && faces.is_empty() {
+        } else if subject.view == FigureView::Turned {
+            // The rotary axis, and some room for what goes on below it.
+            content.take(DVec2::new(content.min.x, -0.02 * content.size().x));
+        } else if let Some(round) = &shot.round {
+            material = Window { min: DVec2::splat(-round.radius), max: DVec2::splat(round.radius) };
+        } else if !known_edges && faces.is_empty() && blank {
             let more = DVec2::splat(0.12 * content.size().max_element());
             material = Window { min: content.min - more, max: content.max + more };
         }
         if known_edges {
-            let [least, greatest] = [3, 4].map(|n| point(shot, n).map(|p| flat(p, subject.view)).unwrap_or_default());
+            let [least, greatest] = CORNERS.map(|n| point(shot, n).map(|p| flat(p, subject.view)).unwrap_or_default());
             (material.min.x, material.max.x) = (least.x, greatest.x);
             if !section {
                 (material.min.y, material.max.y) = (least.y, greatest.y);
             }
         }
         let shows_datum = subject.whole || subject.measured.iter().any(Measured::begins_at_datum);
-        if shows_datum && !section {
+        if shows_datum && subject.view == FigureView::Plan {
             // The sign of the datum has room around it.
             content.take(DVec2::ZERO);
             content.take(-0.03 * content.size());
@@ -160,7 +129,7 @@ impl Frame {
             pitch,
         };
         frame.find_scale(subject, words);
-        if section && faces.is_empty() {
+        if section && faces.is_empty() && blank {
             let edges = [frame.material.min.x, frame.material.max.x];
             frame.surface = surface(subject, edges, top);
         }
@@ -263,7 +232,8 @@ fn content(subject: &Subject<'_>, faces: &[Face]) -> Window {
     for (n, stroke) in shot.strokes.iter().enumerate() {
         // The tool comes from far away: where from does not matter.
         let skipped = usize::from(n == 0 && stroke.way == Way::Rapid);
-        let radius = if stroke.way == Way::Feed { stroke.tool.radius } else { 0.0 };
+        let is_wide = stroke.way == Way::Feed && view != FigureView::Turned;
+        let radius = if is_wide { stroke.tool.radius } else { 0.0 };
         for p in stroke.points.iter().skip(skipped) {
             let p = flat(*p, view);
             let around = if view == FigureView::Plan { DVec2::splat(radius) } else { DVec2::new(radius, 0.0) };
@@ -286,11 +256,29 @@ fn content(subject: &Subject<'_>, faces: &[Face]) -> Window {
             window.take(flat(measured.centre, view));
         }
     }
+    scan::range(shot).iter().flatten().for_each(|p| window.take(flat(*p, view)));
     shot.contacts.iter().for_each(|p| window.take(flat(*p, view)));
-    if let Some((tool, tip)) = shot.tool.filter(|_| !shot.strokes.is_empty()) {
-        let around = if view == FigureView::Plan { DVec2::splat(tool.radius) } else { DVec2::new(tool.radius, 0.0) };
+    for p in shot.setter.iter().flat_map(Setter::bounds).chain(setter::around(shot)) {
+        window.take(flat(p, view));
+    }
+    if let Some((rotary, axis)) = shot.rotary.as_ref().zip(rotary::axis(view)) {
+        for (centre, foot, radius) in rotary.spheres(axis) {
+            window.take(flat(centre, view) - 1.1 * radius);
+            window.take(flat(centre, view) + 1.1 * radius);
+            window.take(flat(foot, view));
+        }
+        rotary.centre(axis).into_iter().for_each(|centre| window.take(flat(centre, view)));
+    }
+    if let Some((tool, tip)) = setter::pose(shot).filter(|_| !shot.strokes.is_empty()) {
+        let around = match view {
+            FigureView::Plan => DVec2::splat(tool.radius),
+            FigureView::Turned => DVec2::ZERO,
+            _ => DVec2::new(tool.radius, 0.0),
+        };
         window.take(flat(tip, view) - around);
         window.take(flat(tip, view) + around);
+        let insert = shot.turned.iter().flat_map(|turned| &turned.insert);
+        insert.for_each(|p| window.take(flat(tip, view) + *p));
     }
     for face in faces.iter().filter(|face| face.material) {
         match &face.outline {

@@ -2,7 +2,8 @@
 //! ends is a place that the run reached or a face of the workpiece.
 use glam::{DVec2, DVec3};
 
-use super::shot::{Shot, Stroke};
+use super::rotary;
+use super::shot::{CORNERS, CUT, Shot, Stroke, TOP};
 use crate::base::diag::Diagnostic;
 use crate::base::expr::{Value, tand};
 use crate::spec::{Along, Cycle, Dimension, DimensionKind, Figure, FigureView};
@@ -45,6 +46,11 @@ pub(super) struct Measured {
 }
 
 impl Measured {
+    /// Whether it is a diameter of which the drawing shows the half.
+    pub(super) fn is_half(&self) -> bool {
+        self.kind == DimensionKind::Diameter && self.along == Some(Along::Main)
+    }
+
     /// Whether it is measured from the datum, or from a place that has the coordinate 0 as the datum has.
     pub(super) fn begins_at_datum(&self) -> bool {
         let beside = |axis| matches!(self.from, Spot::Point(point) if along(point, axis).abs() <= NEAR);
@@ -64,8 +70,20 @@ pub(super) const fn along(point: DVec3, axis: Along) -> f64 {
 /// The axes that a view shows: to the right and upwards.
 pub(super) const fn axes(view: FigureView) -> [Along; 2] {
     match view {
-        FigureView::Section | FigureView::Side => [Along::Main, Along::Tool],
-        FigureView::Plan => [Along::Main, Along::Minor],
+        FigureView::Section | FigureView::Side | FigureView::Rotary | FigureView::RotaryB => [Along::Main, Along::Tool],
+        FigureView::Plan | FigureView::RotaryC => [Along::Main, Along::Minor],
+        FigureView::RotaryA => [Along::Minor, Along::Tool],
+        FigureView::Turned => [Along::Tool, Along::Main],
+    }
+}
+
+/// A coordinate of a turned part as the view has it: of the main axis a radius.
+fn seen(spot: Spot, axis: Option<Along>, figure: &Figure) -> Spot {
+    match spot {
+        Spot::Coordinate(diameter) if figure.view == FigureView::Turned && axis == Some(Along::Main) => {
+            Spot::Coordinate(diameter / 2.0)
+        }
+        _ => spot,
     }
 }
 
@@ -75,6 +93,11 @@ fn spot(value: &Option<Value>) -> Option<Spot> {
         Some(Value::Point(point)) => Some(Spot::Point(*point)),
         _ => None,
     }
+}
+
+/// Whether what is measured is an angle.
+const fn is_angle(kind: DimensionKind) -> bool {
+    matches!(kind, DimensionKind::Angle | DimensionKind::Turn)
 }
 
 /// Measures all dimensions of a figure.
@@ -145,27 +168,37 @@ fn one(
     };
     let visible = axes(figure.view);
     let axis = match (from, to) {
-        (Spot::Coordinate(_), Spot::Coordinate(_)) if kind != DimensionKind::Angle => {
-            Some(dimension.along.unwrap_or(visible[1]))
-        }
+        (Spot::Coordinate(_), Spot::Coordinate(_)) if !is_angle(kind) => Some(dimension.along.unwrap_or(visible[1])),
         _ => dimension.along,
     };
     if axis.is_some_and(|axis| !visible.contains(&axis)) {
         return Err(Wrong::new("figure-axis-not-visible"));
     }
+    let [from, to] = [from, to].map(|spot| seen(spot, axis, figure));
+    // Where radii are drawn, a diameter is twice as long.
+    let is_diameter = figure.view == FigureView::Turned && kind == DimensionKind::Diameter;
     let wanted = match value {
         Some(Value::Number(number)) => *number,
         Some(Value::Point(point)) => along(*point, axis.ok_or_else(no_value)?),
         _ => return Err(no_value()),
     };
     let signed = match (from, to, axis) {
+        (Spot::Coordinate(a), Spot::Coordinate(b), _) if kind == DimensionKind::Turn => {
+            let rotary = rotary::axis(figure.view).zip(shot.rotary.as_ref());
+            let turned = rotary.and_then(|(axis, rotary)| rotary.between(axis, a, b));
+            turned.ok_or_else(|| Wrong {
+                code: "figure-place-not-reached",
+                args: vec![("place", format!("{} {}", shown(a), shown(b)))],
+            })?
+        }
         (Spot::Coordinate(a), Spot::Coordinate(b), _) => b - a,
         (Spot::Point(a), Spot::Point(b), Some(axis)) => along(b, axis) - along(a, axis),
         (Spot::Point(a), Spot::Point(b), None) => (b - a).length(),
         _ => return Err(Wrong::new("figure-mixed-places")),
     };
+    let signed = if is_diameter { 2.0 * signed } else { signed };
     let agrees = match kind {
-        DimensionKind::Angle => ((signed - wanted) / 360.0 + 0.5).rem_euclid(1.0) * 360.0 - 180.0,
+        DimensionKind::Angle | DimensionKind::Turn => ((signed - wanted) / 360.0 + 0.5).rem_euclid(1.0) * 360.0 - 180.0,
         _ if wanted < 0.0 && axis.is_some() => signed - wanted,
         _ => signed.abs() - wanted.abs(),
     };
@@ -185,10 +218,10 @@ fn one(
         from,
         to,
         centre,
-        from_datum: dimension.from.is_none() && kind != DimensionKind::Angle,
+        from_datum: dimension.from.is_none() && !is_angle(kind),
     };
     let ends: &[Spot] = match kind {
-        DimensionKind::Angle => &[],
+        DimensionKind::Angle | DimensionKind::Turn => &[],
         DimensionKind::Radius => &[to],
         _ => &[from, to],
     };
@@ -214,7 +247,7 @@ fn is_reached(spot: Spot, axis: Option<Along>, shot: &Shot) -> bool {
 
 /// The coordinates of the blank that the figure gives.
 fn blank_coordinates(shot: &Shot, axis: Along) -> impl Iterator<Item = f64> {
-    shot.own.iter().skip(1).take(4).flatten().filter_map(move |value| match value {
+    shot.own.iter().skip(TOP).take(CORNERS[1] - CUT).flatten().filter_map(move |value| match value {
         Value::Number(number) => (axis == Along::Tool).then_some(*number),
         Value::Point(point) => Some(along(*point, axis)),
         _ => None,
@@ -234,6 +267,8 @@ fn coordinate_is_reached(at: f64, axis: Along, shot: &Shot) -> bool {
     shot.strokes.iter().chain(&shot.later).any(by_stroke)
         || shot.contacts.iter().chain(&shot.centres).chain(&shot.datum).any(|point| near(along(*point, axis)))
         || blank_coordinates(shot, axis).any(near)
+        || shot.round.as_ref().is_some_and(|round| axis != Along::Minor && near(at.signum() * round.radius))
+        || shot.turned.as_ref().is_some_and(|turned| turned.has(usize::from(axis == Along::Main), at))
 }
 
 fn point_is_reached(point: DVec3, shot: &Shot) -> bool {
@@ -252,6 +287,13 @@ fn point_is_reached(point: DVec3, shot: &Shot) -> bool {
         let on = |list: &[f64], value: f64| list.iter().any(|own| (own - value).abs() <= NEAR);
         on(&xs, at.x) && on(&ys, at.y)
     };
+    if let Some(turned) = &shot.turned {
+        let at = DVec2::new(point.z, point.x);
+        let ways = shot.strokes.iter().chain(&shot.later).flat_map(|stroke| stroke.points.windows(2));
+        let flat = |p: DVec3| DVec2::new(p.z, p.x);
+        let on_way = |pair: &[DVec3]| distance(at, flat(pair[0]), flat(pair[1])) <= ON_WAY;
+        return turned.distance(at) <= ON_WAY || ways.into_iter().any(on_way);
+    }
     at.length() <= NEAR
         || shot.strokes.iter().chain(&shot.later).any(by_stroke)
         || shot
@@ -265,7 +307,7 @@ fn point_is_reached(point: DVec3, shot: &Shot) -> bool {
 }
 
 /// How far a point is from a line between two others.
-fn distance(p: DVec2, a: DVec2, b: DVec2) -> f64 {
+pub(super) fn distance(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     let way = b - a;
     let share =
         if way.length_squared() > 0.0 { ((p - a).dot(way) / way.length_squared()).clamp(0.0, 1.0) } else { 0.0 };

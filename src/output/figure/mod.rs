@@ -3,15 +3,23 @@
 //! A figure is run once for a cycle on a control ([`prepare`]); only its words depend on the language ([`Figure::svg`]).
 //! Start with `shot` (the run), then `measure`, `frame` (the layout) and `sheet` (the drawing). Invariant: knows events
 //! and scenes, specifications and texts, and no command; the same data give the same bytes.
+mod cylinder;
 mod dimension;
 mod frame;
+mod half_plane;
 mod lanes;
 mod measure;
 mod pen;
 mod profile;
+mod rotary;
+mod scan;
+mod setter;
 mod sheet;
 mod shot;
+mod slabs;
 mod slice;
+mod turned;
+mod window;
 
 use std::fmt::Write as _;
 
@@ -129,11 +137,12 @@ impl Figure<'_> {
     pub fn svg(&self, text: &CycleText<'_>, medium: Medium) -> Svg {
         let params: Vec<_> = self.measured.iter().map(|measured| self.param(text, measured)).collect();
         let labels = params.iter().zip(&self.measured).map(|(param, measured)| match (measured.field, param) {
-            (true, Some(param)) => match (param.coordinates, measured.along) {
+            (true, Some(param)) => match (&param.coordinates, measured.along) {
                 // A position has a number for each axis.
                 (Some(before), Some(axis)) => format!("{before}{}", self.shot.letter(axis)),
                 _ => param.word.clone(),
             },
+            _ if measured.is_half() => format!("\u{2300} {}", measured.of),
             _ => measured.of.clone(),
         });
         let labels = labels.zip(&self.measured).map(|(label, measured)| match &measured.plus {
@@ -209,8 +218,10 @@ impl Figure<'_> {
         let word = word.filter(|word| !word.is_empty()).unwrap_or_else(|| texts.name.to_string());
         let shown = if measured.field { word.clone() } else { measured.of.clone() };
         let coordinates = match param.field.as_ref().map(|field| field.shape) {
-            Some(Shape::Position | Shape::AxisCoordinate) => Some(""),
-            Some(Shape::Centre) => Some("CC"),
+            Some(Shape::Position | Shape::AxisCoordinate) => {
+                Some(text.before_axis(param).map(|word| format!("{word} ")).unwrap_or_default())
+            }
+            Some(Shape::Centre) => Some("CC".to_owned()),
             _ => None,
         };
         Some(Shown { row: row(&texts.q), name: texts.name.into_owned(), word, shown, coordinates })
@@ -229,5 +240,5 @@ struct Shown {
     word: String,
     shown: String,
     /// Of a value with a number for each axis, what programs write before the letters of the axes.
-    coordinates: Option<&'static str>,
+    coordinates: Option<String>,
 }

@@ -156,6 +156,36 @@ impl Pen {
         self.path("q", &(quarter(1.0) + &quarter(-1.0)));
     }
 
+    /// Lines from lower left to upper right inside closed lines: a line within another one is a hole.
+    pub(super) fn hatch(&mut self, lines: &[Vec<DVec2>]) {
+        const STEP: f64 = 7.0;
+        let turned = |p: DVec2| p.x + p.y;
+        let (low, high) = lines
+            .iter()
+            .flatten()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(turned(*p)), high.max(turned(*p))));
+        if !(low < high) {
+            return;
+        }
+        let mut data = String::new();
+        let mut line = (low / STEP).ceil() * STEP + 0.35;
+        while line < high {
+            let mut crossings: Vec<DVec2> = Vec::new();
+            for (a, b) in lines.iter().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1))) {
+                let (from, to) = (turned(*a) - line, turned(*b) - line);
+                if (from < 0.0) != (to < 0.0) {
+                    crossings.push(a.lerp(*b, from / (from - to)));
+                }
+            }
+            crossings.sort_by(|a, b| a.x.total_cmp(&b.x));
+            for pair in crossings.chunks_exact(2).filter(|pair| (pair[0] - pair[1]).length() > 1.5) {
+                data.push_str(&Self::data(pair, false));
+            }
+            line += STEP;
+        }
+        self.path("h", &data);
+    }
+
     /// How much room a label takes.
     pub(super) fn size(text: &str) -> DVec2 {
         DVec2::new(width(text) + 4.0, height(text) + 2.0)

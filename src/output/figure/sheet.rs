@@ -6,13 +6,15 @@ use std::fmt::Write as _;
 
 use glam::{DVec2, DVec3};
 
-use super::frame::{Camera, Frame, Window};
+use super::frame::{Camera, Frame};
 use super::measure::{Measured, Spot, along, axes};
 use super::pen::{ARROW, Pen, Rect, short};
 use super::profile;
-use super::shot::{Shot, Stroke, Way};
+use super::shot::{CUT, MARKS, Shot, Stroke, Way, number, point};
 use super::slice::{self, Face, Outline};
-use crate::base::expr::{Value, tand};
+use super::window::Window;
+use super::{cylinder, rotary, scan, setter, turned};
+use crate::base::expr::tand;
 use crate::spec::{Along, FigureView};
 
 /// What a figure shows, measured.
@@ -42,22 +44,6 @@ pub(super) struct Words {
     pub(super) ways: [String; 3],
 }
 
-/// A coordinate among those of the figure itself: of the cut, top, bottom.
-pub(super) fn number(shot: &Shot, place: usize) -> Option<f64> {
-    match shot.own.get(place)? {
-        Some(Value::Number(number)) => Some(*number),
-        _ => None,
-    }
-}
-
-/// A point among those of the figure itself.
-pub(super) fn point(shot: &Shot, place: usize) -> Option<DVec3> {
-    match shot.own.get(place)? {
-        Some(Value::Point(point)) => Some(*point),
-        _ => None,
-    }
-}
-
 /// A point as the view sees it: to the right and upwards.
 pub(super) const fn flat(p: DVec3, view: FigureView) -> DVec2 {
     let [right, up] = axes(view);
@@ -74,11 +60,16 @@ pub(super) struct Drawn {
 
 /// Draws a figure.
 pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Drawn {
-    let faces = slice::faces(subject.shot, subject.view, depth(subject));
+    let faces = match rotary::axis(subject.view) {
+        Some(_) => Vec::new(),
+        None => slice::faces(subject.shot, subject.view, depth(subject)),
+    };
     let frame = Frame::new(subject, words, &faces);
     let mut sheet = Sheet { subject, frame: &frame, pen: Pen::new(frame.size), view: subject.view };
     sheet.workpiece(&faces);
+    sheet.scan();
     sheet.tool();
+    sheet.poses();
     sheet.ways();
     sheet.datum();
     super::dimension::all(&mut sheet.pen, subject, words, &frame);
@@ -91,9 +82,11 @@ pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Drawn {
 fn depth(subject: &Subject<'_>) -> f64 {
     let shot = subject.shot;
     let tool = shot.tool.map_or(DVec3::ZERO, |(_, tip)| tip);
-    number(shot, 0).unwrap_or_else(|| match subject.view {
-        FigureView::Plan => shot.contacts.first().map_or(tool.z, |contact| contact.z),
-        FigureView::Section | FigureView::Side => tool.y,
+    number(shot, CUT).unwrap_or_else(|| match subject.view {
+        FigureView::Plan | FigureView::RotaryC => shot.contacts.first().map_or(tool.z, |contact| contact.z),
+        FigureView::Section | FigureView::Side | FigureView::Rotary | FigureView::RotaryB => tool.y,
+        FigureView::RotaryA => tool.x,
+        FigureView::Turned => 0.0,
     })
 }
 
@@ -113,13 +106,33 @@ impl Sheet<'_> {
         self.camera().place(flat(p, self.view))
     }
 
+    const fn is_from_above(&self) -> bool {
+        matches!(self.view, FigureView::Plan | FigureView::RotaryC)
+    }
+
     fn workpiece(&mut self, faces: &[Face]) {
+        if let Some(setter) = &self.subject.shot.setter {
+            let camera = self.frame.camera;
+            return setter::draw(&mut self.pen, setter, self.view, &|p| camera.place(flat(p, self.view)));
+        }
         if !faces.is_empty() {
             return self.parts(faces);
         }
         match self.view {
             FigureView::Plan => self.from_above(),
             FigureView::Section | FigureView::Side => self.cut_open(),
+            FigureView::Turned => turned::part(&mut self.pen, self.subject, self.frame),
+            FigureView::Rotary => cylinder::part(&mut self.pen, self.subject, self.frame),
+            FigureView::RotaryA | FigureView::RotaryB | FigureView::RotaryC => self.rotary(),
+        }
+    }
+
+    /// The rotary axis with the sphere that goes around it.
+    fn rotary(&mut self) {
+        let (camera, view) = (self.frame.camera, self.view);
+        if let Some((rotary, axis)) = self.subject.shot.rotary.as_ref().zip(rotary::axis(view)) {
+            let paper = self.frame.paper().grown(4.0);
+            rotary::draw(&mut self.pen, rotary, axis, &paper, &|p| camera.place(flat(p, view)));
         }
     }
 
@@ -131,20 +144,25 @@ impl Sheet<'_> {
                 // A hole may go on beyond the part.
                 (window.min, window.max) = (window.min.max(bounds[0]), window.max.min(bounds[1]));
             }
-            let class = if face.material { "m o" } else { "b o" };
+            let class = if face.material { "m" } else { "b" };
             match &face.outline {
                 Outline::Circle(centre, radius) => {
+                    let class = if face.material { "m o" } else { "b o" };
                     self.pen.circle(class, self.camera().place(*centre), radius * self.camera().scale);
                 }
                 Outline::Polygon(points) => {
                     let points: Vec<DVec2> = window.clip(points).iter().map(|p| self.camera().place(*p)).collect();
                     self.pen.area(class, &points);
                     if face.material && self.view != FigureView::Plan {
-                        self.hatch(&points);
+                        self.pen.hatch(&[points]);
                     }
                 }
             }
         }
+        let edges = slice::edges(faces, &window);
+        let edges = edges.iter().map(|edge| Pen::data(&edge.map(|p| self.camera().place(p)), false));
+        let edges: String = edges.collect();
+        self.pen.path("o", &edges);
     }
 
     /// The blank from above with what was milled off it.
@@ -203,49 +221,22 @@ impl Sheet<'_> {
         let mut area = line.clone();
         area.extend([DVec2::new(max.x, min.y), min].map(|p| self.camera().place(p)));
         self.pen.area("m", &area);
-        self.hatch(&area);
+        self.pen.hatch(&[area]);
         self.pen.line("o", &line);
-    }
-
-    /// Lines from lower left to upper right inside a polygon.
-    fn hatch(&mut self, polygon: &[DVec2]) {
-        const STEP: f64 = 7.0;
-        let turned = |p: DVec2| p.x + p.y;
-        let (low, high) = polygon
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(turned(*p)), high.max(turned(*p))));
-        if !(low < high) {
-            return;
-        }
-        let mut data = String::new();
-        let mut line = (low / STEP).ceil() * STEP + 0.35;
-        while line < high {
-            let mut crossings: Vec<DVec2> = Vec::new();
-            for (n, a) in polygon.iter().enumerate() {
-                let b = polygon.get((n + 1) % polygon.len()).copied().unwrap_or(*a);
-                let (from, to) = (turned(*a) - line, turned(b) - line);
-                if (from < 0.0) != (to < 0.0) {
-                    crossings.push(a.lerp(b, from / (from - to)));
-                }
-            }
-            crossings.sort_by(|a, b| a.x.total_cmp(&b.x));
-            for pair in crossings.chunks_exact(2).filter(|pair| (pair[0] - pair[1]).length() > 1.5) {
-                data.push_str(&Pen::data(pair, false));
-            }
-            line += STEP;
-        }
-        self.pen.path("h", &data);
     }
 
     /// The tool where it is at the moment, to scale; from the side it is cut off at the edge of the drawing.
     fn tool(&mut self) {
-        let Some((tool, tip)) = self.subject.shot.tool else { return };
+        if self.view == FigureView::Turned {
+            return turned::insert(&mut self.pen, self.subject, self.frame);
+        }
+        let Some((tool, tip)) = setter::pose(self.subject.shot) else { return };
         let (scale, place) = (self.camera().scale, self.at(tip));
         let radius = self.subject.shot.ball.unwrap_or(tool.radius) * scale;
         if !self.frame.paper().holds(place) || radius <= 0.0 {
             return;
         }
-        if self.view == FigureView::Plan {
+        if self.is_from_above() {
             self.pen.circle("t", place, radius);
             return;
         }
@@ -274,6 +265,18 @@ impl Sheet<'_> {
         self.pen.blocked.push(Rect { min: DVec2::new(left, top), max: DVec2::new(right, place.y) });
     }
 
+    /// The range of a scan.
+    fn scan(&mut self) {
+        let (camera, view) = (self.frame.camera, self.view);
+        scan::outline(&mut self.pen, self.subject.shot, &|p| camera.place(flat(p, view)));
+    }
+
+    /// What else is to be seen of a tool at a tool setter.
+    fn poses(&mut self) {
+        let (camera, view, top) = (self.frame.camera, self.view, self.frame.paper().min.y);
+        setter::poses(&mut self.pen, self.subject.shot, view, top, &|p| camera.place(flat(p, view)));
+    }
+
     /// The ways of the tool. Ways up and down over one another are drawn side by side.
     fn ways(&mut self) {
         let paper = self.frame.paper();
@@ -281,7 +284,10 @@ impl Sheet<'_> {
         let mut drawn: BTreeSet<(usize, String)> = BTreeSet::new();
         for (stroke, offset) in self.subject.shot.strokes.iter().zip(self.offsets()) {
             let points: Vec<DVec2> = stroke.points.iter().map(|p| self.at(*p) + DVec2::new(offset, 0.0)).collect();
-            let points = clip_line(&points, &paper);
+            if self.view == FigureView::Rotary && !cylinder::meets(stroke, number(self.subject.shot, CUT)) {
+                continue;
+            }
+            let points = clip_line(&points, &paper.grown(0.5));
             let class = ["r", "f", "p"][stroke.way as usize];
             let data = Pen::data(&points, false);
             if !data.contains('L') || !drawn.insert((stroke.way as usize, data.clone())) {
@@ -295,8 +301,13 @@ impl Sheet<'_> {
                 if stroke.way == Way::Rapid { self.pen.chevron(head, tip, way) } else { self.pen.arrow(head, tip, way) }
             }
         }
-        for contact in &self.subject.shot.contacts {
-            let place = self.at(*contact);
+        let shot = self.subject.shot;
+        if shot.rotary.is_some() && rotary::axis(self.view).is_some() {
+            return;
+        }
+        let contacts = if shot.setter.is_some() { setter::touched(shot) } else { shot.contacts.clone() };
+        for contact in contacts.into_iter().chain(scan::points(shot)) {
+            let place = self.at(contact);
             self.pen.circle("n", place, 3.0);
         }
     }
@@ -305,7 +316,10 @@ impl Sheet<'_> {
     fn offsets(&self) -> Vec<f64> {
         let strokes = &self.subject.shot.strokes;
         let mut offsets = vec![0.0; strokes.len()];
-        if self.view == FigureView::Plan || self.subject.shot.ball.is_some() {
+        if self.is_from_above()
+            || matches!(self.view, FigureView::Turned | FigureView::Rotary)
+            || self.subject.shot.ball.is_some()
+        {
             return offsets;
         }
         let mut columns: Vec<(f64, Vec<(usize, bool)>)> = Vec::new();
@@ -353,7 +367,7 @@ impl Sheet<'_> {
 
     fn marks(&mut self) {
         for (n, number) in self.subject.marks.iter().enumerate() {
-            let Some(point) = point(self.subject.shot, 5 + n) else { continue };
+            let Some(point) = point(self.subject.shot, MARKS + n) else { continue };
             let place = self.at(point);
             let text = number.to_string();
             let around =

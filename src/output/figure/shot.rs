@@ -3,8 +3,12 @@
 //! Invariant: all points are in the coordinates that were active when the cycle began: main, secondary, tool axis.
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
 
+use super::cylinder::{Round, Table};
+use super::half_plane::{Blank, HalfPlane, Stand};
+use super::rotary::{self, Rotary};
+use super::setter::{Setter, Turning};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Value, parse};
 use crate::engine::geometry::{Axis, WorkingPlane};
@@ -16,9 +20,26 @@ use crate::engine::solid::{Body, Path, Shape};
 use crate::program::syntax;
 
 use crate::spec::{
-    Along, Cycle, CycleKey, Dimension, Example, Figure, FigureMoment, Formula, Kind, Name, Node, OnControl,
+    Along, Cycle, CycleKey, Dimension, Example, Figure, FigureMoment, FigureView, Formula, Kind, Name, Node, OnControl,
 };
 use crate::tools::conform::{self, World};
+
+/// Where among the values of a figure itself the coordinate of the cut is.
+pub(super) const CUT: usize = 0;
+/// The surface of the blank and its lower face.
+pub(super) const TOP: usize = 1;
+pub(super) const BOTTOM: usize = 2;
+/// Its corners.
+pub(super) const CORNERS: [usize; 2] = [3, 4];
+/// The corners of the range of a scan.
+pub(super) const SCAN: [usize; 2] = [5, 6];
+/// The tip of an insert and the pitch of the thread that it cuts.
+const TIP: usize = 7;
+const PITCH: usize = 8;
+/// The radius of a part on a rotary axis.
+const RADIUS: usize = 9;
+/// The first of the marks; after them, the corners of what a blank lacks.
+pub(super) const MARKS: usize = 10;
 
 /// How a piece of the way is gone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +61,12 @@ pub(super) struct Stroke {
     pub(super) points: Vec<DVec3>,
     /// The tool that goes it.
     pub(super) tool: Tool,
+    /// Where the table turns what is milled: the direction of the tool at each of the points.
+    pub(super) up: Vec<DVec3>,
+    /// How the spindle stands or turns meanwhile.
+    pub(super) turning: Turning,
+    /// The angles of the rotary axes at its end, in the program.
+    pub(super) angles: DVec3,
 }
 
 /// A run at a moment.
@@ -59,6 +86,10 @@ pub(super) struct Shot {
     pub(super) datum: Option<DVec3>,
     /// The radius of the ball of the touch probe, if it is one.
     pub(super) ball: Option<f64>,
+    /// The tool setter, if a tool is at it that is no touch probe.
+    pub(super) setter: Option<Setter>,
+    /// The rotary axes, in a view along one of them.
+    pub(super) rotary: Option<Rotary>,
     /// The parts of the scene, and from the machine to the coordinates of the shot.
     pub(super) parts: Shape,
     /// The same, ready for questions.
@@ -67,6 +98,10 @@ pub(super) struct Shot {
     pub(super) back: DAffine3,
     /// The axes of the working plane.
     pub(super) plane: WorkingPlane,
+    /// What is left of a part on a rotary axis.
+    pub(super) round: Option<Round>,
+    /// What is left of a part that is turned.
+    pub(super) turned: Option<HalfPlane>,
     /// The values of the places of each dimension: its parameter, from, to, centre.
     pub(super) places: Vec<[Option<Value>; 4]>,
     /// The values of the places of the figure itself.
@@ -81,6 +116,14 @@ impl Shot {
             Along::Minor => self.plane.secondary.letter(),
             Along::Tool => self.plane.tool.letter(),
         }
+    }
+
+    /// Whether the ball of the touch probe touches a part when its centre is there.
+    pub(super) fn ball_touches(&self, centre: DVec3) -> bool {
+        const NEAR: f64 = 1e-3;
+        let own = self.plane.lift(centre.truncate(), centre.z);
+        let machine = self.back.inverse().transform_point3(own);
+        self.ball.is_some_and(|ball| self.body.touches(ball + NEAR, machine).unwrap_or(false))
     }
 
     /// Whether a place lies on the surface of a part: there is material near it, and none.
@@ -98,17 +141,39 @@ impl Shot {
     }
 }
 
-/// What a figure asks of a run beside its dimensions: the cut, the four values of the blank, the marks.
+/// A coordinate among those of the figure itself: of the cut, top, bottom.
+pub(super) fn number(shot: &Shot, place: usize) -> Option<f64> {
+    match shot.own.get(place)? {
+        Some(Value::Number(number)) => Some(*number),
+        _ => None,
+    }
+}
+
+/// A point among those of the figure itself.
+pub(super) fn point(shot: &Shot, place: usize) -> Option<DVec3> {
+    match shot.own.get(place)? {
+        Some(Value::Point(point)) => Some(*point),
+        _ => None,
+    }
+}
+
+/// What a figure asks of a run beside its dimensions, in the order of the constants for their places.
 fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
-    let blank = figure.blank.as_ref();
+    let (blank, insert) = (figure.blank.as_ref(), figure.insert.as_ref());
     let mut places = vec![
         figure.cut.as_ref(),
         blank.and_then(|blank| blank.top.as_ref()),
         blank.and_then(|blank| blank.bottom.as_ref()),
         blank.and_then(|blank| blank.least.as_ref()),
         blank.and_then(|blank| blank.greatest.as_ref()),
+        figure.scan.as_ref().map(|scan| &scan.least),
+        figure.scan.as_ref().map(|scan| &scan.greatest),
+        insert.map(|insert| &insert.tip),
+        insert.and_then(|insert| insert.pitch.as_ref()),
+        blank.and_then(|blank| blank.radius.as_ref()),
     ];
     places.extend(figure.marks.iter().map(|mark| Some(&mark.at)));
+    places.extend(blank.iter().flat_map(|blank| &blank.without).map(Some));
     places
 }
 
@@ -228,15 +293,24 @@ pub(super) fn take(
         return Err(vec![wrong("figure-moment-never", &figure.place).arg("reason", reason)]);
     };
     let mut film = Film::new(&scene, runner, figure.whole);
+    film.table = (figure.view == FigureView::Rotary).then(|| Table::new(&scene));
     let end = if figure.whole { events.len() } else { moment.events.min(events.len()) };
     let (before, after) = events.split_at(end);
     before.iter().for_each(|event| film.see(event));
     film.now = Some(film.strokes.len());
-    let (tool, here, touched, system) = (film.tool, film.here, film.contacts.len(), film.system);
+    let (tool, here, touched, system, table) =
+        (film.tool, film.here, film.contacts.len(), film.system, film.table.clone());
     after.iter().for_each(|event| film.see(event));
-    (film.tool, film.here, film.system) = (tool, here, system);
+    (film.tool, film.here, film.system, film.table) = (tool, here, system, table);
     film.contacts.truncate(touched);
     let mut shot = film.end(&scene);
+    if rotary::axis(figure.view).is_some() {
+        shot.strokes = rotary::between_stations(std::mem::take(&mut shot.strokes));
+    }
+    if let Some(setter) = shot.setter.as_ref().filter(|_| figure.view != FigureView::Plan) {
+        // From the side, what goes on before and behind the setter hides it.
+        shot.strokes.retain(|stroke| setter.is_in_plane(stroke));
+    }
     for (index, asked) in asked.iter().enumerate() {
         let mut values: [Option<Value>; 4] = Default::default();
         let note = noted(&outcome.noted, index, asked);
@@ -253,7 +327,40 @@ pub(super) fn take(
             shot.places.push(values);
         }
     }
+    if figure.view == FigureView::Turned {
+        shot.turn(figure, &scene);
+    }
+    if let (FigureView::Rotary, Some(radius)) = (figure.view, number(&shot, RADIUS)) {
+        shot.round = Some(Round::new(radius, number(&shot, CUT), [&shot.strokes, &shot.later]));
+    }
     Ok(shot)
+}
+
+/// A point whose main coordinate is a diameter, by its radius.
+fn by_radius(value: &mut Option<Value>) {
+    if let Some(Value::Point(point)) = value {
+        point.x /= 2.0;
+    }
+}
+
+impl Shot {
+    /// Makes radii of the diameters of places, and turns the blank.
+    fn turn(&mut self, figure: &Figure, scene: &Scene) {
+        self.own.iter_mut().for_each(by_radius);
+        self.places.iter_mut().flat_map(|places| &mut places[1..]).for_each(by_radius);
+        let half = |place: usize| point(self, place).map(|point| DVec2::new(point.z, point.x));
+        let ([Some(least), Some(greatest)], Some((tool, _))) = (CORNERS.map(half), self.tool) else { return };
+        let insert = figure.insert.as_ref();
+        let stand = Stand {
+            tip: half(TIP).unwrap_or(DVec2::NEG_ONE).map(|sign| if sign < 0.0 { -1.0 } else { 1.0 }),
+            axial: insert.and_then(|insert| insert.plunges) == Some(Along::Tool),
+            pitch: number(self, PITCH).filter(|pitch| *pitch > 0.0),
+        };
+        let tool = (&scene.tools, tool.number);
+        let corners = figure.blank.as_ref().map_or(0, |blank| blank.without.len());
+        let lacks: Vec<DVec2> = (0..corners).filter_map(|n| half(MARKS + figure.marks.len() + n)).collect();
+        self.turned = Some(HalfPlane::new(stand, tool, Blank { least, greatest, lacks }, [&self.strokes, &self.later]));
+    }
 }
 
 /// The part of a run that is seen so far.
@@ -265,6 +372,16 @@ struct Film<'f> {
     first: Option<DAffine3>,
     plane: WorkingPlane,
     tool: Option<Tool>,
+    turning: Turning,
+    /// Of the rotary axes, in the program.
+    angles: DVec3,
+    /// What those of the machine are more.
+    angle_datum: DVec3,
+    /// In the machine, when the cycle began.
+    first_angles: Option<DVec3>,
+    /// The angles to which the axes turned since, and those at which the probe touched a point of the machine.
+    turns: Vec<DVec3>,
+    touches: Vec<(DVec3, DVec3)>,
     /// In machine coordinates.
     strokes: Vec<Stroke>,
     contacts: Vec<DVec3>,
@@ -272,6 +389,8 @@ struct Film<'f> {
     here: Option<DVec3>,
     /// How many strokes there are at the moment.
     now: Option<usize>,
+    /// The table, where it turns what the figure shows.
+    table: Option<Table<'f>>,
 }
 
 fn affine(rows: [[f64; 4]; 3]) -> DAffine3 {
@@ -288,22 +407,33 @@ impl<'f> Film<'f> {
             first: whole.then_some(system),
             plane: WorkingPlane::of_tool_axis(Axis::Z),
             tool: None,
+            turning: Turning::default(),
+            angles: scene.start_angles,
+            angle_datum: DVec3::ZERO,
+            first_angles: None,
+            turns: Vec::new(),
+            touches: Vec::new(),
             strokes: Vec::new(),
             contacts: Vec::new(),
             centres: Vec::new(),
             here: Some(scene.start),
             now: None,
+            table: None,
         }
     }
 
     fn see(&mut self, event: &Event) {
         if self.first.is_none() && event.at.cycle.as_ref().is_some_and(|(key, _)| *key == self.cycle.key) {
             self.first = Some(self.system);
+            self.first_angles = Some(self.angles + self.angle_datum);
         }
         match &event.kind {
             EventKind::Transform(system) => self.system = affine(system.matrix),
-            EventKind::Spindle { tool: Some((tool, axis)), .. } => {
-                (self.tool, self.plane) = (Some(*tool), WorkingPlane::of_tool_axis(*axis));
+            EventKind::Spindle { tool, direction, orient, .. } => {
+                if let Some((tool, axis)) = tool {
+                    (self.tool, self.plane) = (Some(*tool), WorkingPlane::of_tool_axis(*axis));
+                }
+                (self.turning.direction, self.turning.angle) = (*direction, *orient);
             }
             EventKind::Move { kind, path, .. } => {
                 if let MoveKind::Arc { centre, .. } = kind {
@@ -312,10 +442,24 @@ impl<'f> Film<'f> {
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
                 self.go(if rapid { Way::Rapid } else { Way::Feed }, points(path));
             }
+            EventKind::Turn { axes, rapid, .. } => {
+                for turned in axes {
+                    self.angles = turned.axis.with(self.angles, turned.to);
+                    self.angle_datum = turned.axis.with(self.angle_datum, turned.machine - turned.to);
+                }
+                self.turns.push(self.angles);
+                if let (Some(table), Some(here)) = (&mut self.table, self.here) {
+                    let way = if *rapid { Way::Rapid } else { Way::Feed };
+                    let poses = table.turn(axes, here);
+                    self.add(way, poses);
+                }
+            }
             EventKind::Probe(probing) => {
                 let ball = probing.contact.map_or(probing.target, |(_, ball)| ball);
                 let ends = [probing.from, ball].map(|p| self.system.transform_point3(p));
                 self.contacts.extend(probing.contact.map(|(point, _)| self.system.transform_point3(point)));
+                let touched = probing.contact.map(|(point, _)| (self.angles, self.system.transform_point3(point)));
+                self.touches.extend(touched);
                 self.go(Way::Probe, ends.to_vec());
             }
             _ => {}
@@ -326,8 +470,21 @@ impl<'f> Film<'f> {
         if way != Way::Probe {
             self.here = points.last().copied().or(self.here);
         }
+        let up = vec![DVec3::Z; if self.table.is_some() { points.len() } else { 0 }];
+        let poses = self.table.as_ref().map(|table| table.held(&points, &up));
+        self.add(way, poses.unwrap_or((points, up)));
+    }
+
+    fn add(&mut self, way: Way, (points, up): (Vec<DVec3>, Vec<DVec3>)) {
         if self.first.is_some() {
-            self.strokes.push(Stroke { way, points, tool: self.tool.unwrap_or_default() });
+            self.strokes.push(Stroke {
+                way,
+                points,
+                tool: self.tool.unwrap_or_default(),
+                turning: self.turning,
+                angles: self.angles,
+                up,
+            });
         }
     }
 
@@ -341,12 +498,27 @@ impl<'f> Film<'f> {
         let ball = self.tool.and_then(|tool| tool.probe).and(scene.probe.as_ref()).map(|probe| probe.ball_radius);
         // Moves are those of the tip; a probe is drawn by the centre of its ball, as it is when it touches.
         let centre = |tip: DVec3| own(tip) + DVec3::Z * ball.unwrap_or(0.0);
-        let placed = |stroke: Stroke| {
+        let first = |tool: &Tool| {
+            let known = scene.true_tools.iter().find(|(number, _)| *number == tool.number);
+            known.map_or(0.0, |(_, known)| known.first)
+        };
+        let placed = |mut stroke: Stroke| {
+            stroke.turning.first = first(&stroke.tool);
+            if let Some(table) = &self.table {
+                (stroke.points, stroke.up) = table.lying(&stroke.points, &stroke.up);
+                stroke.up = stroke.up.into_iter().map(|up| own(up) - own(DVec3::ZERO)).collect();
+            }
             let points = stroke.points.into_iter();
             let points =
                 if stroke.way == Way::Probe { points.map(own).collect() } else { points.map(centre).collect() };
             Stroke { points, ..stroke }
         };
+        let rotary = self.first_angles.filter(|_| !self.turns.is_empty()).map(|angles| {
+            let mut rotary = Rotary::new(&scene.machine, back, plane, angles, self.angle_datum);
+            self.turns.iter().for_each(|angles| rotary.turned(*angles));
+            self.touches.iter().for_each(|(angles, point)| rotary.touched(*angles, own(*point)));
+            rotary
+        });
         let datum = own(self.system.transform_point3(DVec3::ZERO));
         let mut strokes: Vec<Stroke> = self.strokes.into_iter().map(placed).collect();
         let later = strokes.split_off(self.now.unwrap_or(strokes.len()).min(strokes.len()));
@@ -357,11 +529,15 @@ impl<'f> Film<'f> {
             centres: self.centres.into_iter().map(own).collect(),
             tool: self.tool.zip(self.here.map(centre)),
             datum: (datum.length() > 1e-9).then_some(datum),
+            rotary,
+            setter: if ball.is_none() { Setter::of(scene, plane, &own) } else { None },
             ball,
             parts: scene.parts.clone(),
             body: scene.body.clone(),
             back,
             plane,
+            round: None,
+            turned: None,
             places: Vec::new(),
             own: Vec::new(),
         }

@@ -4,6 +4,7 @@
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::shot::Shot;
+use super::window::Window;
 use crate::base::expr::{cosd, sind};
 use crate::engine::solid::Shape;
 use crate::spec::FigureView;
@@ -40,8 +41,12 @@ pub(super) fn faces(shot: &Shot, view: FigureView, depth: f64) -> Vec<Face> {
         let p = own.transform_point3(p);
         let p = plane.flat(p).extend(plane.tool.of(p));
         match view {
-            FigureView::Plan => DVec3::new(p.x, p.y, p.z - depth),
-            FigureView::Section | FigureView::Side => DVec3::new(p.x, p.z, depth - p.y),
+            FigureView::Plan | FigureView::RotaryC => DVec3::new(p.x, p.y, p.z - depth),
+            FigureView::Section | FigureView::Side | FigureView::Rotary | FigureView::RotaryB => {
+                DVec3::new(p.x, p.z, depth - p.y)
+            }
+            FigureView::RotaryA => DVec3::new(p.y, p.z, p.x - depth),
+            FigureView::Turned => DVec3::new(p.z, p.x, p.y - depth),
         }
     };
     let (origin, x, y, z) = (turned(DVec3::ZERO), turned(DVec3::X), turned(DVec3::Y), turned(DVec3::Z));
@@ -61,6 +66,83 @@ pub(super) fn bounds(faces: &[Face]) -> Option<[DVec2; 2]> {
         }
     }
     (found[0].x < found[1].x).then_some(found)
+}
+
+/// The pieces of the edges of all polygons at which there is material on one side only, and the edges of holes: behind
+/// the plane one sees them.
+pub(super) fn edges(faces: &[Face], window: &Window) -> Vec<[DVec2; 2]> {
+    let polygons: Vec<(Vec<DVec2>, bool)> = faces
+        .iter()
+        .filter_map(|face| match &face.outline {
+            Outline::Polygon(points) => {
+                let ends = points.iter().all(|p| p.abs().max_element() < 0.9 * FAR);
+                Some((window.clip(points), !face.material && ends))
+            }
+            Outline::Circle(..) => None,
+        })
+        .collect();
+    let held = |p: DVec2| faces.iter().rev().find(|face| face.holds(p)).is_some_and(|face| face.material);
+    let mut kept: Vec<[DVec2; 2]> = Vec::new();
+    for ([a, b], seen) in polygons.iter().flat_map(|(polygon, seen)| sides(polygon).map(move |side| (side, *seen))) {
+        let across = (b - a).normalize_or_zero().perp() * BESIDE;
+        let mut places: Vec<f64> =
+            polygons.iter().flat_map(|(other, _)| sides(other)).filter_map(|c| met([a, b], c)).collect();
+        places.extend([0.0, 1.0]);
+        places.sort_by(f64::total_cmp);
+        for pair in places.windows(2).filter(|pair| (pair[1] - pair[0]) * a.distance(b) > BESIDE) {
+            let middle = a.lerp(b, (pair[0] + pair[1]) / 2.0);
+            let piece = [a.lerp(b, pair[0]), a.lerp(b, pair[1])];
+            let known = |other: &[DVec2; 2]| {
+                let near = |p: DVec2, q: DVec2| p.distance(q) < BESIDE;
+                near(other[0], piece[0]) && near(other[1], piece[1])
+                    || near(other[0], piece[1]) && near(other[1], piece[0])
+            };
+            if (seen || held(middle + across) != held(middle - across)) && !kept.iter().any(known) {
+                match kept.last_mut() {
+                    // The next piece of the same edge.
+                    Some(last) if last[1] == piece[0] && (last[1] - last[0]).perp_dot(b - a).abs() < 1e-9 => {
+                        last[1] = piece[1];
+                    }
+                    _ => kept.push(piece),
+                }
+            }
+        }
+    }
+    kept
+}
+
+/// How far beside an edge it is looked for material, mm.
+const BESIDE: f64 = 1e-6;
+
+impl Face {
+    fn holds(&self, p: DVec2) -> bool {
+        match &self.outline {
+            Outline::Circle(centre, radius) => p.distance(*centre) < *radius,
+            // Convex, in either sense.
+            Outline::Polygon(points) => {
+                let turns: Vec<bool> = sides(points).map(|[a, b]| (b - a).perp_dot(p - a) > 0.0).collect();
+                !turns.contains(&true) || !turns.contains(&false)
+            }
+        }
+    }
+}
+
+fn sides(polygon: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+    polygon.iter().enumerate().map(|(n, a)| [*a, polygon.get((n + 1) % polygon.len()).copied().unwrap_or(*a)])
+}
+
+/// Where on its way the first of two lines crosses the second one, or one end of it.
+fn met([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> Option<f64> {
+    let (way, other) = (b - a, d - c);
+    let turn = way.perp_dot(other);
+    if turn.abs() < 1e-12 {
+        // Along the same line: where the other one ends.
+        let share = (c - a).dot(way) / way.length_squared();
+        let off = way.normalize_or_zero().perp_dot(c - a);
+        return (off.abs() < BESIDE && share > 0.0 && share < 1.0).then_some(share);
+    }
+    let (share, there) = ((c - a).perp_dot(other) / turn, (c - a).perp_dot(way) / turn);
+    (share > 0.0 && share < 1.0 && (-1e-9..=1.0 + 1e-9).contains(&there)).then_some(share)
 }
 
 fn cut(shape: &Shape, frame: DAffine3, material: bool, faces: &mut Vec<Face>) {

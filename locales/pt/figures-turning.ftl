@@ -1,0 +1,25 @@
+# Títulos das figuras dos ciclos de torneamento.
+
+figure-turning-roughing = Desbaste
+figure-turning-finishing = Acabamento
+figure-turning-inside = Lado interior
+figure-turning-smoothing = Alisamento do contorno
+figure-turning-start-element = Elemento no início
+figure-turning-end-element = Elemento no fim
+figure-turning-elements = Chanfro, arredondamento e raio da esquina
+figure-turning-angles = Ângulos
+figure-turning-limit = Limite de corte
+figure-turning-reversal = Direção do contorno
+figure-turning-undercut = Afundamento
+figure-turning-cutting-lines = Linhas de corte
+figure-turned-thread = Rosca
+figure-turning-infeed = Passo
+figure-turning-infeed-type = Tipo de passo
+figure-turning-depth = Profundidade e saída
+figure-turning-face = Lado frontal
+figure-recess-offset = Largura de deslocação
+figure-recess-compensation = Correção da profundidade
+figure-recess-direction = Direção de maquinação
+figure-text-on-arc = Texto num arco
+figure-text-arrangement = Texto em linha reta ou em arco
+figure-around-cylinder = Em torno do cilindro

@@ -1,0 +1,25 @@
+# Naslovi slik stružnih ciklov.
+
+figure-turning-roughing = Grobo obdelovanje
+figure-turning-finishing = Fino obdelovanje
+figure-turning-inside = Notranja stran
+figure-turning-smoothing = Glajenje konture
+figure-turning-start-element = Element na začetku
+figure-turning-end-element = Element na koncu
+figure-turning-elements = Posneti rob, zaokrožitev in polmer kota
+figure-turning-angles = Koti
+figure-turning-limit = Omejitev reza
+figure-turning-reversal = Smer konture
+figure-turning-undercut = Spuščanje
+figure-turning-cutting-lines = Rezne črte
+figure-turned-thread = Navoj
+figure-turning-infeed = Primik
+figure-turning-infeed-type = Vrsta primika
+figure-turning-depth = Globina in iztek
+figure-turning-face = Čelo
+figure-recess-offset = Širina zamika
+figure-recess-compensation = Popravilo globine
+figure-recess-direction = Smer obdelave
+figure-text-on-arc = Besedilo na loku
+figure-text-arrangement = Besedilo naravnost ali na loku
+figure-around-cylinder = Okoli valja

@@ -1,0 +1,201 @@
+//! The tool setter, the tools at it, and where they touch it.
+//!
+//! Invariant: knows places of a run, no cycle. The tool is drawn where it touched last: there it is measured.
+use std::fmt::Write as _;
+
+use glam::{DVec2, DVec3};
+
+use super::pen::{Pen, Rect, short};
+use super::shot::{Shot, Stroke, Way};
+use crate::base::expr::{cosd, sind};
+use crate::engine::geometry::WorkingPlane;
+use crate::engine::machine::Tool;
+use crate::engine::scene::{Plate, Scene};
+use crate::spec::FigureView;
+
+/// The height of the plate, and how much of the setter is drawn below its face, as parts of half its width.
+const PLATE: f64 = 0.34;
+const DRAWN: f64 = 1.1;
+/// The same for the post that carries the plate.
+const POST: f64 = 0.38;
+
+/// A tool setter in the coordinates of the shot.
+#[derive(Clone, Debug)]
+pub(super) struct Setter {
+    /// The centre of its upper face.
+    pub(super) at: DVec3,
+    /// Half its width.
+    pub(super) half: f64,
+    /// The corners of a cube; none of a disc.
+    corners: Vec<DVec3>,
+}
+
+/// How the spindle stands or turns while the tool moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Turning {
+    /// +1 clockwise as seen from the spindle, -1 counter-clockwise, 0 standing.
+    pub(super) direction: i8,
+    /// The angle at which it stands, if it was oriented.
+    pub(super) angle: Option<f64>,
+    /// Where the first edge of the tool is while the spindle is at 0, degrees.
+    pub(super) first: f64,
+}
+
+impl Setter {
+    /// The setter of a scene; `own` is from the machine to the coordinates of the shot.
+    pub(super) fn of(scene: &Scene, plane: WorkingPlane, own: &dyn Fn(DVec3) -> DVec3) -> Option<Self> {
+        let setter = scene.setter.as_ref()?;
+        let (half, corners) = match setter.plate {
+            Plate::Disc(radius) => (radius, Vec::new()),
+            Plate::Cube(half) => {
+                let corner = |x: f64, y: f64| own(setter.at + plane.lift(DVec2::new(x, y) * half, 0.0));
+                (half, vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)])
+            }
+        };
+        Some(Self { at: own(setter.at), half, corners })
+    }
+
+    /// Places that a drawing of it must show.
+    pub(super) fn bounds(&self) -> [DVec3; 2] {
+        let wide = DVec3::new(self.half, self.half, 0.0);
+        [self.at - wide - DVec3::Z * self.half * DRAWN, self.at + wide]
+    }
+
+    /// Whether a stroke is in the plane through its centre that is seen from the side.
+    pub(super) fn is_in_plane(&self, stroke: &Stroke) -> bool {
+        stroke.points.iter().all(|p| (p.y - self.at.y).abs() < self.half / 2.0)
+    }
+
+    /// Where a tool touches it that went along a stroke.
+    fn touched(&self, stroke: &Stroke) -> Option<DVec3> {
+        let (from, tip) = (*stroke.points.first()?, *stroke.points.last()?);
+        let way = tip - from;
+        let radius = stroke.tool.radius;
+        Some(if way.truncate().length() > way.z.abs() {
+            // With its side, as deep as the tip is below the face.
+            (tip + way.normalize() * radius).with_z((tip.z + self.at.z) / 2.0)
+        } else {
+            let aside = (self.at - tip).truncate();
+            (tip.truncate() + aside.clamp_length_max(radius)).extend(self.at.z)
+        })
+    }
+}
+
+/// The tool and where its tip is drawn: where it touched the setter last, else where it is at the moment.
+pub(super) fn pose(shot: &Shot) -> Option<(Tool, DVec3)> {
+    touches(shot).last().and_then(|stroke| Some((stroke.tool, *stroke.points.last()?))).or(shot.tool)
+}
+
+/// The ways on which a tool touched the setter.
+pub(super) fn touches(shot: &Shot) -> impl Iterator<Item = &Stroke> {
+    shot.strokes.iter().filter(|stroke| stroke.way == Way::Probe && shot.setter.is_some())
+}
+
+/// Places around the tools where they touched the setter.
+pub(super) fn around(shot: &Shot) -> impl Iterator<Item = DVec3> {
+    let wide = |stroke: &Stroke| DVec3::new(stroke.tool.radius, stroke.tool.radius, 0.0);
+    touches(shot)
+        .filter_map(move |stroke| Some((*stroke.points.last()?, wide(stroke))))
+        .flat_map(|(p, r)| [p - r, p + r])
+}
+
+/// The places at which tools touched the setter.
+pub(super) fn touched(shot: &Shot) -> Vec<DVec3> {
+    let Some(setter) = &shot.setter else { return Vec::new() };
+    touches(shot).filter_map(|stroke| setter.touched(stroke)).collect()
+}
+
+/// Draws the setter as the view sees it; `at` puts places on the sheet.
+pub(super) fn draw(pen: &mut Pen, setter: &Setter, view: FigureView, at: &dyn Fn(DVec3) -> DVec2) {
+    let centre = at(setter.at);
+    let half = at(setter.at + DVec3::X * setter.half).x - centre.x;
+    if view == FigureView::Plan {
+        let corners: Vec<DVec2> = setter.corners.iter().map(|corner| at(*corner)).collect();
+        if corners.is_empty() {
+            pen.circle("m o", centre, half)
+        } else {
+            pen.area("m o", &corners)
+        }
+        let cross = half * 0.3;
+        for end in [DVec2::X, DVec2::Y] {
+            pen.line("x", &[centre - end * cross, centre + end * cross]);
+        }
+        return;
+    }
+    let (down, bottom) = (DVec2::Y * half * PLATE, centre + DVec2::Y * half * DRAWN);
+    let (plate, post) = (DVec2::X * half, DVec2::X * half * POST);
+    // The post goes on below the edge of the drawing.
+    let wave = DVec2::Y * (half * 0.08).min(4.0);
+    let cut = [bottom + post - wave, bottom + post / 3.0, bottom - post / 3.0 - 2.0 * wave, bottom - post - wave];
+    let mut outline = vec![centre + down - post, centre + down + post];
+    outline.extend(cut);
+    pen.area("m o", &outline);
+    pen.area("m o", &[centre - plate, centre + plate, centre + plate + down, centre - plate + down]);
+}
+
+/// Draws the outlines of a tool where it touched before, and how it stands or turns where it touched last.
+pub(super) fn poses(pen: &mut Pen, shot: &Shot, view: FigureView, top: f64, at: &dyn Fn(DVec3) -> DVec2) {
+    let ends: Vec<(&Stroke, DVec2)> =
+        touches(shot).filter_map(|stroke| Some((stroke, at(*stroke.points.last()?)))).collect();
+    let Some((last, here)) = ends.last() else { return };
+    let radius = at(DVec3::X * last.tool.radius).x - at(DVec3::ZERO).x;
+    let mut drawn = vec![*here];
+    for (_, place) in &ends {
+        if drawn.iter().all(|other| (*other - *place).length() > 2.0) {
+            drawn.push(*place);
+            if view == FigureView::Plan {
+                pen.circle("v", *place, radius);
+            } else {
+                let side = DVec2::X * radius;
+                let high = DVec2::Y * (place.y - top);
+                pen.line("v", &[*place - side - high, *place - side, *place + side, *place + side - high]);
+            }
+        }
+    }
+    if view == FigureView::Plan {
+        if last.turning.direction == 0 { edges(pen, last, *here, radius) } else { turn(pen, last, *here, radius) }
+    } else if last.turning.direction != 0 {
+        turn_from_side(pen, last, DVec2::new(here.x, top), radius);
+    }
+}
+
+/// The cutting edges of a tool that stands, as seen from the spindle.
+fn edges(pen: &mut Pen, stroke: &Stroke, centre: DVec2, radius: f64) {
+    let count = stroke.tool.teeth as u32;
+    let Some(angle) = stroke.turning.angle else { return };
+    for edge in 0..count {
+        let angle = angle + stroke.turning.first + 360.0 / f64::from(count) * f64::from(edge);
+        let way = DVec2::new(cosd(angle), -sind(angle));
+        pen.line("o", &[centre + way * radius * 0.45, centre + way * radius]);
+        pen.circle("q", centre + way * radius, 2.2);
+    }
+}
+
+/// An arrow around a tool that turns, as seen from the spindle.
+fn turn(pen: &mut Pen, stroke: &Stroke, centre: DVec2, radius: f64) {
+    let around = (radius * 0.6).max(5.0);
+    let clockwise = stroke.turning.direction > 0;
+    // From the lower left corner over the top, or the other way round.
+    let (from, to) = if clockwise { (215.0, -35.0) } else { (-35.0, 215.0) };
+    let place = |angle: f64| centre + DVec2::new(cosd(angle), -sind(angle)) * around;
+    let (begin, end) = (place(from), place(to));
+    let r = short(around);
+    let [x, y, ex, ey] = [begin.x, begin.y, end.x, end.y].map(short);
+    pen.path("g", &format!("M{x} {y}A{r} {r} 0 1 {} {ex} {ey}", u8::from(clockwise)));
+    let lean = if clockwise { -78.0 } else { 78.0 };
+    let way = DVec2::new(cosd(to + lean), -sind(to + lean));
+    pen.arrow("aa", end + way * 2.0, way);
+}
+
+/// The same before a tool that is seen from its side, `top` where it leaves the drawing.
+fn turn_from_side(pen: &mut Pen, stroke: &Stroke, top: DVec2, radius: f64) {
+    let (wide, flat) = (radius + 6.0, (radius * 0.3).clamp(3.0, 7.0));
+    // What turns clockwise as seen from the spindle goes to the left on the side of the reader.
+    let way = if stroke.turning.direction > 0 { -1.0 } else { 1.0 };
+    let middle = top + DVec2::Y * (2.0 * flat + 12.0);
+    let (begin, end) = (middle - DVec2::X * wide * way, middle + DVec2::X * wide * way);
+    let [x, y, ex, ey, rx, ry] = [begin.x, begin.y, end.x, end.y, wide, flat].map(short);
+    let _ = writeln!(pen.body, "<path class=\"g\" d=\"M{x} {y}A{rx} {ry} 0 0 {} {ex} {ey}\"/>", u8::from(way < 0.0));
+    pen.arrow("aa", end - DVec2::Y * 3.0, DVec2::new(way * 0.35, -1.0));
+    pen.blocked.push(Rect::around(middle, DVec2::new(2.0 * wide, 2.0 * flat)));
+}
