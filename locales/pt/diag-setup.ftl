@@ -26,12 +26,12 @@ diag-machining-outside-blank =
        *[outside] O que é maquinado em { $value }; { $other } está longe do bloco.
     }
 diag-milling-deeper-than-edges = Aqui a ferramenta fresa a uma profundidade de { $value }, maior do que o comprimento das suas lâminas (LCUTS).
-diag-plane-left-on = O plano de maquinagem ainda está inclinado quando esta ferramenta é chamada.
+diag-plane-left-on = O plano de maquinação ainda está inclinado quando esta ferramenta é chamada.
 diag-preset-row-wrong =
     { $what ->
         [again] O preset { $row } volta a ser escrito aqui, noutro ponto, e entretanto nada o ativou.
         [other] Aqui é ativado o preset { $other }, mas o que foi apalpado é o preset { $row }, que nunca é ativado.
-       *[unused] O preset { $row } é escrito aqui e nunca é ativado: a maquinagem prossegue com outro preset.
+       *[unused] O preset { $row } é escrito aqui e nunca é ativado: a maquinação prossegue com outro preset.
     }
 diag-repeat-without-effect = Uma repetição de zero vezes não tem efeito.
 diag-slot-too-narrow = A ferramenta com o diâmetro { $tool } não cabe aqui entre as paredes: esta reta só tem { $value } de comprimento.
