@@ -66,3 +66,4 @@ figure-rotary-b = Along rotary axis B
 figure-rotary-c = Along rotary axis C
 figure-backlash = Backlash
 figure-sphere = Probing of the calibration sphere
+figure-basic-rotation = Basic rotation

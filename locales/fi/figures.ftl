@@ -66,3 +66,4 @@ figure-rotary-b = Kiertoakselin B suunnassa
 figure-rotary-c = Kiertoakselin C suunnassa
 figure-backlash = Välys
 figure-sphere = Kalibrointikuulan kosketus
+figure-basic-rotation = Peruskääntö

@@ -66,3 +66,4 @@ figure-rotary-b = Lungo l’asse rotativo B
 figure-rotary-c = Lungo l’asse rotativo C
 figure-backlash = Gioco di inversione
 figure-sphere = Tastatura della sfera di calibrazione
+figure-basic-rotation = Rotazione base

@@ -66,3 +66,4 @@ figure-rotary-b = Ao longo do eixo rotativo B
 figure-rotary-c = Ao longo do eixo rotativo C
 figure-backlash = Folga
 figure-sphere = Apalpação da esfera de calibração
+figure-basic-rotation = Rotação básica

@@ -95,3 +95,5 @@ figure-rotary-c = Vzdolž rotacijske osi C
 figure-backlash = Zračnost
 
 figure-sphere = Tipanje umeritvene krogle
+
+figure-basic-rotation = Osnovna rotacija
