@@ -97,3 +97,21 @@ figure-backlash = Zračnost
 figure-sphere = Tipanje umeritvene krogle
 
 figure-basic-rotation = Osnovna rotacija
+
+figure-greatest-dimension = Največja mera
+
+figure-least-dimension = Najmanjša mera
+
+figure-centre-tolerance = Toleranca središča
+
+figure-spatial-angle-a = Prostorski kot A
+
+figure-spatial-angle-b = Prostorski kot B
+
+figure-spatial-angle-c = Prostorski kot C
+
+figure-counterbore = Grezenje
+
+figure-disengaging = Smer prostega premika
+
+figure-pre-drilled = Predhodno izvrtana vrtina

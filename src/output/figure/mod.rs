@@ -3,6 +3,8 @@
 //! A figure is run once for a cycle on a control ([`prepare`]); only its words depend on the language ([`Figure::svg`]).
 //! Start with `shot` (the run), then `measure`, `frame` (the layout) and `sheet` (the drawing). Invariant: knows events
 //! and scenes, specifications and texts, and no command; the same data give the same bytes.
+mod axonometric;
+mod bar;
 mod cylinder;
 mod dimension;
 mod frame;
@@ -25,7 +27,7 @@ use std::fmt::Write as _;
 
 use crate::base::diag::Diagnostic;
 use crate::language::text::CycleText;
-use crate::spec::{Catalogue, Cycle, Figure as Declared, OnControl, Shape, dimensions};
+use crate::spec::{Catalogue, Cycle, DimensionKind, Figure as Declared, OnControl, Shape, dimensions};
 use crate::tools::conform::World;
 
 use measure::Measured;
@@ -139,7 +141,11 @@ impl Figure<'_> {
         let labels = params.iter().zip(&self.measured).map(|(param, measured)| match (measured.field, param) {
             (true, Some(param)) => match (&param.coordinates, measured.along) {
                 // A position has a number for each axis.
-                (Some(before), Some(axis)) => format!("{before}{}", self.shot.letter(axis)),
+                (Some(before), Some(axis)) => {
+                    let turns = measured.kind == DimensionKind::Turn;
+                    let letter = if turns { axonometric::letter(&self.shot, axis) } else { self.shot.letter(axis) };
+                    format!("{before}{letter}")
+                }
                 _ => param.word.clone(),
             },
             _ if measured.is_half() => format!("\u{2300} {}", measured.of),

@@ -52,7 +52,12 @@ pub(super) const fn axis(view: FigureView) -> Option<RotaryAxis> {
         FigureView::RotaryA => Some(RotaryAxis::ALL[0]),
         FigureView::RotaryB => Some(RotaryAxis::ALL[1]),
         FigureView::RotaryC => Some(RotaryAxis::ALL[2]),
-        FigureView::Section | FigureView::Plan | FigureView::Side | FigureView::Turned | FigureView::Rotary => None,
+        FigureView::Section
+        | FigureView::Plan
+        | FigureView::Side
+        | FigureView::Turned
+        | FigureView::Rotary
+        | FigureView::ThreeD => None,
     }
 }
 

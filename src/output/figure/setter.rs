@@ -153,18 +153,21 @@ pub(super) fn poses(pen: &mut Pen, shot: &Shot, view: FigureView, top: f64, at: 
         }
     }
     if view == FigureView::Plan {
-        if last.turning.direction == 0 { edges(pen, last, *here, radius) } else { turn(pen, last, *here, radius) }
+        match last.turning.direction {
+            0 => edges(pen, &last.tool, last.turning, *here, radius),
+            _ => turn(pen, last, *here, radius),
+        }
     } else if last.turning.direction != 0 {
         turn_from_side(pen, last, DVec2::new(here.x, top), radius);
     }
 }
 
 /// The cutting edges of a tool that stands, as seen from the spindle.
-fn edges(pen: &mut Pen, stroke: &Stroke, centre: DVec2, radius: f64) {
-    let count = stroke.tool.teeth as u32;
-    let Some(angle) = stroke.turning.angle else { return };
+pub(super) fn edges(pen: &mut Pen, tool: &Tool, turning: Turning, centre: DVec2, radius: f64) {
+    let count = tool.teeth as u32;
+    let Some(angle) = turning.angle.filter(|_| turning.direction == 0) else { return };
     for edge in 0..count {
-        let angle = angle + stroke.turning.first + 360.0 / f64::from(count) * f64::from(edge);
+        let angle = angle + turning.first + 360.0 / f64::from(count) * f64::from(edge);
         let way = DVec2::new(cosd(angle), -sind(angle));
         pen.line("o", &[centre + way * radius * 0.45, centre + way * radius]);
         pen.circle("q", centre + way * radius, 2.2);

@@ -38,8 +38,10 @@ const TIP: usize = 7;
 const PITCH: usize = 8;
 /// The radius of a part on a rotary axis.
 const RADIUS: usize = 9;
+/// The axis of the bore that a boring bar goes through, its diameter, that of the bar, and the height of the edge.
+pub(super) const BAR: usize = 10;
 /// The first of the marks; after them, the corners of what a blank lacks.
-pub(super) const MARKS: usize = 10;
+pub(super) const MARKS: usize = 14;
 
 /// How a piece of the way is gone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,6 +86,10 @@ pub(super) struct Shot {
     pub(super) tool: Option<(Tool, DVec3)>,
     /// Where the datum is now, if the cycle has set another one.
     pub(super) datum: Option<DVec3>,
+    /// The directions of the main, secondary and tool axis now.
+    pub(super) axes: [DVec3; 3],
+    /// How the spindle stands or turns.
+    pub(super) turning: Turning,
     /// The radius of the ball of the touch probe, if it is one.
     pub(super) ball: Option<f64>,
     /// The tool setter, if a tool is at it that is no touch probe.
@@ -172,6 +178,8 @@ fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
         insert.and_then(|insert| insert.pitch.as_ref()),
         blank.and_then(|blank| blank.radius.as_ref()),
     ];
+    let bar = figure.bar.as_ref();
+    places.extend(bar.map_or([None; 4], |bar| [&bar.at, &bar.bore, &bar.neck, &bar.edge].map(Some)));
     places.extend(figure.marks.iter().map(|mark| Some(&mark.at)));
     places.extend(blank.iter().flat_map(|blank| &blank.without).map(Some));
     places
@@ -298,10 +306,11 @@ pub(super) fn take(
     let (before, after) = events.split_at(end);
     before.iter().for_each(|event| film.see(event));
     film.now = Some(film.strokes.len());
-    let (tool, here, touched, system, table) =
-        (film.tool, film.here, film.contacts.len(), film.system, film.table.clone());
+    let (tool, here, touched, system) = (film.tool, film.here, film.contacts.len(), film.system);
+    let (turning, table) = (film.turning, film.table.clone());
     after.iter().for_each(|event| film.see(event));
-    (film.tool, film.here, film.system, film.table) = (tool, here, system, table);
+    (film.tool, film.here, film.system) = (tool, here, system);
+    (film.turning, film.table) = (turning, table);
     film.contacts.truncate(touched);
     let mut shot = film.end(&scene);
     if rotary::axis(figure.view).is_some() {
@@ -520,6 +529,9 @@ impl<'f> Film<'f> {
             rotary
         });
         let datum = own(self.system.transform_point3(DVec3::ZERO));
+        let axes = [(DVec2::X, 0.0), (DVec2::Y, 0.0), (DVec2::ZERO, 1.0)]
+            .map(|(flat, height)| own(self.system.transform_point3(plane.lift(flat, height))) - datum)
+            .map(DVec3::normalize_or_zero);
         let mut strokes: Vec<Stroke> = self.strokes.into_iter().map(placed).collect();
         let later = strokes.split_off(self.now.unwrap_or(strokes.len()).min(strokes.len()));
         Shot {
@@ -529,6 +541,8 @@ impl<'f> Film<'f> {
             centres: self.centres.into_iter().map(own).collect(),
             tool: self.tool.zip(self.here.map(centre)),
             datum: (datum.length() > 1e-9).then_some(datum),
+            axes,
+            turning: self.turning,
             rotary,
             setter: if ball.is_none() { Setter::of(scene, plane, &own) } else { None },
             ball,
