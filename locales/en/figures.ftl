@@ -76,3 +76,7 @@ figure-spatial-angle-c = Spatial angle C
 figure-counterbore = Counterboring
 figure-disengaging = Disengaging direction
 figure-pre-drilled = Pre-drilled hole
+figure-touch-points = Touch points
+figure-measuring-axis = Measuring axis
+figure-traverse-direction = Traverse direction
+figure-straight-or-circle = Straight or on a circle

@@ -76,3 +76,7 @@ figure-spatial-angle-c = Tilakulma C
 figure-counterbore = Upotus
 figure-disengaging = Irtiajosuunta
 figure-pre-drilled = Esiporattu reikä
+figure-touch-points = Kosketuspisteet
+figure-measuring-axis = Mittausakseli
+figure-traverse-direction = Liikesuunta
+figure-straight-or-circle = Suoraan tai ympyränkaarella

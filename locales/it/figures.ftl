@@ -76,3 +76,7 @@ figure-spatial-angle-c = Angolo solido C
 figure-counterbore = Lamatura
 figure-disengaging = Direzione di disimpegno
 figure-pre-drilled = Preforo
+figure-touch-points = Punti da tastare
+figure-measuring-axis = Asse di misura
+figure-traverse-direction = Direzione di spostamento
+figure-straight-or-circle = In linea retta o su cerchio

@@ -76,3 +76,7 @@ figure-spatial-angle-c = Ângulo espacial C
 figure-counterbore = Rebaixo
 figure-disengaging = Direção de afastamento livre
 figure-pre-drilled = Furo prévio
+figure-touch-points = Pontos de apalpação
+figure-measuring-axis = Eixo de medição
+figure-traverse-direction = Direção de deslocação
+figure-straight-or-circle = Em linha reta ou em círculo

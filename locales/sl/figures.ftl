@@ -115,3 +115,11 @@ figure-counterbore = Grezenje
 figure-disengaging = Smer prostega premika
 
 figure-pre-drilled = Predhodno izvrtana vrtina
+
+figure-touch-points = Točke tipanja
+
+figure-measuring-axis = Merilna os
+
+figure-traverse-direction = Smer premika
+
+figure-straight-or-circle = Naravnost ali po krožnici
