@@ -161,7 +161,7 @@ fn a_boring_bar_cuts_where_its_edge_is() {
 fn the_middle_of_a_hole_is_a_place_of_the_workpiece() {
     let middle = "to: circle.centre}";
     assert_eq!(altered(421, middle, middle), Vec::<&str>::new());
-    assert_eq!(altered(421, middle, "to: circle.centre + POINT(0.5, 0, 0)}"), ["figure-measured-otherwise"]);
+    assert_eq!(altered(421, middle, "to: \"circle.centre + POINT(0.5, 0, 0)\"}"), ["figure-measured-otherwise"]);
     let place = "{cylinder: {centre: [52, 55], diameter: 50";
     assert_eq!(altered(421, place, "{cylinder: {centre: [51, 55], diameter: 50").len(), 1);
 }
