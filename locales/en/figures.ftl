@@ -80,3 +80,4 @@ figure-touch-points = Touch points
 figure-measuring-axis = Measuring axis
 figure-traverse-direction = Traverse direction
 figure-straight-or-circle = Straight or on a circle
+figure-wide-slot = Wide slot

@@ -80,3 +80,4 @@ figure-touch-points = Kosketuspisteet
 figure-measuring-axis = Mittausakseli
 figure-traverse-direction = Liikesuunta
 figure-straight-or-circle = Suoraan tai ympyränkaarella
+figure-wide-slot = Leveä ura

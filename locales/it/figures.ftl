@@ -80,3 +80,4 @@ figure-touch-points = Punti da tastare
 figure-measuring-axis = Asse di misura
 figure-traverse-direction = Direzione di spostamento
 figure-straight-or-circle = In linea retta o su cerchio
+figure-wide-slot = Scanalatura larga

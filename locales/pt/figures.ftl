@@ -80,3 +80,4 @@ figure-touch-points = Pontos de apalpação
 figure-measuring-axis = Eixo de medição
 figure-traverse-direction = Direção de deslocação
 figure-straight-or-circle = Em linha reta ou em círculo
+figure-wide-slot = Ranhura larga

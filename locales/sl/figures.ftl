@@ -123,3 +123,5 @@ figure-measuring-axis = Merilna os
 figure-traverse-direction = Smer premika
 
 figure-straight-or-circle = Naravnost ali po krožnici
+
+figure-wide-slot = Širok utor
