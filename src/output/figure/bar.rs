@@ -7,9 +7,10 @@ use glam::{DVec2, DVec3};
 use super::frame::Frame;
 use super::half_plane::{SPECK, area, around, corners_of};
 use super::pen::{Pen, Rect};
-use super::sheet::Subject;
-use super::shot::{BAR, Shot, Way, number, point};
+use super::shot::{BAR, Shot, number, point};
 use super::slabs;
+use super::stroke::{Stroke, Way};
+use super::subject::Subject;
 
 /// The width of the part that carries the edge, seen from above, as a part of the bar.
 const WIDE: f64 = 0.8;
@@ -41,7 +42,7 @@ impl Bar {
     /// What it takes away, seen along the secondary axis.
     fn cuts(&self, shot: &Shot) -> Vec<Vec<DVec2>> {
         let mut all: Vec<Vec<DVec2>> = Vec::new();
-        let turning = |stroke: &&super::shot::Stroke| stroke.way == Way::Feed && stroke.turning.direction != 0;
+        let turning = |stroke: &&Stroke| stroke.way == Way::Feed && stroke.turning.direction != 0;
         for stroke in shot.strokes.iter().filter(turning) {
             let radius = stroke.tool.radius;
             let corners = |p: &DVec3| {

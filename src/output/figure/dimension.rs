@@ -9,7 +9,7 @@ use super::frame::{Frame, direction};
 use super::lanes::{Bar, Lane};
 use super::measure::{Measured, Spot};
 use super::pen::{ARROW, Pen, escaped, short, width};
-use super::sheet::{Subject, Words, flat};
+use super::subject::{Subject, Words, flat};
 use super::{axonometric, rotary, setter};
 use crate::base::expr::{cosd, sind};
 use crate::spec::{DimensionKind, FigureView};

@@ -2,8 +2,10 @@
 //! ends is a place that the run reached or a face of the workpiece.
 use glam::{DVec2, DVec3};
 
-use super::shot::{CORNERS, CUT, Shot, Stroke, TOP};
-use super::{axonometric, bar, rotary, slice};
+use super::half_plane::distance;
+use super::shot::{BAR, CORNERS, CUT, Shot, TOP, number};
+use super::stroke::Stroke;
+use super::{axonometric, rotary, slice};
 use crate::base::diag::Diagnostic;
 use crate::base::expr::{Value, tand};
 use crate::spec::{Along, Cycle, Dimension, DimensionKind, Figure, FigureView};
@@ -269,7 +271,7 @@ fn coordinate_is_reached(at: f64, axis: Along, shot: &Shot) -> bool {
         })
     };
     let middles = slice::middles(shot);
-    let edge = bar::of(shot).filter(|_| axis == Along::Tool).map(|bar| bar.edge);
+    let edge = number(shot, BAR + 3).filter(|_| axis == Along::Tool);
     shot.strokes.iter().chain(&shot.later).any(by_stroke)
         || shot.strokes.iter().flat_map(|stroke| &stroke.points).any(|p| edge.is_some_and(|edge| near(p.z + edge)))
         || shot.contacts.iter().chain(&shot.centres).chain(&shot.datum).any(|point| near(along(*point, axis)))
@@ -313,12 +315,4 @@ fn point_is_reached(point: DVec3, shot: &Shot) -> bool {
             .any(|own| (own.truncate() - at).length() <= ON_WAY)
         || corner()
         || shot.is_on_part(point)
-}
-
-/// How far a point is from a line between two others.
-pub(super) fn distance(p: DVec2, a: DVec2, b: DVec2) -> f64 {
-    let way = b - a;
-    let share =
-        if way.length_squared() > 0.0 { ((p - a).dot(way) / way.length_squared()).clamp(0.0, 1.0) } else { 0.0 };
-    (p - a - way * share).length()
 }

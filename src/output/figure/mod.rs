@@ -20,6 +20,8 @@ mod sheet;
 mod shot;
 mod slabs;
 mod slice;
+mod stroke;
+mod subject;
 mod turned;
 mod window;
 
@@ -32,8 +34,8 @@ use crate::tools::conform::World;
 
 use measure::Measured;
 use pen::{Rect, escaped, short};
-use sheet::{Subject, Words};
 use shot::Shot;
+use subject::{Subject, Words};
 
 /// The width of a figure in pixels.
 const WIDTH: f64 = 360.0;

@@ -5,7 +5,7 @@
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::pen::{ARROW, Pen, Rect, width};
-use super::shot::{Stroke, Way};
+use super::stroke::{Stroke, Way};
 use crate::base::expr::{cosd, sind};
 use crate::engine::geometry::{RotaryAxis, WorkingPlane};
 use crate::engine::machine::{Carried, Machine};

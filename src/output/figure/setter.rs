@@ -6,7 +6,8 @@ use std::fmt::Write as _;
 use glam::{DVec2, DVec3};
 
 use super::pen::{Pen, Rect, short};
-use super::shot::{Shot, Stroke, Way};
+use super::shot::Shot;
+use super::stroke::{Stroke, Turning, Way};
 use crate::base::expr::{cosd, sind};
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::machine::Tool;
@@ -28,17 +29,6 @@ pub(super) struct Setter {
     pub(super) half: f64,
     /// The corners of a cube; none of a disc.
     corners: Vec<DVec3>,
-}
-
-/// How the spindle stands or turns while the tool moves.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Turning {
-    /// +1 clockwise as seen from the spindle, -1 counter-clockwise, 0 standing.
-    pub(super) direction: i8,
-    /// The angle at which it stands, if it was oriented.
-    pub(super) angle: Option<f64>,
-    /// Where the first edge of the tool is while the spindle is at 0, degrees.
-    pub(super) first: f64,
 }
 
 impl Setter {

@@ -7,51 +7,16 @@ use std::fmt::Write as _;
 use glam::{DVec2, DVec3};
 
 use super::frame::{Camera, Frame};
-use super::measure::{Measured, Spot, along, axes};
+use super::measure::axes;
 use super::pen::{ARROW, Pen, Rect, short};
-use super::profile;
-use super::shot::{CUT, MARKS, Shot, Stroke, Way, number, point};
+use super::shot::{CUT, MARKS, number, point};
 use super::slice::{self, Face, Outline};
+use super::stroke::{Stroke, Way};
+use super::subject::{Subject, Words, depth, flat};
 use super::window::Window;
 use super::{axonometric, bar, cylinder, rotary, scan, setter, turned};
 use crate::base::expr::tand;
 use crate::spec::{Along, FigureView};
-
-/// What a figure shows, measured.
-pub(super) struct Subject<'s> {
-    pub(super) view: FigureView,
-    pub(super) shot: &'s Shot,
-    pub(super) measured: &'s [Measured],
-    /// The numbers of the marks.
-    pub(super) marks: &'s [u32],
-    /// Whether the blank is round from above.
-    pub(super) round: bool,
-    /// Whether it shows what becomes of a whole program, and with it the datum.
-    pub(super) whole: bool,
-    /// The greatest height of the drawing, in pixels.
-    pub(super) height: f64,
-    /// The width of the sheet, in pixels.
-    pub(super) width: f64,
-}
-
-/// The words on a figure.
-pub(super) struct Words {
-    /// The label of each dimension.
-    pub(super) labels: Vec<String>,
-    /// What each dimension is a link to, if to anything.
-    pub(super) links: Vec<Option<String>>,
-    /// Rapid traverse, feed, probing.
-    pub(super) ways: [String; 3],
-}
-
-/// A point as the view sees it: to the right and upwards.
-pub(super) fn flat(p: DVec3, view: FigureView) -> DVec2 {
-    if view == FigureView::ThreeD {
-        return axonometric::project(p);
-    }
-    let [right, up] = axes(view);
-    DVec2::new(along(p, right), along(p, up))
-}
 
 /// The figure on paper.
 pub(super) struct Drawn {
@@ -80,20 +45,6 @@ pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Drawn {
     sheet.marks();
     sheet.legend(words);
     Drawn { body: sheet.pen.body, size: frame.size, texts: sheet.pen.texts }
-}
-
-/// Where the plane of the view is along the axis that it does not show.
-fn depth(subject: &Subject<'_>) -> f64 {
-    let shot = subject.shot;
-    let tool = shot.tool.map_or(DVec3::ZERO, |(_, tip)| tip);
-    number(shot, CUT).unwrap_or_else(|| match subject.view {
-        FigureView::Plan | FigureView::RotaryC | FigureView::ThreeD => {
-            shot.contacts.first().map_or(tool.z, |contact| contact.z)
-        }
-        FigureView::Section | FigureView::Side | FigureView::Rotary | FigureView::RotaryB => tool.y,
-        FigureView::RotaryA => tool.x,
-        FigureView::Turned => 0.0,
-    })
 }
 
 struct Sheet<'s> {
@@ -138,7 +89,7 @@ impl Sheet<'_> {
             FigureView::Plan => self.from_above(),
             FigureView::Section | FigureView::Side => self.cut_open(),
             FigureView::Turned => turned::part(&mut self.pen, self.subject, self.frame),
-            FigureView::Rotary => cylinder::part(&mut self.pen, self.subject, self.frame),
+            FigureView::Rotary => turned::across(&mut self.pen, self.subject, self.frame),
             FigureView::RotaryA | FigureView::RotaryB | FigureView::RotaryC => self.rotary(),
         }
     }
@@ -477,11 +428,6 @@ impl Sheet<'_> {
     }
 }
 
-/// The surface of a blank after the strokes, where the view cuts it.
-pub(super) fn surface(subject: &Subject<'_>, edges: [f64; 2], top: f64) -> Vec<DVec2> {
-    profile::surface(&subject.shot.strokes, depth(subject), edges, top)
-}
-
 /// Where the arrowhead of a way is: beyond the middle of its longest straight piece.
 fn arrow_place(points: &[DVec2]) -> Option<(DVec2, DVec2)> {
     let total: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum();
@@ -529,12 +475,4 @@ fn clip_pair(a: DVec2, b: DVec2, rect: &Rect) -> Option<(DVec2, DVec2)> {
         }
     }
     (begin <= end).then(|| (a + way * begin, a + way * end))
-}
-
-/// The coordinate of a place along an axis.
-pub(super) const fn coordinate(spot: Spot, axis: Along) -> f64 {
-    match spot {
-        Spot::Coordinate(coordinate) => coordinate,
-        Spot::Point(point) => along(point, axis),
-    }
 }

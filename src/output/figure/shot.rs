@@ -6,9 +6,10 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::cylinder::{Round, Table};
-use super::half_plane::{Blank, HalfPlane, Stand};
+use super::half_plane::{Blank, HalfPlane, Insert, Stand};
 use super::rotary::{self, Rotary};
-use super::setter::{Setter, Turning};
+use super::setter::Setter;
+use super::stroke::{Stroke, Turning, Way};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Value, parse};
 use crate::engine::geometry::{Axis, WorkingPlane};
@@ -42,34 +43,6 @@ const RADIUS: usize = 9;
 pub(super) const BAR: usize = 10;
 /// The first of the marks; after them, the corners of what a blank lacks.
 pub(super) const MARKS: usize = 14;
-
-/// How a piece of the way is gone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
-    /// At rapid traverse.
-    Rapid,
-    /// At a feed.
-    Feed,
-    /// Towards the workpiece, to touch it.
-    Probe,
-}
-
-/// A piece of the way of the tool tip or of the ball centre.
-#[derive(Clone, Debug)]
-pub(super) struct Stroke {
-    /// How it is gone.
-    pub(super) way: Way,
-    /// Its points; the chords of an arc leave it by 0.04 mm at most.
-    pub(super) points: Vec<DVec3>,
-    /// The tool that goes it.
-    pub(super) tool: Tool,
-    /// Where the table turns what is milled: the direction of the tool at each of the points.
-    pub(super) up: Vec<DVec3>,
-    /// How the spindle stands or turns meanwhile.
-    pub(super) turning: Turning,
-    /// The angles of the rotary axes at its end, in the program.
-    pub(super) angles: DVec3,
-}
 
 /// A run at a moment.
 #[derive(Debug)]
@@ -365,7 +338,13 @@ impl Shot {
             axial: insert.and_then(|insert| insert.plunges) == Some(Along::Tool),
             pitch: number(self, PITCH).filter(|pitch| *pitch > 0.0),
         };
-        let tool = (&scene.tools, tool.number);
+        let column = |name: &str| scene.tools.number(tool.number, name).ok().flatten().filter(|number| *number > 0.0);
+        let tool = Insert {
+            radius: column("RS").unwrap_or_default(),
+            length: column("LCUTS"),
+            width: column("CUTWIDTH"),
+            angles: column("T-ANGLE").zip(column("P-ANGLE")).map(<[f64; 2]>::from),
+        };
         let corners = figure.blank.as_ref().map_or(0, |blank| blank.without.len());
         let lacks: Vec<DVec2> = (0..corners).filter_map(|n| half(MARKS + figure.marks.len() + n)).collect();
         self.turned = Some(HalfPlane::new(stand, tool, Blank { least, greatest, lacks }, [&self.strokes, &self.later]));
