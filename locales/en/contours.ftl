@@ -63,6 +63,7 @@ cycle-rough-out = Rough-out
     .nc = ROUGH-OUT
     .purpose = Clears the contour down to the floor allowance, level by level, or machines only what a coarser tool has left.
 step-position-over-infeed-point = The control positions the tool over the infeed point, considering the finishing allowance for side.
+step-take-depths-of-partial-contours = The control machines a partial contour with a depth of its own down to that depth, all others down to the milling depth of the contour data.
 step-go-to-infeed-point = The tool moves at rapid traverse over the infeed point and down to the set-up clearance above what has been machined.
 step-plunge-to-contour-level = The tool moves to the next plunging depth, { $q-contour-plunging-depth } deeper:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: vertically at the feed rate { $q-contour-plunging-feed }, even if a plunging angle { $mp-plunging-angle } is defined for the active tool

@@ -94,6 +94,12 @@ diag-word-not-offered = The word { $word } is not permitted here.
 diag-contour-crossing = The contour of label { $label } crosses or touches itself at main { NUMBER($x) } mm, minor { NUMBER($y) } mm.
 diag-contour-begin-incomplete = The contour of label { $label } does not begin with both coordinates X and Y.
 diag-contour-data-undefined = No cycle has defined the data of the contour yet.
+diag-contour-count = A contour consists of more than { NUMBER($limit) } partial contours.
+diag-contour-depth =
+    { $what ->
+        [first] A partial contour is deeper than the first one of CONTOUR DEF, which must be the deepest pocket.
+       *[cycle] A partial contour has a depth of { NUMBER($depth) } mm; that is deeper than the milling depth of the contour data.
+    }
 diag-contour-elements = The contours have more than { NUMBER($limit) } elements together.
 diag-contour-empty = The subprogram of label { $label } describes no contour that encloses an area.
 diag-contour-not-defined = No cycle has named the subprograms of the contour yet.

@@ -63,6 +63,7 @@ cycle-rough-out = Rouhinta
     .nc = ROUHINTA
     .purpose = Työkierto rouhii muodon taso kerrallaan pohjan työvaraan asti tai koneistaa vain sen, mitä suurempi työkalu on jättänyt jäljelle.
 step-position-over-infeed-point = Ohjaus paikoittaa työkalun asetuspisteen yläpuolelle ja ottaa huomioon sivun silitystyövaran.
+step-take-depths-of-partial-contours = Ohjaus koneistaa osamuodon, jolla on oma syvyys, siihen syvyyteen ja kaikki muut muototietojen jyrsintäsyvyyteen.
 step-go-to-infeed-point = Työkalu siirtyy pikaliikkeellä asetuspisteen yläpuolelle ja alas varmuusetäisyydelle jo koneistetusta pinnasta.
 step-plunge-to-contour-level = Työkalu siirtyy seuraavaan asetussyvyyteen eli arvon { $q-contour-plunging-depth } verran syvemmälle:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: kohtisuoraan syöttöarvolla { $q-contour-plunging-feed }, vaikka aktiiviselle työkalulle olisi määritelty sisäänpistokulma { $mp-plunging-angle }

@@ -95,6 +95,12 @@ diag-value-not-predefined = Arvoksi on ohjelmoitu PREDEF, mutta mikään GLOBAL 
 diag-contour-crossing = Aliohjelman { $label } muoto leikkaa tai sivuaa itseään kohdassa: pääakseli { NUMBER($x) } mm, sivuakseli { NUMBER($y) } mm.
 diag-contour-begin-incomplete = Labelin { $label } muodon alussa ei ole kumpaakin koordinaattia X ja Y.
 diag-contour-data-undefined = Mikään työkierto ei ole vielä määritellyt muototietoja.
+diag-contour-count = Muoto koostuu yli { NUMBER($limit) } osamuodosta.
+diag-contour-depth =
+    { $what ->
+        [first] Osamuoto on syvempi kuin lauseen CONTOUR DEF ensimmäinen osamuoto, jonka on oltava syvin tasku.
+       *[cycle] Osamuodon syvyys on { NUMBER($depth) } mm: se on syvempi kuin muototietojen jyrsintäsyvyys.
+    }
 diag-contour-elements = Muodoissa on yhteensä yli { NUMBER($limit) } muotoelementtiä.
 diag-contour-empty = Labelin { $label } aliohjelma ei kuvaa muotoa, joka rajaa alueen.
 diag-contour-not-defined = Mikään työkierto ei ole vielä nimennyt muodon aliohjelmia.

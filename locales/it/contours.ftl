@@ -63,6 +63,7 @@ cycle-rough-out = Svuotamento
     .nc = SVUOTAMENTO
     .purpose = Svuota il profilo fino al sovrametallo del fondo, livello per livello, oppure lavora soltanto ciò che un utensile più grosso ha lasciato.
 step-position-over-infeed-point = Il controllo posiziona l’utensile sopra il punto di penetrazione, tenendo conto del sovrametallo di finitura laterale.
+step-take-depths-of-partial-contours = Il controllo lavora un segmento di profilo con una profondità propria fino a tale profondità, tutti gli altri fino alla profondità di fresatura dei dati del profilo.
 step-go-to-infeed-point = L'utensile si porta in rapido sopra il punto di penetrazione e scende fino alla distanza di sicurezza dalla superficie già lavorata.
 step-plunge-to-contour-level = L’utensile si porta alla profondità incremento successiva, più in basso di { $q-contour-plunging-depth }:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: in verticale con l’avanzamento { $q-contour-plunging-feed }, anche se per l’utensile attivo è definito un angolo di penetrazione { $mp-plunging-angle }

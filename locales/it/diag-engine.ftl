@@ -94,6 +94,12 @@ diag-value-not-predefined = È programmato PREDEF, ma nessun GLOBAL DEF ha defin
 diag-contour-crossing = Il profilo della label { $label } interseca o tocca sé stesso nel punto con asse principale { NUMBER($x) } mm e asse secondario { NUMBER($y) } mm.
 diag-contour-begin-incomplete = Il profilo della label { $label } non inizia con entrambe le coordinate X e Y.
 diag-contour-data-undefined = Nessun ciclo ha ancora definito i dati del profilo.
+diag-contour-count = Il profilo è formato da più di { NUMBER($limit) } segmenti di profilo.
+diag-contour-depth =
+    { $what ->
+        [first] Un segmento di profilo è più profondo del primo di CONTOUR DEF, che deve essere la tasca più profonda.
+       *[cycle] Un segmento di profilo ha una profondità di { NUMBER($depth) } mm, maggiore della profondità di fresatura dei dati del profilo.
+    }
 diag-contour-elements = I profili hanno in totale più di { NUMBER($limit) } elementi.
 diag-contour-empty = Il sottoprogramma della label { $label } non descrive un profilo che racchiuda un'area.
 diag-contour-not-defined = Nessun ciclo ha ancora indicato i sottoprogrammi del profilo.

@@ -63,6 +63,7 @@ cycle-rough-out = Desbaste
     .nc = DESBASTE
     .purpose = Desbasta o contorno, nível a nível, até à medida excedente do fundo, ou maquina apenas o que uma ferramenta mais grossa deixou.
 step-position-over-infeed-point = O comando posiciona a ferramenta sobre o ponto de penetração, tendo em conta a medida excedente de acabamento lateral.
+step-take-depths-of-partial-contours = O comando maquina um contorno parcial com profundidade própria até essa profundidade, e todos os outros até à profundidade de fresagem dos dados do contorno.
 step-go-to-infeed-point = A ferramenta desloca-se em avanço rápido para cima do ponto de penetração e desce até à distância de segurança da superfície já maquinada.
 step-plunge-to-contour-level = A ferramenta desloca-se para a profundidade de passo seguinte, { $q-contour-plunging-depth } mais funda:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: na vertical com o avanço { $q-contour-plunging-feed }, mesmo que esteja definido um ângulo de penetração { $mp-plunging-angle } para a ferramenta ativa

@@ -94,6 +94,12 @@ diag-value-not-predefined = Está programado PREDEF, mas nenhum GLOBAL DEF defin
 diag-contour-crossing = O contorno do label { $label } cruza-se ou toca-se a si próprio no ponto com eixo principal { NUMBER($x) } mm e eixo secundário { NUMBER($y) } mm.
 diag-contour-begin-incomplete = O contorno do label { $label } não começa com as duas coordenadas X e Y.
 diag-contour-data-undefined = Nenhum ciclo definiu ainda os dados do contorno.
+diag-contour-count = O contorno é formado por mais de { NUMBER($limit) } contornos parciais.
+diag-contour-depth =
+    { $what ->
+        [first] Um contorno parcial é mais fundo do que o primeiro de CONTOUR DEF, que tem de ser a caixa mais funda.
+       *[cycle] Um contorno parcial tem uma profundidade de { NUMBER($depth) } mm, maior do que a profundidade de fresagem dos dados do contorno.
+    }
 diag-contour-elements = Os contornos têm, no total, mais de { NUMBER($limit) } elementos.
 diag-contour-empty = O subprograma do label { $label } não descreve nenhum contorno que delimite uma área.
 diag-contour-not-defined = Nenhum ciclo indicou ainda os subprogramas do contorno.

@@ -94,6 +94,12 @@ diag-value-not-predefined = Programiran je PREDEF, vrednosti pa ni določil nobe
 diag-contour-crossing = Kontura oznake { $label } se križa ali dotika sama sebe v točki: glavna os { NUMBER($x) } mm, pomožna os { NUMBER($y) } mm.
 diag-contour-begin-incomplete = Kontura oznake { $label } se ne začne z obema koordinatama X in Y.
 diag-contour-data-undefined = Noben cikel še ni določil konturnih podatkov.
+diag-contour-count = Kontura je sestavljena iz več kot { NUMBER($limit) } delnih kontur.
+diag-contour-depth =
+    { $what ->
+        [first] Delna kontura je globlja od prve v stavku CONTOUR DEF, ki mora biti najgloblji žep.
+       *[cycle] Delna kontura ima globino { NUMBER($depth) } mm in je globlja od globine rezkanja iz konturnih podatkov.
+    }
 diag-contour-elements = Konture imajo skupaj več kot { NUMBER($limit) } konturnih elementov.
 diag-contour-empty = Podprogram oznake { $label } ne opisuje konture, ki bi omejevala površino.
 diag-contour-not-defined = Noben cikel še ni navedel podprogramov konture.

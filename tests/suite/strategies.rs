@@ -446,7 +446,7 @@ impl Kept for Notebook {
         Some(name.len() as f64)
     }
 
-    fn read_contours(&mut self) -> Done {
+    fn read_contours(&mut self, _: f64) -> Done {
         self.contours = pocket();
         Ok(())
     }
@@ -492,7 +492,7 @@ fn pocket() -> Contours {
     let corners = [(0.0, 20.0), (40.0, 20.0), (40.0, 0.0), (0.0, 0.0)];
     let edges = corners.map(|(x, y)| Edge::Line(DVec2::new(x, y))).to_vec();
     let contour = Contour { way: Way { start: DVec2::ZERO, edges }, side: -1 };
-    Contours::new(vec![contour.closed().expect("a pocket")], DVec2::new(20.0, 40.0))
+    Contours::new(vec![contour.closed().expect("a pocket")], DVec2::new(20.0, 40.0), 10.0)
 }
 
 /// An open contour along X to 50, then along Y to 30, with the tool on its left.
@@ -572,7 +572,14 @@ fn strategies_over_contours_work_on_what_was_read() {
     let mut control = Notebook::default();
     let data = contour::RecallContourData {}.act(&mut control).expect("data");
     assert_eq!((data.depth, data.direction), (5.0, 9.0));
-    let find = contour::FindInfeedPoints { overlap: 0.8, allowance: 0.0, rounding: 0.0, tool: None, coarse: None };
+    let find = contour::FindInfeedPoints {
+        overlap: 0.8,
+        allowance: 0.0,
+        rounding: 0.0,
+        tool: None,
+        coarse: None,
+        floors: None,
+    };
     let points = find.act(&mut control).expect("points");
     assert_eq!((points.count, points.radius, points.stepover), (1.0, 5.0, 4.0));
     let tool = Cutter { radius: 5.0 };
@@ -584,6 +591,7 @@ fn strategies_over_contours_work_on_what_was_read() {
         climb: 1.0,
         radius: None,
         coarse: None,
+        floors: None,
         level: -3.0,
         at: 200.0,
     };

@@ -251,8 +251,8 @@ impl Kept for OfRun<'_, '_, '_, '_> {
         }
     }
 
-    fn read_contours(&mut self) -> Done {
-        self.run.read_contours()
+    fn read_contours(&mut self, depth: f64) -> Done {
+        self.run.read_contours(depth)
     }
 
     fn read_first_contour(&mut self) -> Done {

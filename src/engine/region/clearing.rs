@@ -24,6 +24,13 @@ pub struct Path {
     pub edges: Vec<Edge>,
 }
 
+impl Path {
+    /// Where it ends.
+    pub fn end(&self) -> DVec2 {
+        self.edges.last().map_or(self.start, Edge::to)
+    }
+}
+
 /// More rings are needed than there may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooManyRings;

@@ -13,6 +13,7 @@ pub mod contours;
 pub mod formula;
 pub mod groove;
 pub mod profile;
+pub mod relief;
 mod way;
 
 use cavalier_contours::polyline::{PlineSource, Polyline};

@@ -262,11 +262,11 @@ pub trait Kept {
     fn kept(&self, name: &str) -> Option<f64>;
 
     /// Reads the closed contours that the definition in effect names, with the present parameters; strategies over
-    /// contours see them from then on.
+    /// contours see them from then on, down to a depth below the surface in mm.
     ///
     /// # Errors
-    /// No definition names contours, or one of them is none.
-    fn read_contours(&mut self) -> Done;
+    /// No definition names contours, one of them is none, or deeper than that.
+    fn read_contours(&mut self, depth: f64) -> Done;
 
     /// Reads the first of these contours, which may be open.
     ///

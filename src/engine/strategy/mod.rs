@@ -15,6 +15,7 @@ pub mod action;
 pub mod calculation;
 pub mod contour;
 pub mod contour_lines;
+pub mod contour_walls;
 pub mod cylinder;
 pub mod datum;
 pub mod digitized;
