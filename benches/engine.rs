@@ -1,7 +1,8 @@
 //! Prints how many blocks, cycle calls and probing cycles the engine executes in a second, how many moves take material
 //! from a stock, how long the paths of strategies take by themselves, and what memory a run of many moves takes:
 //! `cargo bench --bench engine`, or one part of it: `cargo bench --bench engine -- stock` (`memory`, `strategy`,
-//! `blocks`, `process`).
+//! `contour`, `blocks`, `process`). A region of 10,000 elements with 50 islands is to be cleared in less than 2 s, in a time
+//! that grows no faster than n log n, and a contour of the manual's size (`22 rough-out`) in less than 5 ms a call.
 //!
 //! Where LinuxCNC's `rs274` is installed (Debian package `linuxcnc-uspace`), the same work as RS274 text runs beside it.
 //! A move of the stock is one of 0.25 to 1 mm, as programs of such parts have them; a longer way is told by the steps of
@@ -13,15 +14,19 @@ use std::{env, fs};
 
 use ciklo::base::data;
 use ciklo::base::diag::Source;
+use ciklo::base::expr::{cosd, sind};
 use ciklo::engine::geometry::{Axis, Frame};
 use ciklo::engine::run::{Engine, EventKind, NoTexts};
+use ciklo::engine::region::contours::{Closed, Contour};
+use ciklo::engine::region::{Edge, Way};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::{Path, Shape};
 use ciklo::engine::stock::{Batch, Cutter, Machining, Stock, Tip};
+use ciklo::engine::strategy::contour::{Clearing, Contours};
 use ciklo::engine::strategy::{self, Milling, pocket, thread};
 use ciklo::program::syntax::parse;
 use ciklo::spec::{Catalogue, OnControl};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 const ROUNDS: u32 = 3;
 const PROCESS_ROUNDS: u32 = 7;
@@ -30,6 +35,17 @@ const CALLS: usize = 20_000;
 /// Calls of a program that is executed by a process of its own.
 const PROCESS_CALLS: usize = 50_000;
 const PROBINGS: usize = 1_000;
+const ROUGHINGS: usize = 100;
+
+/// A contour of the size of the manual's examples: two pockets that overlap, with an island in each (TNC 640 manual,
+/// lines 4897-5044).
+const ROUGHING: &str = "CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL 1 /2 /3 /4\n\
+    CYCL DEF 20 CONTOUR DATA Q1=-20 Q2=1 Q3=+0.5 Q4=+0.5 Q5=+0 Q6=2 Q7=+100 Q8=0.1 Q9=-1\n\
+    CYCL DEF 22 ROUGH-OUT Q10=5 Q11=100 Q12=350 Q18=0 Q19=0 Q208=9999\n";
+const PARTIAL: &str = "L Z+100 R0 FMAX M2\nLBL 1\nCC X+35 Y+50\nL X+10 Y+50 RR\nC X+10 DR-\nLBL 0\n\
+    LBL 2\nCC X+65 Y+50\nL X+90 Y+50 RR\nC X+90 DR-\nLBL 0\n\
+    LBL 3\nL X+27 Y+50 RL\nL Y+58\nL X+43\nL Y+42\nL X+27\nL Y+50\nLBL 0\n\
+    LBL 4\nL X+65 Y+42 RL\nL X+57\nL X+65 Y+58\nL X+73 Y+42\nL X+65\nLBL 0\n";
 
 const SCENE: &str = "scene: 1\nmachine: mill-3-axis\ntools: [{T: 1, L: 80, R: 5}, {T: 2, L: 100, R: 2, TP_NO: 1}]\n\
     probe: {NO: 1, ball_radius: 2}\nstart: [0, 0, 50]\nparts:\n  - solid:\n      difference:\n        \
@@ -75,6 +91,12 @@ fn works(calls: usize) -> Vec<Work> {
             name: "four-point probing cycles",
             count: PROBINGS,
             klartext: frame(2, &PROBING.repeat(PROBINGS)),
+            rs274: None,
+        },
+        Work {
+            name: "22 rough-out",
+            count: ROUGHINGS,
+            klartext: frame(1, &format!("{ROUGHING}{}{PARTIAL}", "CYCL CALL\n".repeat(ROUGHINGS))),
             rs274: None,
         },
     ]
@@ -353,6 +375,54 @@ fn drawing() {
     timed(&thread, tool);
 }
 
+/// A region of so many elements: half of them of a pocket, the others of 50 islands.
+fn region(elements: usize) -> Vec<Closed> {
+    const ISLANDS: usize = 50;
+    let wavy = |centre: DVec2, radius: f64, count: usize, side: i8| {
+        let corner = |n: usize| {
+            let turn = (n % count) as f64 * 360.0 / count as f64;
+            let radius = radius * (1.0 + 0.05 * sind(turn * 11.0));
+            centre + DVec2::new(cosd(turn), sind(turn)) * radius
+        };
+        let edges = (1..=count).map(|n| Edge::Line(corner(n))).collect();
+        Contour { way: Way { start: corner(0), edges }, side }
+    };
+    let pocket = wavy(DVec2::ZERO, 400.0, elements / 2, 1);
+    let places = (0..8).flat_map(|x| (0..8).map(move |y| DVec2::new(f64::from(x) - 3.5, f64::from(y) - 3.5) * 70.0));
+    let inside = places.filter(|at| at.length() < 330.0).take(ISLANDS);
+    let islands = inside.map(|at| wavy(at, 15.0, elements / 2 / ISLANDS, -1));
+    std::iter::once(pocket).chain(islands).filter_map(|contour| contour.closed().ok()).collect()
+}
+
+/// Large regions cleared, and how the time grows.
+fn clearing() {
+    let way = Clearing {
+        stepover: 10.0,
+        allowance: 0.5,
+        rounding: 0.0,
+        climb: 1.0,
+        coarse: None,
+        floors: false,
+    };
+    let mut first = None;
+    for elements in [2_500, 5_000, 10_000] {
+        let closed = region(elements);
+        let mut edges = 0;
+        let time = best(|| {
+            let contours = Contours::new(closed.clone(), DVec2::ZERO, 10.0);
+            edges = contours.paths(&way, 10.0).map_or(0, |parts| parts.iter().map(|part| part.path.edges.len()).sum());
+        });
+        let ideal = elements as f64 * libm::log(elements as f64);
+        let growth = time.as_secs_f64() / ideal;
+        println!(
+            "{elements:>6} elements, {} islands: {:>8.1} ms, {edges} edges; over n log n {:.2} times the first one",
+            closed.len() - 1,
+            time.as_secs_f64() * 1e3,
+            growth / *first.get_or_insert(growth)
+        );
+    }
+}
+
 fn main() {
     let chosen: Vec<String> = env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
     let wants = |part: &str| chosen.is_empty() || chosen.iter().any(|name| name == part);
@@ -365,6 +435,9 @@ fn main() {
     }
     if wants("strategy") {
         drawing();
+    }
+    if wants("contour") {
+        clearing();
     }
     if wants("process") {
         processes();

@@ -102,6 +102,7 @@ diag-contour-depth =
     }
 diag-contour-elements = The contours have more than { NUMBER($limit) } elements together.
 diag-contour-empty = The subprogram of label { $label } describes no contour that encloses an area.
+diag-contour-lead = A contour that a cycle machines cannot contain { $word }: the cycle approaches and leaves it by itself.
 diag-contour-not-defined = No cycle has named the subprograms of the contour yet.
 diag-contour-open = The contour of label { $label } is open: it ends { NUMBER($distance) } mm away from its starting point.
 diag-contour-side-missing = The contour of label { $label } has no radius compensation RL or RR, which says whether it is a pocket or an island.

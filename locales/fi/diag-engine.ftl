@@ -103,6 +103,7 @@ diag-contour-depth =
     }
 diag-contour-elements = Muodoissa on yhteensä yli { NUMBER($limit) } muotoelementtiä.
 diag-contour-empty = Labelin { $label } aliohjelma ei kuvaa muotoa, joka rajaa alueen.
+diag-contour-lead = Työkierron koneistamassa muodossa ei voi olla lausetta { $word }: työkierto ajaa itse muotoon ja pois siitä.
 diag-contour-not-defined = Mikään työkierto ei ole vielä nimennyt muodon aliohjelmia.
 diag-contour-open = Labelin { $label } muoto on avoin: se päättyy { NUMBER($distance) } mm:n päähän alkupisteestään.
 diag-contour-side-missing = Labelin { $label } muodosta puuttuu sädekorjaus RL tai RR, joka kertoo, onko se tasku vai saareke.

@@ -102,6 +102,7 @@ diag-contour-depth =
     }
 diag-contour-elements = I profili hanno in totale più di { NUMBER($limit) } elementi.
 diag-contour-empty = Il sottoprogramma della label { $label } non descrive un profilo che racchiuda un'area.
+diag-contour-lead = Un profilo lavorato da un ciclo non può contenere { $word }: il ciclo lo accosta e se ne allontana da sé.
 diag-contour-not-defined = Nessun ciclo ha ancora indicato i sottoprogrammi del profilo.
 diag-contour-open = Il profilo della label { $label } è aperto: termina a { NUMBER($distance) } mm dal punto di partenza.
 diag-contour-side-missing = Nel profilo della label { $label } manca la compensazione del raggio RL o RR, che stabilisce se si tratta di una tasca o di un'isola.

@@ -102,6 +102,7 @@ diag-contour-depth =
     }
 diag-contour-elements = Konture imajo skupaj več kot { NUMBER($limit) } konturnih elementov.
 diag-contour-empty = Podprogram oznake { $label } ne opisuje konture, ki bi omejevala površino.
+diag-contour-lead = Kontura, ki jo obdela cikel, ne sme vsebovati { $word }: cikel se ji sam približa in jo zapusti.
 diag-contour-not-defined = Noben cikel še ni navedel podprogramov konture.
 diag-contour-open = Kontura oznake { $label } je odprta: konča se { NUMBER($distance) } mm od začetne točke.
 diag-contour-side-missing = Kontura oznake { $label } nima popravka polmera RL ali RR, ki pove, ali gre za žep ali otok.

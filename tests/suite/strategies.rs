@@ -470,6 +470,10 @@ impl Kept for Notebook {
         &self.contours
     }
 
+    fn note_left(&mut self, area: f64, at: DVec3) {
+        self.done.push(format!("{area:.3} mm² left at {at:.3}"));
+    }
+
     fn keep_thread(&mut self, thread: ciklo::engine::strategy::turning_thread::TurnedThread) {
         self.contours.thread = Some(thread);
     }
@@ -582,6 +586,12 @@ fn strategies_over_contours_work_on_what_was_read() {
     };
     let points = find.act(&mut control).expect("points");
     assert_eq!((points.count, points.radius, points.stepover), (1.0, 5.0, 4.0));
+    // In each corner a square without a quarter of a circle, 25 - 25 pi / 4, but for what a micrometre more reaches.
+    let left = contour::FindMaterialLeft { allowance: 0.0, rounding: 0.0, surface: 1.0, depth: -10.0 };
+    assert_eq!(left.act(&mut control).expect("corners").places, 4.0);
+    let mut places = control.done.clone();
+    places.sort();
+    assert!(places.iter().all(|place| place.starts_with("5.35") && place.ends_with("-9.000]")), "{places:?}");
     let tool = Cutter { radius: 5.0 };
     let clear = contour::ClearRegionAtLevel {
         part: 1.0,

@@ -123,7 +123,11 @@ impl<'e> Run<'_, 'e> {
                 return Err(Fault::program("contour-begin-incomplete").arg("label", &**label).into());
             }
         }
-        let open = read.into_iter().map(|(_, contour)| contour).collect();
+        // The plane in which the contour lies is that of the development: what mirrors and turns it acts there.
+        let system = &self.drives.world.system;
+        let turned = system.turned_about_datum();
+        let place = |at: DVec2| system.in_plane(turned.point(system.axes(at.extend(0.0)))).truncate();
+        let open = read.into_iter().map(|(_, contour)| contour.placed(&place, turned.mirrors())).collect();
         self.cycles.contours = Contours { open, ..Contours::default() };
         Ok(())
     }

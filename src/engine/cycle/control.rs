@@ -271,6 +271,12 @@ impl Kept for OfRun<'_, '_, '_, '_> {
         &self.run.cycles.contours
     }
 
+    fn note_left(&mut self, area: f64, at: DVec3) {
+        let drives = &mut self.run.drives;
+        let at = drives.world.system.axes(at);
+        drives.report.report(EventKind::Left { area, at });
+    }
+
     fn keep_groove(&mut self, groove: Groove) {
         self.run.cycles.contours.groove = Some(groove);
     }

@@ -341,6 +341,13 @@ pub enum EventKind {
         /// What the operator said, if he was asked.
         answer: Option<bool>,
     },
+    /// A tool does not reach an area of a contour, and leaves material there.
+    Left {
+        /// Its size, mm².
+        area: f64,
+        /// The middle of it, on the floor, program coordinates.
+        at: DVec3,
+    },
     /// A thread was cut.
     Thread(Threaded),
     /// The move before did something in the material that it should not, or that is not known (`engine::stock`).
@@ -373,6 +380,7 @@ impl EventKind {
             Self::Table { .. } => "table",
             Self::Log { .. } => "log",
             Self::Message { .. } => "message",
+            Self::Left { .. } => "left",
             Self::Thread(_) => "thread",
             Self::Finding { .. } => "finding",
             Self::Error(_) => "error",

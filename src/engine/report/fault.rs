@@ -57,6 +57,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("contour-depth", Class::Program),
     ("contour-elements", Class::Control),
     ("contour-empty", Class::Program),
+    ("contour-lead", Class::Program),
     ("contour-limit", Class::Limit),
     ("contour-missing", Class::Program),
     ("contour-not-defined", Class::Program),

@@ -289,6 +289,10 @@ impl EventKind {
                     None => object.null("answer"),
                 }
             }
+            Self::Left { area, at } => {
+                object.number("area", plain(*area));
+                object.point("place", *at);
+            }
             Self::Thread(thread) => threaded(object, thread),
             Self::Finding { kind, amount } => {
                 object.text("finding", kind.as_str());

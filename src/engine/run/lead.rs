@@ -46,6 +46,7 @@ impl Run<'_, '_> {
         before: Result<Speed, Fault>,
         speed: Result<Speed, Fault>,
     ) -> Done {
+        self.not_in_contour("APPR")?;
         self.drives.not_beside_contour("APPR")?;
         let form = self.form(motion, form)?;
         let side = self.contour.side_of(motion);
@@ -56,8 +57,14 @@ impl Run<'_, '_> {
         self.contour.begin(&mut self.drives, side, lead, to, motion, place, speed)
     }
 
+    /// While a contour is read that a cycle machines, the cycle has its own ways to it and away from it.
+    fn not_in_contour(&self, word: &'static str) -> Result<(), Fault> {
+        if self.drives.traced.is_some() { Err(Fault::program("contour-lead").arg("word", word)) } else { Ok(()) }
+    }
+
     /// `DEP`: the contour ends, and the tool leaves it.
     pub(super) fn leave_by(&mut self, motion: &Motion, form: Approach, to: DVec3, speed: Result<Speed, Fault>) -> Done {
+        self.not_in_contour("DEP")?;
         let along = self.contour.heading(&self.drives.world)?;
         let form = self.form(motion, form)?;
         self.contour.leave_by(&mut self.drives, form, along, to, speed)

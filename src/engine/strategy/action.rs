@@ -289,6 +289,9 @@ pub trait Kept {
     /// The contours that were read last.
     fn contours(&self) -> &Contours;
 
+    /// Reports an area (mm²) about a point, main, minor and tool coordinate, in which a tool leaves material.
+    fn note_left(&mut self, area: f64, at: DVec3);
+
     /// What is recessed from now on; strategies over contours see it.
     fn keep_groove(&mut self, groove: Groove);
 

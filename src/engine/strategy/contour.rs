@@ -3,10 +3,14 @@
 //! The region of the tool centre is what the contours enclose, shrunk by the radius of the tool and the allowance. Its
 //! parts are numbered from 1 in the order in which they are cleared. Invariant: the centre never leaves that region,
 //! and a level is cleared without lifting (TNC 640 manual, line 4408).
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use glam::{DVec2, DVec3};
 
 use super::action::{Action, Control};
 use super::calculation::Calculation;
+use super::contour_walls::Followed;
 use super::groove::Groove;
 use super::milling::{shape_impossible, too_many};
 use super::pen::{Cutter, Path, Pen};
@@ -33,6 +37,8 @@ const MAX_PASSES: f64 = 10_000.0;
 const RAPID: f64 = 99_999.999;
 /// What a coarser tool has left and is narrower than twice this, mm, is nothing.
 const LEFT: f64 = 1e-3;
+/// What a tool does not reach and is smaller than this, mm², is nothing.
+const LEAST_LEFT: f64 = 1e-3;
 /// What calculation may add to a whole number of passes, and to a distance.
 const SPARE: f64 = 1e-6;
 
@@ -54,7 +60,27 @@ pub struct Contours {
     pub turned: Option<Turned>,
     /// The thread that is turned.
     pub thread: Option<TurnedThread>,
+    /// Paths and walls that were asked for: each level and each strategy asks for them again.
+    pub memory: Memory,
 }
+
+/// What was calculated of contours.
+#[derive(Clone, Debug, Default)]
+pub struct Memory {
+    cleared: RefCell<Vec<Cleared>>,
+    pub(super) followed: RefCell<Option<Followed>>,
+}
+
+/// A way of clearing with a tool of a radius, and its paths.
+#[derive(Clone, Debug)]
+struct Cleared {
+    way: Clearing,
+    tool_radius: f64,
+    parts: Rc<Vec<Part>>,
+}
+
+/// So many ways of clearing are kept: with and without a coarser tool before.
+const KEPT_WAYS: usize = 2;
 
 impl Contours {
     /// Contours that are all closed, down to a depth below the surface (mm).
@@ -68,7 +94,30 @@ impl Contours {
     ///
     /// # Errors
     /// The tool is too wide for all of it, or the stepover too small.
-    pub fn paths(&self, way: &Clearing, tool_radius: f64) -> Result<Vec<Part>, Fault> {
+    pub fn paths(&self, way: &Clearing, tool_radius: f64) -> Result<Rc<Vec<Part>>, Fault> {
+        let mut kept = self.memory.cleared.borrow_mut();
+        if let Some(known) = kept.iter().find(|known| known.way == *way && known.tool_radius == tool_radius) {
+            return Ok(Rc::clone(&known.parts));
+        }
+        let parts = Rc::new(self.cleared_by(way, tool_radius)?);
+        kept.truncate(KEPT_WAYS - 1);
+        kept.insert(0, Cleared { way: *way, tool_radius, parts: Rc::clone(&parts) });
+        Ok(parts)
+    }
+
+    /// What of the contours a tool does not reach: pieces with the depth of their floor, mm.
+    pub fn unreached(&self, tool_radius: f64, allowance: f64, rounding: f64) -> Vec<(Region, f64)> {
+        let mut pieces = Vec::new();
+        for band in &self.bands {
+            let reached = centres(&band.region, tool_radius, allowance, rounding).grown(tool_radius + LEFT);
+            let wanted = centres(&band.region, 0.0, allowance, 0.0);
+            let left = wanted.difference(&reached);
+            pieces.extend(left.parts().filter(|piece| piece.area() > LEAST_LEFT).map(|piece| (piece, band.to)));
+        }
+        pieces
+    }
+
+    fn cleared_by(&self, way: &Clearing, tool_radius: f64) -> Result<Vec<Part>, Fault> {
         let (mut parts, mut from, mut has_room) = (Vec::new(), self.from, false);
         for (number, band) in self.bands.iter().enumerate() {
             let mut centres = centres(&band.region, tool_radius, way.allowance, way.rounding);
@@ -242,6 +291,43 @@ impl Action for FindInfeedPoints {
 }
 
 strategy! {
+    /// Reports what of the contours the tool in the spindle does not reach: corners and narrow places.
+    FindMaterialLeft = "find-material-left" {
+        /// What stays at the walls, mm.
+        allowance: f64 = Length,
+        /// The least radius of the path in inside corners, mm.
+        rounding: f64 = Length,
+        /// The height of the surface, mm.
+        surface: f64 = Length,
+        /// From there to the floor of the deepest contour, with sign, mm.
+        depth: f64 = Length,
+    }
+}
+
+results! {
+    /// What is not reached.
+    MaterialLeft {
+        /// In how many places.
+        places: f64 = Number,
+    }
+}
+
+impl Action for FindMaterialLeft {
+    type Results = MaterialLeft;
+
+    fn act(&self, control: &mut dyn Control) -> Done<MaterialLeft> {
+        let left = control.contours().unreached(control.tool_radius(), self.allowance, self.rounding);
+        let down = if self.depth < 0.0 { -1.0 } else { 1.0 };
+        for (piece, depth) in &left {
+            if let Some(at) = piece.middle() {
+                control.note_left(piece.area(), at.extend(self.surface + down * depth));
+            }
+        }
+        Ok(MaterialLeft { places: left.len() as f64 })
+    }
+}
+
+strategy! {
     /// How far before the last infeed a drill stops when it returns at rapid traverse (TNC 640 manual, lines 4645-4648).
     StopDistance = "stop-distance" {
         /// The drilling depth, mm.
@@ -324,7 +410,7 @@ macro_rules! on_part {
                 let way = Clearing { stepover, allowance, rounding, climb, coarse, floors };
                 let parts = contours.paths(&way, radius.unwrap_or(tool.radius))?;
                 let number = (self.part.max(1.0) - 1.0) as usize;
-                parts.into_iter().nth(number).ok_or_else(|| shape_impossible(2.0 * tool.radius, 0.0))
+                parts.get(number).cloned().ok_or_else(|| shape_impossible(2.0 * tool.radius, 0.0))
             }
         }
     };

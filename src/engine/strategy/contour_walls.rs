@@ -91,9 +91,20 @@ pub struct Wall {
     pub to: f64,
 }
 
+/// The walls that a tool of a radius follows, with what stays at them and the least radius in inside corners.
+#[derive(Clone, Debug)]
+pub(super) struct Followed {
+    asked: [f64; 3],
+    walls: Rc<Vec<Wall>>,
+}
+
 impl Contours {
     /// The walls of the contours, band by band from above; those of the frame around islands are none.
-    pub fn walls(&self, tool_radius: f64, allowance: f64, rounding: f64) -> Vec<Wall> {
+    pub fn walls(&self, tool_radius: f64, allowance: f64, rounding: f64) -> Rc<Vec<Wall>> {
+        let (asked, mut kept) = ([tool_radius, allowance, rounding], self.memory.followed.borrow_mut());
+        if let Some(known) = kept.as_ref().filter(|known| known.asked == asked) {
+            return Rc::clone(&known.walls);
+        }
         let mut walls = Vec::new();
         for band in &self.bands {
             let centres = Rc::new(centres(&band.region, tool_radius, allowance, rounding));
@@ -102,13 +113,15 @@ impl Contours {
             let (from, to) = (band.from, band.to);
             walls.extend(own.map(|boundary| Wall { boundary, centres: Rc::clone(&centres), from, to }));
         }
+        let walls = Rc::new(walls);
+        *kept = Some(Followed { asked, walls: Rc::clone(&walls) });
         walls
     }
 
     /// The wall of a number, from 1.
     fn wall(&self, number: f64, tool_radius: f64, allowance: f64, rounding: f64) -> Result<Wall, Fault> {
         let walls = self.walls(tool_radius, allowance, rounding);
-        let wall = walls.into_iter().nth((number.max(1.0) - 1.0) as usize);
+        let wall = walls.get((number.max(1.0) - 1.0) as usize).cloned();
         wall.ok_or_else(|| shape_impossible(2.0 * tool_radius, 0.0))
     }
 }

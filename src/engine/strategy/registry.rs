@@ -161,6 +161,7 @@ pub static STRATEGIES: &[Strategy] = &[
     mill::<thread::CountersinkOnCircle>(),
     act::<contour::RecallContourData>(),
     act::<contour::FindInfeedPoints>(),
+    act::<contour::FindMaterialLeft>(),
     act::<contour::FindDepthsOfPart>(),
     act::<contour_walls::FindDepthsOfWall>(),
     act::<contour_walls::FindPartialContours>(),

@@ -132,6 +132,13 @@ impl System {
         self.changes.iter().find_map(signs).unwrap_or((DVec3::ONE, DVec3::ONE))
     }
 
+    /// Mirroring and rotation in effect as they act on the working plane about the datum, in the order in which they
+    /// were defined.
+    pub fn turned_about_datum(&self) -> Frame {
+        let turns = self.changes.iter().filter(|change| matches!(change, Change::Rotate(_) | Change::Mirror(..)));
+        turns.fold(Frame::IDENTITY, |frame, change| frame.of(self.frame_of(change)))
+    }
+
     /// Whether a transformation is in effect, executed or not.
     pub fn has(&self, kind: Transformation) -> bool {
         let executed = self.changes.iter().any(|change| match change {
