@@ -16,9 +16,9 @@ use ciklo::base::data;
 use ciklo::base::diag::Source;
 use ciklo::base::expr::{cosd, sind};
 use ciklo::engine::geometry::{Axis, Frame};
-use ciklo::engine::run::{Engine, EventKind, NoTexts};
 use ciklo::engine::region::contours::{Closed, Contour};
 use ciklo::engine::region::{Edge, Way};
+use ciklo::engine::run::{Engine, EventKind, NoTexts};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::{Path, Shape};
 use ciklo::engine::stock::{Batch, Cutter, Machining, Stock, Tip};
@@ -396,14 +396,7 @@ fn region(elements: usize) -> Vec<Closed> {
 
 /// Large regions cleared, and how the time grows.
 fn clearing() {
-    let way = Clearing {
-        stepover: 10.0,
-        allowance: 0.5,
-        rounding: 0.0,
-        climb: 1.0,
-        coarse: None,
-        floors: false,
-    };
+    let way = Clearing { stepover: 10.0, allowance: 0.5, rounding: 0.0, climb: 1.0, coarse: None, floors: false };
     let mut first = None;
     for elements in [2_500, 5_000, 10_000] {
         let closed = region(elements);

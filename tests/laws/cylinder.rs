@@ -245,8 +245,11 @@ impl View {
 fn views() -> impl Strategy<Value = View> {
     let turn = prop_oneof![2 => Just(0.0), 1 => (-180.0..180.0_f64).prop_map(f64::round)];
     let scale = prop_oneof![2 => Just(1.0), 1 => Just(0.5), 1 => Just(1.25)];
-    (any::<[bool; 2]>(), any::<bool>(), turn, scale)
-        .prop_map(|(mirror, plain, turn, scale)| View { mirror: mirror.map(|yes| yes && !plain), turn, scale })
+    (any::<[bool; 2]>(), any::<bool>(), turn, scale).prop_map(|(mirror, plain, turn, scale)| View {
+        mirror: mirror.map(|yes| yes && !plain),
+        turn,
+        scale,
+    })
 }
 
 /// What a case is about.
@@ -382,22 +385,24 @@ fn cases(rounded: bool) -> impl Strategy<Value = Case> {
         (0..3usize, centre, 35.0..70.0_f64, depth, 1.5..4.0_f64, 0.0..0.6_f64),
         (contours(rounded), any::<bool>(), any::<bool>(), views()),
     )
-        .prop_map(|((kind, (x, y, z), radius, (depth, infeed), tool, allowance), (contour, left, degrees, view))| {
-            let rounded = |value: f64| (value * 1e3).round() / 1e3;
-            Case {
-                view,
-                kind,
-                centre: DVec3::new(rounded(x), rounded(y), rounded(z)),
-                radius: rounded(radius),
-                depth: rounded(depth),
-                infeed: rounded(infeed),
-                tool: rounded(tool),
-                allowance: rounded(allowance),
-                contour,
-                left,
-                degrees,
-            }
-        })
+        .prop_map(
+            |((kind, (x, y, z), radius, (depth, infeed), tool, allowance), (contour, left, degrees, view))| {
+                let rounded = |value: f64| (value * 1e3).round() / 1e3;
+                Case {
+                    view,
+                    kind,
+                    centre: DVec3::new(rounded(x), rounded(y), rounded(z)),
+                    radius: rounded(radius),
+                    depth: rounded(depth),
+                    infeed: rounded(infeed),
+                    tool: rounded(tool),
+                    allowance: rounded(allowance),
+                    contour,
+                    left,
+                    degrees,
+                }
+            },
+        )
 }
 
 proptest! {

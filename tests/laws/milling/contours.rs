@@ -261,8 +261,9 @@ fn straight(path: &Path, see: &dyn Fn(DVec3) -> DVec3) -> Vec<DVec3> {
 /// Looks at what a program leaves.
 fn leaves(job: &Job, case: &Case) -> Result<(), TestCaseError> {
     let (known, scale) = (case.known(job), job.view.scale);
-    let places: Vec<DVec2> =
-        (0..44).flat_map(|x| (0..44).map(move |y| DVec2::new(-43.3 + 1.97 * f64::from(x), -43.7 + 2.01 * f64::from(y)))).collect();
+    let places: Vec<DVec2> = (0..44)
+        .flat_map(|x| (0..44).map(move |y| DVec2::new(-43.3 + 1.97 * f64::from(x), -43.7 + 2.01 * f64::from(y))))
+        .collect();
     let top = job.surface * scale;
     let mut ground =
         Ground { places: places.iter().map(|at| job.view.point(*at)).collect(), bottoms: vec![top; places.len()] };
@@ -343,7 +344,7 @@ fn leaves(job: &Job, case: &Case) -> Result<(), TestCaseError> {
 
 /// A place of the workpiece in the program.
 fn places_of(job: &Job, at: DVec2) -> DVec2 {
-    let (x, y) = (job.view.point(DVec2::X) , job.view.point(DVec2::Y));
+    let (x, y) = (job.view.point(DVec2::X), job.view.point(DVec2::Y));
     DVec2::new(at.dot(x), at.dot(y)) / (job.view.scale * job.view.scale)
 }
 
