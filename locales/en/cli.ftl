@@ -169,7 +169,9 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [spindle-stopped] The spindle is not turning while the tool moves through { $amount } mm of material.
         [edges-too-short] Material is cut up to { $amount } mm above the tool tip, beyond the length of the cutting edges.
         [turns-together] Rotary axes turn while the tool moves: the material removed is not known.
-        [turned] The workpiece is turned: what tool { $amount } removes from it is not followed.
+        [turned] The workpiece is turned, but it is not a body of revolution about the turning axis, or it was milled before: what tool { $amount } removes from it is not followed.
+        [insert-unknown] No cycle says how the insert of tool { $amount } meets the workpiece: the material removed is not known.
+        [thread-turned] Tool { $amount } turns a thread, which is not part of the body that is followed.
        *[no-radius] Tool { $amount } has no radius: the material removed is not known.
     }
 cli-stock-more = { $count ->

@@ -2,6 +2,7 @@
 
 diag-angle-missing = The circle needs its angle PA.
 diag-axis-limit = { $axis } would go to { NUMBER($found) } { $unit }, beyond the limits { NUMBER($min) } to { NUMBER($max) } { $unit } of the machine.
+diag-blank-form-update = Blank form update with TURNDATA BLANK cannot be simulated: the manual does not say how cycles change with the blank.
 diag-block-limit = The run was ended: more than { NUMBER($limit) } blocks have been executed.
 diag-block-unreadable = The block cannot be read: { $found }
 diag-call-depth-limit = Calls are nested deeper than { NUMBER($limit) } levels.

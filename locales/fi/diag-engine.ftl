@@ -2,6 +2,7 @@
 
 diag-angle-missing = Ympyrältä puuttuu kulma PA.
 diag-axis-limit = Akseli { $axis } siirtyisi asemaan { NUMBER($found) }{"\u00A0"}{ $unit }, koneen rajojen { NUMBER($min) } … { NUMBER($max) }{"\u00A0"}{ $unit } ulkopuolelle.
+diag-blank-form-update = Aihion seurantaa (TURNDATA BLANK) ei voi simuloida: käsikirja ei kerro, miten työkierrot muuttuvat aihion mukaan.
 diag-block-limit = Suoritus päättyy: yli { NUMBER($limit) } lausetta on suoritettu.
 diag-block-unreadable = Lausetta ei voi lukea: { $found }
 diag-call-depth-limit = Kutsuja on sisäkkäin yli { NUMBER($limit) } tasoa.

@@ -2,6 +2,7 @@
 
 diag-angle-missing = Al cerchio manca l’angolo PA.
 diag-axis-limit = L’asse { $axis } andrebbe a { NUMBER($found) } { $unit }, oltre i limiti della macchina da { NUMBER($min) } a { NUMBER($max) } { $unit }.
+diag-blank-form-update = L’aggiornamento del pezzo grezzo con TURNDATA BLANK non si può simulare: il manuale non dice come i cicli cambiano in base al grezzo.
 diag-block-limit = L’esecuzione è stata terminata: sono stati eseguiti più di { NUMBER($limit) } blocchi.
 diag-block-unreadable = Il blocco non è leggibile: { $found }
 diag-call-depth-limit = Le chiamate sono annidate per più di { NUMBER($limit) } livelli.

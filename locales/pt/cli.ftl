@@ -262,7 +262,9 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [spindle-stopped] O cabeçote não roda enquanto a ferramenta atravessa { $amount } mm de material.
         [edges-too-short] O material é cortado até { $amount } mm acima da ponta da ferramenta, para lá do comprimento das lâminas.
         [turns-together] Os eixos rotativos rodam enquanto a ferramenta se desloca: não se conhece o material retirado.
-        [turned] A peça está a ser torneada: o que a ferramenta { $amount } remove não é acompanhado.
+        [turned] A peça está a ser torneada, mas não é um sólido de revolução em torno do eixo de torneamento, ou foi fresada antes: o que a ferramenta { $amount } remove não é acompanhado.
+        [insert-unknown] Nenhum ciclo indica como a pastilha da ferramenta { $amount } encontra a peça: não se conhece o material retirado.
+        [thread-turned] A ferramenta { $amount } torneia uma rosca, que não faz parte do sólido acompanhado.
        *[no-radius] A ferramenta { $amount } não tem raio: não se conhece o material retirado.
     }
 cli-stock-length = Percurso: { $feed } mm em avanço, dos quais { $cut } mm em movimentos que retiram material; { $rapid } mm em avanço rápido

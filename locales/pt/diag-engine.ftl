@@ -2,6 +2,7 @@
 
 diag-angle-missing = Falta o ângulo PA do círculo.
 diag-axis-limit = O eixo { $axis } iria para { NUMBER($found) } { $unit }, para lá dos limites da máquina de { NUMBER($min) } a { NUMBER($max) } { $unit }.
+diag-blank-form-update = O seguimento do bloco com TURNDATA BLANK não pode ser simulado: o manual não diz como os ciclos mudam em função do bloco.
 diag-block-limit = A execução foi terminada: foram executadas mais de { NUMBER($limit) } frases.
 diag-block-unreadable = Não é possível ler a frase: { $found }
 diag-call-depth-limit = As chamadas estão encadeadas em mais de { NUMBER($limit) } níveis.

@@ -2,6 +2,7 @@
 
 diag-angle-missing = Krožnici manjka kot PA.
 diag-axis-limit = Os { $axis } bi se premaknila na { NUMBER($found) }{"\u00A0"}{ $unit }, zunaj območja stroja od { NUMBER($min) } do { NUMBER($max) }{"\u00A0"}{ $unit }.
+diag-blank-form-update = Sledenja surovca s TURNDATA BLANK ni mogoče simulirati: priročnik ne pove, kako se cikli prilagodijo surovcu.
 diag-block-limit = Izvajanje je bilo prekinjeno: izvedenih je bilo več kot { NUMBER($limit) } stavkov.
 diag-block-unreadable = Stavka ni mogoče prebrati: { $found }
 diag-call-depth-limit = Priklici so ugnezdeni globlje kot { NUMBER($limit) } ravni.

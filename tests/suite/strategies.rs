@@ -474,6 +474,8 @@ impl Kept for Notebook {
         self.contours.thread = Some(thread);
     }
 
+    fn hold_insert(&mut self, _: ciklo::engine::machine::Insert) {}
+
     fn keep_turned(&mut self, turned: ciklo::engine::strategy::turned::Turned) {
         self.contours.turned = Some(turned);
     }

@@ -10,7 +10,7 @@ use crate::engine::flow::definition::FieldValue;
 use crate::engine::flow::exec::Exec;
 use crate::engine::flow::state::Run;
 use crate::engine::geometry::{Around, Axis, Frame, RotaryAxis, WorkingPlane};
-use crate::engine::machine::{Arm, Carried, Machine, MemoryReport, SavedKinematics, Survey};
+use crate::engine::machine::{Arm, Carried, Insert, Machine, MemoryReport, SavedKinematics, Survey};
 use crate::engine::motion::drives::{Spindle as Turning, Switched};
 use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::Speed;
@@ -281,6 +281,10 @@ impl Kept for OfRun<'_, '_, '_, '_> {
 
     fn keep_thread(&mut self, thread: TurnedThread) {
         self.run.cycles.contours.thread = Some(thread);
+    }
+
+    fn hold_insert(&mut self, insert: Insert) {
+        self.run.drives.hold_insert(insert);
     }
 
     fn tool_radius(&self) -> f64 {

@@ -17,7 +17,7 @@ pub use fit::Fit;
 pub use rotary::{Carried, RotaryMachineAxis};
 pub use saved::{MemoryReport, SavedKinematics, matches as matches_pattern};
 pub use survey::{Arm, AxisPlan, AxisReport, LEAST_CIRCLE, Station, Survey, expected, on_grid, sphere};
-pub use tool::{Neck, Tool};
+pub use tool::{Insert, InsertForm, Neck, Tool};
 
 use super::geometry::Axis;
 use super::read::Reader;

@@ -3,6 +3,7 @@
 //! Invariant: a position is known both in program and machine coordinates after every movement.
 use glam::DVec3;
 
+use crate::engine::machine::Insert;
 use crate::engine::report::ending::Done;
 use crate::engine::report::envelope::{Recorder, Touching, Way};
 use crate::engine::report::event::{Coordinates, EventKind};
@@ -53,6 +54,8 @@ pub(crate) struct Drives<'r, 'e> {
     pub(crate) report: Reporter<'r>,
     /// Spindle and coolant.
     pub(crate) switched: Switched,
+    /// The insert as it was reported last, if one was since the tool was called.
+    held: Option<Insert>,
     /// mm in the unit of the program being executed.
     pub(crate) unit: f64,
     /// mm in the unit in which the cycle being executed calculates.
@@ -78,6 +81,7 @@ impl<'r, 'e> Drives<'r, 'e> {
             world,
             report,
             switched: Switched::default(),
+            held: None,
             unit: 1.0,
             cycle_unit: 1.0,
             moves: 0,
@@ -144,6 +148,18 @@ impl<'r, 'e> Drives<'r, 'e> {
         if self.world.system.end_changes() {
             self.transformed(before);
         }
+    }
+
+    /// From now on the insert meets the workpiece like this.
+    pub(crate) fn hold_insert(&mut self, insert: Insert) {
+        if self.held.replace(insert) != Some(insert) {
+            self.report.report(EventKind::Insert(insert));
+        }
+    }
+
+    /// Another tool was called.
+    pub(crate) const fn release_insert(&mut self) {
+        self.held = None;
     }
 
     /// A transformation that is not executed is no longer in effect.

@@ -20,6 +20,9 @@ impl Drives<'_, '_> {
     }
 
     pub(crate) fn report_turning(&mut self, tool: Option<(Tool, Axis)>, direction: i8, speed: f64) {
+        if tool.is_some() {
+            self.release_insert();
+        }
         let speed = if direction == 0 { 0.0 } else { speed };
         self.report.report(EventKind::Spindle { tool, direction, speed, orient: None });
     }

@@ -13,6 +13,8 @@ pub mod contours;
 pub mod formula;
 pub mod groove;
 pub mod profile;
+pub mod section;
+pub mod sweep;
 mod way;
 
 use cavalier_contours::polyline::{PlineSource, Polyline};

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::base::expr::QRef;
-use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
-use crate::engine::machine::Tool;
+use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
+use crate::engine::machine::{Insert, Tool};
 use crate::engine::params::Content;
 use crate::engine::report::fault::Fault;
 use crate::engine::solid::Path;
@@ -117,6 +117,13 @@ pub struct Coordinates {
     pub angles: DVec3,
 }
 
+impl Coordinates {
+    /// From program to machine coordinates.
+    pub fn frame(&self) -> Frame {
+        Frame::of_rows(self.matrix)
+    }
+}
+
 /// How one rotary axis turns, in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turned {
@@ -164,14 +171,27 @@ pub enum FindingKind {
     TurnsTogether,
     /// The tool has no radius, so what it removes is not known; the amount is its number.
     NoRadius,
-    /// The workpiece turns: what an insert removes is not known to the stock; the amount is the number of the tool.
+    /// The workpiece turns, and it is no body of revolution about its axis, or was milled before: what an insert removes
+    /// is not known to the stock; the amount is the number of the tool.
     Turned,
+    /// The workpiece turns, and it is not known how the insert meets it; the amount is the number of the tool.
+    InsertUnknown,
+    /// A thread is turned, which is no body of revolution; the amount is the number of the tool.
+    ThreadTurned,
 }
 
 impl FindingKind {
     /// All kinds.
-    pub const ALL: [Self; 6] =
-        [Self::Rapid, Self::SpindleStopped, Self::EdgesTooShort, Self::TurnsTogether, Self::NoRadius, Self::Turned];
+    pub const ALL: [Self; 8] = [
+        Self::Rapid,
+        Self::SpindleStopped,
+        Self::EdgesTooShort,
+        Self::TurnsTogether,
+        Self::NoRadius,
+        Self::Turned,
+        Self::InsertUnknown,
+        Self::ThreadTurned,
+    ];
 
     /// The word for it in JSON, and in the id of its message (`stock-<word>`).
     pub const fn as_str(self) -> &'static str {
@@ -182,6 +202,8 @@ impl FindingKind {
             Self::TurnsTogether => "turns-together",
             Self::NoRadius => "no-radius",
             Self::Turned => "turned",
+            Self::InsertUnknown => "insert-unknown",
+            Self::ThreadTurned => "thread-turned",
         }
     }
 }
@@ -295,6 +317,8 @@ pub enum EventKind {
         /// The angle of an orientation; while it turns, where it is when the next move begins, which is in step with it.
         orient: Option<f64>,
     },
+    /// From now on the insert of a turning tool meets the workpiece like this, until another tool is called.
+    Insert(Insert),
     /// The coolant is switched.
     Coolant(bool),
     /// A block that neither moves the tool nor changes what other events say, as it is written: what goes to the PLC,
@@ -364,6 +388,7 @@ impl EventKind {
             Self::Turn { .. } => "turn",
             Self::Dwell(_) => "dwell",
             Self::Spindle { .. } => "spindle",
+            Self::Insert(_) => "insert",
             Self::Coolant(_) => "coolant",
             Self::Function(_) => "function",
             Self::Probe(_) => "probe",

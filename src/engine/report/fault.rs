@@ -42,6 +42,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("approach-word", Class::Program),
     ("arc-scaled-unequally", Class::Program),
     ("axis-limit", Class::Control),
+    ("blank-form-update", Class::Unsupported),
     ("block-limit", Class::Limit),
     ("block-unreadable", Class::Program),
     ("call-depth-limit", Class::Limit),

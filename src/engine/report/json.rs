@@ -255,6 +255,23 @@ impl EventKind {
                 object.truth("rapid", *rapid);
                 object.truth("together", *together);
             }
+            Self::Insert(insert) => {
+                object.text("form", insert.form.as_str());
+                object.number("radius", plain(insert.radius));
+                object.object("tip", |tip| {
+                    tip.number("X", plain(insert.tip[0]));
+                    tip.number("Z", plain(insert.tip[1]));
+                });
+                object.object("edges", |edges| {
+                    edges.number("front", plain(insert.edges[0]));
+                    edges.number("back", plain(insert.edges[1]));
+                });
+                if insert.width.0 > 0.0 {
+                    object.number("width", plain(insert.width.0));
+                    object.number("across", plain(insert.width.1));
+                }
+                object.number("length", plain(insert.length));
+            }
             Self::Coolant(on) => object.truth("on", *on),
             Self::Function(text) => object.text("text", text),
             Self::Probe(probing) => probed(object, probing),

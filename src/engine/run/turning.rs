@@ -7,11 +7,18 @@ use crate::engine::report::fault::Fault;
 use crate::program::syntax::{Statement, ValueKind};
 
 impl Run<'_, '_> {
-    /// `FUNCTION TURNDATA SPIN VCONST:ON VC:150 SMAX:2000` and `FUNCTION TURNDATA SPIN VCONST:OFF S500`.
+    /// `FUNCTION TURNDATA SPIN VCONST:ON VC:150 SMAX:2000`, `FUNCTION TURNDATA SPIN VCONST:OFF S500` and
+    /// `FUNCTION TURNDATA BLANK OFF`.
     pub(super) fn turning_data(&mut self, statement: &Statement) -> Done {
         let refused = |word: &str| Fault::unsupported("unsupported-block").arg("word", format!("TURNDATA {word}"));
         let mut words = statement.words.iter();
         let first = words.next().map_or("", |word| self.slice(word.name)).trim().to_ascii_uppercase();
+        if first == "BLANK" {
+            // How the control changes cycles to suit a blank is not described (TNC 640 manual, lines 7328-7340).
+            let named = statement.words.iter().flat_map(|word| [self.slice(word.name), self.slice(word.value.span)]);
+            let is_off = named.into_iter().any(|text| text.trim().eq_ignore_ascii_case("OFF"));
+            return if is_off { Ok(()) } else { Err(Fault::unsupported("blank-form-update").into()) };
+        }
         if first != "SPIN" {
             return Err(refused(&first).into());
         }

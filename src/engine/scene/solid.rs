@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 /// The kinds of solids.
 const SOLIDS: &[&str] = &["box", "cylinder", "cone", "sphere", "half_space", "union", "difference"];
 /// The kinds of stock.
-const STOCKS: &[&str] = &["box", "cylinder"];
+const STOCKS: &[&str] = &["box", "cylinder", "cone", "difference"];
 
 /// `{place: {shift, rotate}, solid: …}`
 pub(super) fn part(node: &Node, reader: &mut Reader<'_>) -> Option<Shape> {
@@ -45,10 +45,25 @@ pub(super) fn solid(node: &Node, reader: &mut Reader<'_>) -> Option<Shape> {
     }
 }
 
-/// The raw material: a box or a cylinder.
+/// The raw material: a box, a cylinder or a cone, or one of these without other solids.
 pub(super) fn stock(node: &Node, reader: &mut Reader<'_>) -> Option<Shape> {
     let (kind, body) = one_of(node, reader, STOCKS)?;
-    if kind == "box" { cuboid(body, reader) } else { cylinder(body, reader) }
+    match kind {
+        "box" => cuboid(body, reader),
+        "cylinder" => cylinder(body, reader),
+        "cone" => cone(body, reader),
+        _ => {
+            let items = reader.items(body);
+            let first = items.first().and_then(|first| stock(first, reader));
+            let others: Vec<Shape> = items.iter().skip(1).filter_map(|item| solid(item, reader)).collect();
+            if items.len() < 2 && matches!(body.kind, Kind::List(_)) {
+                reader.expected(body, "solids");
+                return None;
+            }
+            let whole = others.len() + 1 == items.len();
+            first.filter(|_| whole).map(|first| Shape::Difference([vec![first], others].concat()))
+        }
+    }
 }
 
 /// The single key of a mapping and its value.

@@ -12,7 +12,7 @@ use super::signature::{Results, Signature};
 use super::turned::Turned;
 use super::turning_thread::TurnedThread;
 use crate::engine::geometry::{Around, Axis, Frame, RotaryAxis, WorkingPlane};
-use crate::engine::machine::{Arm, Machine, MemoryReport, SavedKinematics, Survey};
+use crate::engine::machine::{Arm, Insert, Machine, MemoryReport, SavedKinematics, Survey};
 use crate::engine::region::Way;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -297,6 +297,9 @@ pub trait Kept {
 
     /// The thread that is turned from now on; strategies over contours see it.
     fn keep_thread(&mut self, thread: TurnedThread);
+
+    /// The insert meets the workpiece like this from now on.
+    fn hold_insert(&mut self, insert: Insert);
 
     /// The radius of the tool in the spindle in the coordinates of the program, mm.
     fn tool_radius(&self) -> f64;

@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::action::{Action, Control};
 use super::groove::{Groove, Reach};
+use super::held::{Held, hold};
 use super::milling::shape_impossible;
 use super::signature::{results, strategy};
 use super::turned::Sight;
@@ -300,6 +301,7 @@ impl Action for RecessGrooveOfContour {
         }
         let results = wanted.results(&groove, left)?;
         control.keep_groove(groove);
+        hold(control, sight, Held::Recessing(edge))?;
         Ok(results)
     }
 }
@@ -330,6 +332,7 @@ impl Action for RecessGroove {
         }
         let results = wanted.results(&groove, left)?;
         control.keep_groove(groove);
+        hold(control, sight, Held::Recessing(edge))?;
         Ok(results)
     }
 }

@@ -24,6 +24,7 @@ pub mod face;
 pub mod font;
 pub mod groove;
 pub mod groove_shape;
+mod held;
 pub mod kinematics;
 pub mod measure;
 pub mod memory;

@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 
 use super::action::{Action, Control};
 use super::contour::{Contours, OverContours};
+use super::held::{Held, hold};
 use super::milling::{shape_impossible, too_many};
 use super::pen::{Cutter, Pen};
 use super::signature::{results, strategy};
@@ -216,6 +217,7 @@ impl Action for AreaOfTurningContour {
         let start_z = sight.point(profile.start, 0.0).z;
         let count = turned.cuts_beside.len() as f64;
         control.keep_turned(turned);
+        hold(control, sight, Held::Pointed)?;
         Ok(ContourArea { from: area.from, to: area.to, infeed: area.infeed, left: area.left, count, start_z })
     }
 }

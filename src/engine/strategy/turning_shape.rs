@@ -7,6 +7,7 @@ use std::f64::consts::SQRT_2;
 use glam::{DVec2, DVec3};
 
 use super::action::{Action, Control};
+use super::held::{Held, hold};
 use super::milling::shape_impossible;
 use super::signature::{results, strategy};
 use super::turned::{Sight, Turned};
@@ -161,6 +162,7 @@ impl Action for TurnShoulder {
         let turned = turned.map_err(|GoesBack| shape_impossible(0.0, 0.0))?;
         let area = area_of(&turned, self.depth)?;
         control.keep_turned(turned);
+        hold(control, sight, Held::Pointed)?;
         Ok(area)
     }
 }
