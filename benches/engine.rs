@@ -1,7 +1,7 @@
 //! Prints how many blocks, cycle calls and probing cycles the engine executes in a second, how many moves take material
 //! from a stock, how long the paths of strategies take by themselves, and what memory a run of many moves takes:
 //! `cargo bench --bench engine`, or one part of it: `cargo bench --bench engine -- stock` (`memory`, `strategy`,
-//! `blocks`, `process`).
+//! `turning`, `blocks`, `process`).
 //!
 //! Where LinuxCNC's `rs274` is installed (Debian package `linuxcnc-uspace`), the same work as RS274 text runs beside it.
 //! A move of the stock is one of 0.25 to 1 mm, as programs of such parts have them; a longer way is told by the steps of
@@ -241,6 +241,68 @@ fn streaming() {
     }
 }
 
+/// Calls of a cycle that turns a shoulder in so many passes, and what its body costs beside them.
+fn turning() {
+    const SHOULDERS: usize = 1000;
+    const PASSES: usize = 20;
+    const BODIES: u32 = 500;
+    let head = "BEGIN PGM BENCH MM\nTOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\n\
+        L X+124 Z+2 R0 FMAX M303\nCYCL DEF 812 SHOULDER\nQ215=+1\nQ460=+2\nQ491=+120\nQ492=+0\nQ493=+80\nQ494=-60\n\
+        Q495=+0\nQ501=+1\nQ502=+0.5\nQ500=+1\nQ496=+0\nQ503=+1\nQ504=+0.5\nQ463=+1.1\nQ478=+300\nQ483=+0.4\nQ484=+0.2\n\
+        Q505=+100\nQ506=+0\n";
+    let scene = "scene: 1\ntools: [{T: 1, L: 80, R: 0, RS: 0.8, T-ANGLE: 95, P-ANGLE: 80}]\nstart: [62, 0, 2]\n\
+        stock: {cylinder: {diameter: 120, from: -100, to: 0}}\n";
+    let files = data::embedded();
+    let (catalogue, _) = Catalogue::load(&files);
+    let Some(on) = catalogue.on("tnc640") else { return };
+    let Ok(scene) = Scene::parse(&Source::new("bench.scene.yaml", scene), &files) else { return };
+    let program = |calls: usize| {
+        parse(&Source::new("bench.h", format!("{head}{}END PGM BENCH MM\n", "CYCL CALL\n".repeat(calls))))
+    };
+    let (many, once) = (program(SHOULDERS), program(1));
+    let is_move = |kind: &EventKind| matches!(kind, EventKind::Move { .. });
+    let (mut moves, mut work) = (0_usize, f64::INFINITY);
+    let time = best(|| {
+        moves = 0;
+        let before = spent();
+        let outcome = Engine::new(&many, on, &scene, &NoTexts).with_catalogue(&catalogue).observe(&mut |event| {
+            moves += usize::from(is_move(&event.kind));
+            black_box(event);
+        });
+        work = work.min(spent() - before);
+        if let Some(diagnostic) = outcome.diagnostic {
+            println!("turning: ended with {} {:?}", diagnostic.code, diagnostic.args);
+        }
+    });
+    let count = moves as f64;
+    println!(
+        "{SHOULDERS} shoulders: {moves} moves, {:.0}/s, {:.0} in a second of one processor",
+        count / time.as_secs_f64(),
+        count / work.max(0.01)
+    );
+    let (mut events, mut passes) = (Vec::new(), 0_u32);
+    Engine::new(&once, on, &scene, &NoTexts).with_catalogue(&catalogue).observe(&mut |event| {
+        let step = event.at.cycle.as_ref().and_then(|(_, step)| step.as_deref());
+        passes += u32::from(is_move(&event.kind) && step == Some("cut-longitudinally"));
+        events.push(event.clone());
+    });
+    let (mut least, mut work) = (Duration::MAX, 0.0);
+    for _ in 0..BODIES {
+        let Ok(mut machining) = Machining::new(&once, &scene, Some(20.0)) else { return };
+        let (start, before) = (Instant::now(), spent());
+        events.iter().for_each(|event| machining.see(event));
+        least = least.min(start.elapsed());
+        work += spent() - before;
+        black_box(machining.finish());
+    }
+    let per_pass = |seconds: f64| seconds * 1e6 / f64::from(passes.max(1));
+    println!(
+        "body of a shoulder of {passes} passes (about {PASSES}): {:.1} us a pass at best, {:.1} us of one processor on average",
+        per_pass(least.as_secs_f64()),
+        per_pass(work / f64::from(BODIES))
+    );
+}
+
 /// Full helices side by side.
 fn helices() -> Vec<Path> {
     let at = |n: usize| DVec3::new((n % 10) as f64 * 9.0 + 5.0, (n / 10 % 10) as f64 * 9.0 + 5.0, -((n / 100) as f64));
@@ -365,6 +427,9 @@ fn main() {
     }
     if wants("strategy") {
         drawing();
+    }
+    if wants("turning") {
+        turning();
     }
     if wants("process") {
         processes();

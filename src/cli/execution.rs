@@ -18,7 +18,7 @@ use crate::engine::run::{
     Engine, Event, EventKind, Fault, Outcome as Ended, Programs as _, Status, Texts, program_key,
 };
 use crate::engine::scene::Scene;
-use crate::engine::scene::guess::{BALL, Guess, GuessedTool, Origin};
+use crate::engine::scene::guess::{BALL, Guess, GuessedTool, INSERT, Origin, RECESSING};
 use crate::engine::stock::Blank;
 use crate::language::locale::{Args, Digits, Locales, Ui};
 use crate::language::text;
@@ -128,7 +128,7 @@ impl<'c> Execution<'c> {
             }
             next += 1;
         }
-        Ok(Guess::of(self.on, &programs, blank, table))
+        Ok(Guess::of(self.on, &programs, blank, table, &self.files))
     }
 
     /// The scene of a program that has none. What is assumed is reported, once.
@@ -223,6 +223,15 @@ fn assumption(tool: &GuessedTool, ui: &Ui) -> Option<String> {
     let args = Args::new().text("tool", of).text("length", length(long, ui));
     match (tool.origin, tool.probes) {
         (Origin::Assumed, true) => Some(ui.text("cli-scene-probing-tool", &args)),
+        (Origin::Assumed, false) if tool.recesses => {
+            let [width, nose] = RECESSING.map(|value| length(value, ui));
+            Some(ui.text("cli-scene-recessing-tool", &args.text("width", width).text("radius", nose)))
+        }
+        (Origin::Assumed, false) if tool.turns => {
+            let [nose, angle, point] = INSERT.map(|value| length(value, ui));
+            let args = args.text("radius", nose).text("angle", angle).text("point", point);
+            Some(ui.text("cli-scene-turning-tool", &args))
+        }
         (Origin::Assumed, false) => Some(ui.text("cli-scene-tool", &args.text("radius", length(radius, ui)))),
         _ => None,
     }

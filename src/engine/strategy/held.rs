@@ -6,10 +6,10 @@ use glam::DVec2;
 
 use super::action::Control;
 use super::turned::Sight;
-use super::turning_shape::insert_of;
 use crate::base::expr::{atan2d, cosd, sind};
 use crate::engine::machine::{Insert, InsertForm};
 use crate::engine::region::groove::CuttingEdge;
+use crate::engine::region::profile::Insert as Nose;
 use crate::engine::report::ending::Done;
 use crate::engine::table::TableKind;
 
@@ -20,7 +20,7 @@ const AWAY: f64 = 90.0;
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Held {
     /// One with a nose.
-    Pointed,
+    Pointed(Nose),
     /// One with a cutting edge.
     Recessing(CuttingEdge),
     /// One for threads.
@@ -29,7 +29,6 @@ pub(super) enum Held {
 
 /// Reports the insert of the tool in the spindle as the cuts of a cycle see it.
 pub(super) fn hold(control: &mut dyn Control, sight: Sight, held: Held) -> Done {
-    let insert = insert_of(control, sight)?;
     let mut length = 0.0;
     if let Some(tool) = control.tool()
         && control.has_row(TableKind::Tool, tool)?
@@ -45,18 +44,15 @@ pub(super) fn hold(control: &mut dyn Control, sight: Sight, held: Held) -> Done 
         let [main, rotary] = in_machine(DVec2::new(cosd(angle), sind(angle)));
         atan2d(main, rotary)
     };
-    let (front, back) = match held {
-        Held::Pointed => insert.edges.unwrap_or((AWAY, AWAY)),
-        Held::Recessing(_) | Held::Thread => (AWAY, AWAY),
+    let (form, radius, width, edges) = match held {
+        Held::Pointed(nose) => (InsertForm::Pointed, nose.radius, 0.0, nose.edges),
+        Held::Recessing(edge) => (InsertForm::Recessing, edge.radius, edge.width, None),
+        Held::Thread => (InsertForm::Thread, 0.0, 0.0, None),
     };
-    let (form, width) = match held {
-        Held::Pointed => (InsertForm::Pointed, 0.0),
-        Held::Recessing(edge) => (InsertForm::Recessing, edge.width),
-        Held::Thread => (InsertForm::Thread, 0.0),
-    };
+    let (front, back) = edges.unwrap_or((AWAY, AWAY));
     control.hold_insert(Insert {
         form,
-        radius: insert.radius,
+        radius,
         tip: in_machine(if form == InsertForm::Thread { -DVec2::Y } else { DVec2::new(1.0, -1.0) }),
         edges: [front, back].map(direction),
         width: (width, direction(180.0)),

@@ -192,6 +192,7 @@ impl Action for AreaOfTurningContour {
             profile = within(&profile, start, limit.x)?;
         }
         let mut insert = insert_of(control, sight)?;
+        let whole = insert;
         let mut nose = Insert { edges: None, ..insert };
         if self.undercuts == Some(false) {
             let (front, back) = insert.edges.unwrap_or((UPRIGHT, NEVER_DOWN));
@@ -217,7 +218,7 @@ impl Action for AreaOfTurningContour {
         let start_z = sight.point(profile.start, 0.0).z;
         let count = turned.cuts_beside.len() as f64;
         control.keep_turned(turned);
-        hold(control, sight, Held::Pointed)?;
+        hold(control, sight, Held::Pointed(whole))?;
         Ok(ContourArea { from: area.from, to: area.to, infeed: area.infeed, left: area.left, count, start_z })
     }
 }

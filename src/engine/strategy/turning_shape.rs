@@ -162,7 +162,7 @@ impl Action for TurnShoulder {
         let turned = turned.map_err(|GoesBack| shape_impossible(0.0, 0.0))?;
         let area = area_of(&turned, self.depth)?;
         control.keep_turned(turned);
-        hold(control, sight, Held::Pointed)?;
+        hold(control, sight, Held::Pointed(insert))?;
         Ok(area)
     }
 }
