@@ -34,7 +34,7 @@ const NOTHING: &str = "scene: 1\n";
 
 /// `--tool-table FILE`.
 pub(super) fn tool_table(ui: &Ui) -> clap::Arg {
-    arguments::valued(ui, "tool-table", "FILE", "cli-run-tool-table")
+    arguments::several(ui, "tool-table", "FILE", "cli-run-tool-table")
 }
 
 /// A program with everything that its run needs besides the scene.
@@ -64,13 +64,16 @@ impl<'c> Execution<'c> {
     /// the tables that the program selects.
     pub(super) fn scene(&self, session: &mut Session, matches: &ArgMatches) -> Result<Scene, Failure> {
         let given = matches.get_one::<String>("scene").map(|path| read_scene(path, &self.files)).transpose()?;
-        let table = tools(matches)?;
+        let tables = tools(matches)?;
         let mut scene = match given {
             Some(scene) => scene,
-            None => self.assumed(session, table.as_ref())?,
+            None => self.assumed(session, tool_table_of(&tables))?,
         };
-        if let Some(table) = table {
-            scene.tools = table;
+        for table in tables {
+            match table.kind() {
+                TableKind::Turning => scene.turning_tools = table,
+                _ => scene.tools = table,
+            }
         }
         selected(Path::new(&self.path), self.file.program.source().text(), &mut scene)?;
         Ok(scene)
@@ -171,9 +174,16 @@ pub(super) fn failed(event: &Event) -> Option<CycleKey> {
     }
 }
 
-/// The tool table of `--tool-table`.
-pub(super) fn tools(matches: &ArgMatches) -> Result<Option<Table>, Failure> {
-    matches.get_one::<String>("tool-table").map(|path| table(Path::new(path), TableKind::Tool)).transpose()
+/// The tables of `--tool-table`: of tools or, by the name of the file, of turning tools.
+pub(super) fn tools(matches: &ArgMatches) -> Result<Vec<Table>, Failure> {
+    let kind = |path: &str| TableKind::of_file(path).filter(|kind| *kind == TableKind::Turning);
+    let read = |path: &String| table(Path::new(path), kind(path).unwrap_or(TableKind::Tool));
+    matches.get_many::<String>("tool-table").unwrap_or_default().map(read).collect()
+}
+
+/// The tool table among these.
+pub(super) fn tool_table_of(tables: &[Table]) -> Option<&Table> {
+    tables.iter().find(|table| table.kind() == TableKind::Tool)
 }
 
 /// The scene in a file.

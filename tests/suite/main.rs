@@ -49,4 +49,5 @@ mod strategies;
 mod syntax;
 mod tidy;
 mod translate;
+mod turning_tools;
 mod world;

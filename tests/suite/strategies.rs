@@ -630,6 +630,15 @@ impl System for Notebook {
         self.basic = degrees;
     }
 
+    fn align_turning(&mut self, precession: Option<f64>, _: Option<bool>) -> Done {
+        self.basic = precession.unwrap_or(self.basic);
+        Ok(())
+    }
+
+    fn end_turning_alignment(&mut self) {
+        self.basic = 0.0;
+    }
+
     fn zero_of(&self, _: RotaryAxis) -> (f64, f64) {
         self.zero
     }
@@ -661,6 +670,12 @@ impl Tables for Notebook {
 
     fn tool(&self) -> Option<f64> {
         Some(1.0)
+    }
+
+    fn insert(&self) -> Result<ciklo::engine::machine::TurningInsert, Fault> {
+        let number = |column| Ok::<_, Fault>(self.number(TableKind::Tool, 1.0, column)?.unwrap_or_default());
+        let (radius, width) = (number("RS")?, number("CUTWIDTH")?);
+        Ok(ciklo::engine::machine::TurningInsert { tool: 1.0, radius, width, ..Default::default() })
     }
 }
 

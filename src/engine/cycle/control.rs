@@ -10,7 +10,7 @@ use crate::engine::flow::definition::FieldValue;
 use crate::engine::flow::exec::Exec;
 use crate::engine::flow::state::Run;
 use crate::engine::geometry::{Around, Axis, Frame, RotaryAxis, WorkingPlane};
-use crate::engine::machine::{Arm, Carried, Machine, MemoryReport, SavedKinematics, Survey};
+use crate::engine::machine::{Arm, Carried, Machine, MemoryReport, SavedKinematics, Survey, TurningInsert};
 use crate::engine::motion::drives::{Spindle as Turning, Switched};
 use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::Speed;
@@ -30,6 +30,7 @@ use crate::engine::strategy::groove::Groove;
 use crate::engine::strategy::turned::Turned;
 use crate::engine::strategy::turning_thread::TurnedThread;
 use crate::engine::table::{Cell, TableError, TableKind};
+use crate::engine::world::insert::Aligned;
 use crate::engine::world::setter::Pose;
 
 /// A run while a cycle is executed.
@@ -80,6 +81,21 @@ impl System for OfRun<'_, '_, '_, '_> {
         drives.transformed(before);
     }
 
+    fn align_turning(&mut self, precession: Option<f64>, reversed: Option<bool>) -> Done {
+        let drives = &mut self.run.drives;
+        let before = drives.world.aligned();
+        let mut aligned = before;
+        aligned.precession = precession.unwrap_or(aligned.precession).rem_euclid(360.0);
+        aligned.reversed = reversed.unwrap_or(aligned.reversed);
+        drives.align(aligned);
+        if precession.is_some() || aligned != before { drives.orient_insert() } else { Ok(()) }
+    }
+
+    fn end_turning_alignment(&mut self) {
+        let correction = self.run.drives.world.aligned().correction;
+        self.run.drives.align(Aligned { correction, ..Aligned::default() });
+    }
+
     fn zero_of(&self, axis: RotaryAxis) -> (f64, f64) {
         let system = &self.run.drives.world.system;
         (axis.of(system.angles), axis.of(system.angle_shift))
@@ -123,6 +139,10 @@ impl Tables for OfRun<'_, '_, '_, '_> {
 
     fn tool(&self) -> Option<f64> {
         self.run.drives.world.tool().map(|tool| tool.number)
+    }
+
+    fn insert(&self) -> Result<TurningInsert, Fault> {
+        Ok(self.run.drives.world.turning_insert()?)
     }
 }
 

@@ -9,6 +9,7 @@ use crate::engine::report::event::{Coordinates, EventKind};
 use crate::engine::report::fault::{Class, Fault};
 use crate::engine::report::reporter::Reporter;
 use crate::engine::solid::Path;
+use crate::engine::world::insert::Aligned;
 use crate::engine::world::state::World;
 use crate::spec::Transformation;
 
@@ -141,9 +142,16 @@ impl<'r, 'e> Drives<'r, 'e> {
         let before = self.world.system.reported();
         self.world.system.unexecuted.clear();
         self.world.system.turning = false;
-        if self.world.system.end_changes() {
-            self.transformed(before);
-        }
+        self.world.align(Aligned::default());
+        self.world.system.end_changes();
+        self.transformed(before);
+    }
+
+    /// Changes how turning is aligned with the tool, and reports what that changes in the coordinate system.
+    pub(crate) fn align(&mut self, aligned: Aligned) {
+        let before = self.world.system.reported();
+        self.world.align(aligned);
+        self.transformed(before);
     }
 
     /// A transformation that is not executed is no longer in effect.

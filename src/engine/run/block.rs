@@ -15,6 +15,7 @@ use crate::engine::params::Content;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
 use crate::engine::table::{Cell, TableKind};
+use crate::engine::world::insert::Aligned;
 use crate::engine::world::state::LOCKED;
 use crate::program::syntax::{
     Amount, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Motion, Operand, Path,
@@ -181,6 +182,9 @@ impl<'e> Run<'_, 'e> {
             _ => return false,
         };
         self.drives.world.system.turning = turning;
+        if !turning {
+            self.drives.align(Aligned::default());
+        }
         true
     }
 
@@ -231,15 +235,17 @@ impl<'e> Run<'_, 'e> {
             };
             let (delta_radius, delta_length) = (delta(&call.dr)?, delta(&call.dl)?);
             let table = self.drives.world.table(TableKind::Tool)?;
-            if self.drives.world.has_tools() && !table.has_row(number) {
+            if self.drives.world.has_tools() && !self.drives.world.has_tool(number) {
                 return Err(Fault::program("tool-not-in-table").arg("tool", number).into());
             }
-            if self.drives.world.has_tools() && table.text(number, "TL")? == LOCKED {
+            if table.has_row(number) && table.text(number, "TL")? == LOCKED {
                 return Err(Fault::control("tool-locked").arg("tool", number).into());
             }
             let mut tool = self.drives.world.tool_data(number, delta_radius, delta_length)?;
             tool.corner += delta(&call.dr2)?;
+            let before = self.drives.world.system.reported();
             self.drives.world.take_tool(tool);
+            self.drives.transformed(before);
         }
         if let Some(speed) = &call.speed {
             self.drives.switched.spindle.speed = self.operand(speed)?;

@@ -42,6 +42,7 @@ const KEYS: &[&str] = &[
     "kinematics",
     "machine_parameters",
     "tools",
+    "turning_tools",
     "probe",
     "tool_setter",
     "presets",
@@ -79,6 +80,8 @@ pub struct Scene {
     pub machine_parameters: Vec<(String, ParameterValue)>,
     /// The tool table.
     pub tools: Table,
+    /// The table of the turning tools.
+    pub turning_tools: Table,
     /// The necks of side cutters, by the number of the tool.
     pub necks: Vec<(f64, Neck)>,
     /// Tools that are not as the tool table says, by their number.
@@ -187,6 +190,10 @@ impl Scene {
         if let Some(node) = node.get("tools") {
             (necks, true_tools) = tool_rows(node, &mut tools, r);
         }
+        let mut turning_tools = Table::new(TableKind::Turning, TableKind::Turning.file_name());
+        if let Some(node) = node.get("turning_tools") {
+            rows::rows(node, &mut turning_tools, r);
+        }
         let mut probes = Table::new(TableKind::Probe, TableKind::Probe.file_name());
         let probe = node.get("probe").and_then(|node| probe::probe(node, &mut probes, r));
         let setter = node.get("tool_setter").and_then(|node| setter::setter(node, r));
@@ -211,6 +218,7 @@ impl Scene {
                 saved_kinematics,
                 machine_parameters,
                 tools,
+                turning_tools,
                 necks,
                 true_tools,
                 setter,

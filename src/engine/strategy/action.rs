@@ -12,7 +12,7 @@ use super::signature::{Results, Signature};
 use super::turned::Turned;
 use super::turning_thread::TurnedThread;
 use crate::engine::geometry::{Around, Axis, Frame, RotaryAxis, WorkingPlane};
-use crate::engine::machine::{Arm, Machine, MemoryReport, SavedKinematics, Survey};
+use crate::engine::machine::{Arm, Machine, MemoryReport, SavedKinematics, Survey, TurningInsert};
 use crate::engine::region::Way;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -54,6 +54,16 @@ pub trait System {
 
     /// Sets it; a point, in program coordinates, keeps its coordinates, and without one the preset its place.
     fn set_basic_rotation(&mut self, degrees: f64, held: Option<DVec3>);
+
+    /// Turns the system about the rotary axis of the workpiece by a precession angle, degrees, or turns the tool round,
+    /// up to the next tool call; what is not given stays. The spindle turns the insert into its direction.
+    ///
+    /// # Errors
+    /// The tables of tools cannot be read.
+    fn align_turning(&mut self, precession: Option<f64>, reversed: Option<bool>) -> Done;
+
+    /// Ends that; the spindle stays as it is.
+    fn end_turning_alignment(&mut self);
 
     /// Where a rotary axis has the coordinate 0 by the preset, and its datum shift, in machine coordinates.
     fn zero_of(&self, axis: RotaryAxis) -> (f64, f64);
@@ -102,6 +112,12 @@ pub trait Tables {
 
     /// The number of the tool in the spindle, if there is one.
     fn tool(&self) -> Option<f64>;
+
+    /// The insert of the tool in the spindle, with the corrections of the program.
+    ///
+    /// # Errors
+    /// The tables of tools cannot be read.
+    fn insert(&self) -> Result<TurningInsert, Fault>;
 }
 
 /// A rotary axis of the machine.

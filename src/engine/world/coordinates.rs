@@ -57,6 +57,9 @@ pub struct System {
     /// Transformations in effect that the engine cannot execute: nothing moves until they end.
     pub unexecuted: BTreeSet<Transformation>,
     changes: Vec<Change>,
+    /// In turning: by how much the system is turned about the rotary axis, degrees, and where the tip as the tables
+    /// have it is beside the programmed position.
+    turned: (f64, DVec3),
     frame: Frame,
     back: Frame,
 }
@@ -76,6 +79,7 @@ impl System {
             unrolled: None,
             unexecuted: BTreeSet::new(),
             changes: Vec::new(),
+            turned: (0.0, DVec3::ZERO),
             frame: Frame::IDENTITY,
             back: Frame::IDENTITY,
         }
@@ -229,6 +233,17 @@ impl System {
         self.change(Change::Point(by), by == DVec3::ZERO);
     }
 
+    /// Turns the system about the rotary axis, and puts the tip of the turning tool beside the programmed position.
+    pub(crate) fn set_turned(&mut self, precession: f64, beside: DVec3) {
+        self.turned = (precession, beside);
+        self.rebuild();
+    }
+
+    /// The angle by which the system is turned about the rotary axis, degrees.
+    pub const fn precession(&self) -> f64 {
+        self.turned.0
+    }
+
     pub(crate) fn set_tip_held(&mut self, held: bool) {
         self.tip_held = held;
         self.rebuild();
@@ -278,7 +293,11 @@ impl System {
         for change in &self.changes {
             frame = frame.of(self.frame_of(change));
         }
-        self.frame = frame;
+        let (precession, beside) = self.turned;
+        if precession != 0.0 {
+            frame = frame.of(Frame::rotate(Axis::Z, precession));
+        }
+        self.frame = if beside == DVec3::ZERO { frame } else { frame.of(Frame::shift(beside)) };
         self.back = frame.inverse();
     }
 

@@ -14,6 +14,7 @@ use crate::engine::scene::{Answers, Preset, Scene};
 use crate::engine::solid::Path as BallPath;
 use crate::engine::table::{Table, TableError, TableKind};
 use crate::engine::world::coordinates::System;
+use crate::engine::world::insert::Aligned;
 use crate::engine::world::stylus::{OfMachine, ProbeData};
 
 /// How far away a tool is that stands aside, mm.
@@ -93,6 +94,8 @@ pub(crate) struct World<'s> {
     pub(crate) of_machine: OfMachine,
     /// What the operator will say.
     pub answers: Answers,
+    /// What is set for turning with the tool in the spindle.
+    pub(super) aligned: Aligned,
     tool: Option<Tool>,
     /// The touch probe as the tables describe it, read when it is asked for first; see [`World::probe`].
     probe: OnceCell<Result<ProbeData, Fault>>,
@@ -104,9 +107,12 @@ pub(crate) struct World<'s> {
 impl<'s> World<'s> {
     pub(crate) fn new(scene: &'s Scene, of_machine: OfMachine) -> Result<Self, TableError> {
         let mut tables = BTreeMap::new();
-        for (kind, table) in
-            [(TableKind::Tool, &scene.tools), (TableKind::Probe, &scene.probes), (TableKind::Preset, &scene.presets)]
-        {
+        for (kind, table) in [
+            (TableKind::Tool, &scene.tools),
+            (TableKind::Turning, &scene.turning_tools),
+            (TableKind::Probe, &scene.probes),
+            (TableKind::Preset, &scene.presets),
+        ] {
             tables.insert(kind, Arc::new(table.clone()));
         }
         let system = System::new(WorkingPlane::of_tool_axis(scene.machine.spindle));
@@ -130,6 +136,7 @@ impl<'s> World<'s> {
             calibrated_setter: None,
             of_machine,
             answers: scene.answers.clone(),
+            aligned: Aligned::default(),
             tool: None,
             probe: OnceCell::new(),
             kept: Arc::new(Kept {
@@ -371,12 +378,19 @@ impl<'s> World<'s> {
 
     /// The number of the tool of a name.
     pub(crate) fn tool_named(&self, name: &str) -> Result<Option<f64>, TableError> {
-        self.table(TableKind::Tool)?.find("NAME", name)
+        let found = self.table(TableKind::Tool)?.find("NAME", name)?;
+        if found.is_some() { Ok(found) } else { self.table(TableKind::Turning)?.find("NAME", name) }
     }
 
-    /// Whether tool calls are checked against the table.
+    /// Whether tool calls are checked against the tables.
     pub(crate) fn has_tools(&self) -> bool {
-        self.table(TableKind::Tool).is_ok_and(|table| table.rows().next().is_some())
+        let any = |kind| self.table(kind).is_ok_and(|table| table.rows().next().is_some());
+        any(TableKind::Tool) || any(TableKind::Turning)
+    }
+
+    /// Whether one of the tables of tools has a tool.
+    pub(crate) fn has_tool(&self, number: f64) -> bool {
+        [TableKind::Tool, TableKind::Turning].iter().any(|kind| self.table(*kind).is_ok_and(|own| own.has_row(number)))
     }
 
     /// The data of a tool with the oversizes of a tool call.
@@ -386,11 +400,18 @@ impl<'s> World<'s> {
             let deltas = (delta_radius, delta_length);
             return Ok(Tool { number, radius: delta_radius, length: delta_length, deltas, ..Tool::default() });
         }
+        let of_turning = self.turning_length(number)?;
+        if !table.has_row(number) && self.has_tool(number) {
+            let length = of_turning.unwrap_or_default() + delta_length;
+            let deltas = (delta_radius, delta_length);
+            return Ok(Tool { number, radius: delta_radius, length, deltas, ..Tool::default() });
+        }
         let value = |column| table.number(number, column).map(Option::unwrap_or_default);
+        let length = of_turning.map_or_else(|| Ok::<_, TableError>(value("L")? + value("DL")?), Ok)?;
         Ok(Tool {
             number,
             radius: value("R")? + value("DR")? + delta_radius,
-            length: value("L")? + value("DL")? + delta_length,
+            length: length + delta_length,
             corner: value("R2")? + value("DR2")?,
             point: value("T-ANGLE")?,
             angle: value("ANGLE")?,
@@ -417,6 +438,7 @@ impl<'s> World<'s> {
     /// Puts a tool into the spindle.
     pub(crate) fn take_tool(&mut self, tool: Tool) {
         self.tool = Some(tool);
+        self.align(Aligned::default());
         (self.spindle_turned, self.pressed) = (0.0, None);
         self.probe.take();
         if self.swung() != DVec3::ZERO {

@@ -1,0 +1,239 @@
+//! Tools of turning: the table of their own, corrections in the program, precession angle and reversed tool; and the
+//! program of the manual with turning cycles.
+//!
+//! Expected numbers are calculated beside them from lengths and radii alone.
+use ciklo::base::diag::Source;
+use ciklo::engine::run::{Engine, Event, EventKind, NoTexts, Outcome, Status};
+use ciklo::engine::scene::Scene;
+use ciklo::engine::table::{Cell, Table, TableKind};
+use ciklo::program::syntax;
+use glam::DVec3;
+
+fn run(program: &str, scene: &str) -> (Outcome, Vec<Event>) {
+    let files = ciklo::base::data::embedded();
+    let catalogue = &crate::built::built().catalogue;
+    let on = catalogue.on("tnc640").expect("a control");
+    let scene = Scene::parse(&Source::new("scene.yaml", format!("scene: 1\n{scene}\n")), &files).expect("a scene");
+    let program = syntax::parse(&Source::new("TURN.H", program));
+    let mut events = Vec::new();
+    let outcome =
+        Engine::new(&program, on, &scene, &NoTexts).with_catalogue(catalogue).run(&mut |event| events.push(event));
+    (outcome, events)
+}
+
+/// The ends of all moves, in the program and in the machine.
+fn ends(events: &[Event]) -> Vec<(DVec3, DVec3)> {
+    let json = events.iter().map(Event::to_json).filter(|event| event["event"] == "move");
+    let point = |value: &serde_json::Value| {
+        let [x, y, z] = ["X", "Y", "Z"].map(|axis| value[axis].as_f64().expect("a coordinate"));
+        DVec3::new(x, y, z)
+    };
+    json.map(|event| (point(&event["to"]), point(&event["machine"]))).collect()
+}
+
+fn near(found: DVec3, expected: DVec3) {
+    assert!(found.distance(expected) < 1e-9, "{found} instead of {expected}");
+}
+
+/// Cycle 811: a shoulder of diameter 50 down to Z-55, finished only, from X75 Z2.
+fn shoulder(insert: &str) -> (Outcome, Vec<Event>) {
+    let program = "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nL X+75 Z+2 R0 FMAX\n\
+                   CYCL DEF 811\nQ215=2\nQ460=2\nQ493=50\nQ494=-55\nQ463=3\nQ478=200\nQ483=0\nQ484=0\nQ505=100\nQ506=0\n\
+                   CYCL CALL\n";
+    run(program, &format!("turning_tools: [{{T: 1, ZL: 100, XL: 20, {insert}}}]\nstart: [60, 0, 50]"))
+}
+
+/// The lowest Z of the moves of a run.
+fn lowest(events: &[Event]) -> f64 {
+    ends(events).iter().map(|(to, _)| to.z).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn the_orientation_says_where_the_tip_is() {
+    // The side of the nose touches the wall at Z-55: the tip is there, or the centre, which is the radius before it.
+    for (insert, expected) in [
+        ("RS: 0.4, TO: 1", -55.0),
+        ("RS: 0.4, TO: 2", -54.6),
+        ("RS: 0.4, DRS: 0.1, TO: 2", -54.5),
+        ("RS: 0.4, TO: 9", -54.6),
+        ("RS: 0.4", -55.0),
+    ] {
+        let (outcome, events) = shoulder(insert);
+        assert_eq!(outcome.status, Status::Done, "{insert}: {:?}", outcome.fault);
+        assert!((lowest(&events) - expected).abs() < 1e-9, "{insert}: {}", lowest(&events));
+    }
+    // The centre of the nose runs on the diameter and the radius of the nose.
+    let (_, events) = shoulder("RS: 0.4, TO: 9");
+    let least = ends(&events).iter().map(|(to, _)| to.x).fold(f64::INFINITY, f64::min);
+    assert!((least - 25.4).abs() < 1e-9, "{least}");
+    for away in ["TO: 3", "TO: 5", "TO: 6", "TO: 7"] {
+        let (outcome, _) = shoulder(&format!("RS: 0.4, {away}"));
+        assert_eq!(outcome.fault.map(|fault| fault.code.to_string()).as_deref(), Some("insert-direction"), "{away}");
+    }
+}
+
+#[test]
+fn a_reversed_tool_is_one_of_the_other_side() {
+    let program = |reversed: u8| {
+        format!(
+            "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nCYCL DEF 800\nQ497=0\nQ498={reversed}\nL X+75 Z+2 R0 FMAX\n\
+             CYCL DEF 811\nQ215=2\nQ460=2\nQ493=50\nQ494=-55\nQ463=3\nQ478=200\nQ483=0\nQ484=0\nQ505=100\nQ506=0\nCYCL CALL\n"
+        )
+    };
+    let scene = "turning_tools: [{T: 1, ZL: 100, XL: 20, RS: 0.4, TO: 7, ORI: 10}]\nstart: [60, 0, 50]";
+    assert_eq!(run(&program(0), scene).0.status, Status::Error);
+    let (outcome, events) = run(&program(1), scene);
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    assert!((lowest(&events) + 55.0).abs() < 1e-9);
+    // The angle of the insert, and half a turn more.
+    let turned: Vec<f64> = events.iter().filter_map(|event| event.to_json()["orient"].as_f64()).collect();
+    assert_eq!(turned, [10.0, 190.0]);
+}
+
+#[test]
+fn the_measured_corner_of_a_recessing_insert_is_that_of_its_orientation() {
+    // The insert is 3 mm wide: measured at its upper corner, or in the middle, all is so much higher.
+    let groove = |insert: &str, by: f64| {
+        let program = format!(
+            "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nL X+75 Z{:+} R0 FMAX\nCYCL DEF 861\nQ215=0\nQ460=2\nQ493=50\n\
+             Q494=-50\nQ478=200\nQ483=0.4\nQ484=0.2\nQ505=100\nQ463=0\nCYCL CALL\n",
+            -25.0 + by
+        );
+        let scene = format!("turning_tools: [{{T: 1, ZL: 100, CUTWIDTH: 3, RS: 0.2, {insert}}}]\nstart: [60, 0, 50]");
+        let (outcome, events) = run(&program, &scene);
+        assert_eq!(outcome.status, Status::Done, "{insert}: {:?}", outcome.fault);
+        ends(&events)
+    };
+    let lower = groove("TO: 1", 0.0);
+    assert!(lower.len() > 10);
+    for (insert, by) in [("TO: 3", 3.0), ("TO: 2", 1.5), ("TO: 3, DCW: 0.5, CUTLENGTH: 8", 3.5)] {
+        let other = groove(insert, by);
+        if !insert.contains("DCW") {
+            for ((one, _), (two, _)) in lower.iter().zip(&other) {
+                near(*two, *one + DVec3::Z * by);
+            }
+        }
+        // The lower corner ends on the second flank, or before it by the allowance.
+        let deepest = other.iter().map(|(to, _)| to.z - by).fold(f64::INFINITY, f64::min);
+        assert!((deepest + 50.0).abs() < 1e-9, "{insert}: {deepest}");
+    }
+}
+
+#[test]
+fn corrections_in_the_program_move_the_tip_up_to_the_next_tool_call() {
+    let scene = "turning_tools:\n  - {T: 1, ZL: 100, XL: 20, RS: 0.4, TO: 1}\n  - {T: 2, ZL: 90, XL: 15, RS: 0.4, TO: 7}\n\
+                 start: [60, 0, 50]";
+    let program = "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\n\
+                   FUNCTION TURNDATA CORR-TCS:Z/X DZL:0.2 DXL:0.1\nL X+50 Z+2 R0 FMAX\n\
+                   FUNCTION TURNDATA CORR-WPL:Z/X DXL:-0.3\nL X+50 Z+2 R0 FMAX\n\
+                   TOOL CALL 2 Z S500 F200\nL X+50 Z+2 R0 FMAX\n\
+                   FUNCTION TURNDATA CORR-TCS:Z/X DZL:0.2 DXL:0.1\nL X+50 Z+2 R0 FMAX\n\
+                   FUNCTION TURNDATA CORR-WPL:Z/X DZL:0.2 DXL:0.1\nL X+50 Z+2 R0 FMAX\n\
+                   FUNCTION MODE MILL\nL X+50 Z+2 R0 FMAX\n";
+    let (outcome, events) = run(program, scene);
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let expected = [
+        // An outside tool that is longer stays further out and higher.
+        (25.0, 25.1, 2.2),
+        (25.0, 24.7, 2.0),
+        (25.0, 25.0, 2.0),
+        // An inside tool stays further in; in the system of the workpiece values count along its axes.
+        (25.0, 24.9, 2.2),
+        (25.0, 25.1, 2.2),
+        // Diameters are those of turning.
+        (50.0, 50.0, 2.0),
+    ];
+    let found = ends(&events);
+    assert_eq!(found.len(), expected.len());
+    for ((to, machine), (x, machine_x, z)) in found.into_iter().zip(expected) {
+        near(to, DVec3::new(x, 0.0, 2.0));
+        near(machine, DVec3::new(machine_x, 0.0, z));
+    }
+    // The radius of the nose is corrected, too: its centre runs 0.4 + 0.1 above the diameter.
+    let program = "TOOL CALL 3 Z S500 F200\nFUNCTION MODE TURN\nFUNCTION TURNDATA CORR-TCS:Z/X DRS:0.1\nL X+75 Z+2 R0 FMAX\n\
+                   CYCL DEF 811\nQ215=2\nQ460=2\nQ493=50\nQ494=-55\nQ463=3\nQ478=200\nQ483=0\nQ484=0\nQ505=100\nQ506=0\n\
+                   CYCL CALL\n";
+    let (_, events) = run(program, "turning_tools: [{T: 3, ZL: 90, RS: 0.4, TO: 9}]\nstart: [60, 0, 50]");
+    let least = ends(&events).iter().map(|(to, _)| to.x).fold(f64::INFINITY, f64::min);
+    assert!((least - 25.5).abs() < 1e-9, "{least}");
+    let refused = "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA CORR-TCS:Z/X DYL:0.1\n";
+    assert_eq!(run(refused, scene).0.status, Status::Unsupported);
+}
+
+#[test]
+fn a_precession_angle_turns_the_way_about_the_rotary_axis() {
+    let program = "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nCYCL DEF 800\nQ497=30\nQ498=0\n\
+                   L X+100 Y+0 Z+2 R0 FMAX\nTOOL CALL 2 Z S500 F200\nL X+100 Y+0 Z+2 R0 FMAX\n";
+    let scene = "turning_tools: [{T: 1, ZL: 100, TO: 1}, {T: 2, ZL: 100, TO: 1}]\nstart: [60, 0, 50]";
+    let (outcome, events) = run(program, scene);
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let found = ends(&events);
+    // 50 cos 30 and 50 sin 30; the tool call ends it.
+    near(found[0].1, DVec3::new(43.301_270_189_221_93, 25.0, 2.0));
+    near(found[1].1, DVec3::new(50.0, 0.0, 2.0));
+    let diameters: Vec<f64> = events.iter().filter_map(|event| event.to_json()["diameter"].as_f64()).collect();
+    assert!(diameters.iter().all(|diameter| (diameter - 100.0).abs() < 1e-9), "{diameters:?}");
+}
+
+#[test]
+fn the_table_of_turning_tools_is_read_from_its_file() {
+    let text = "BEGIN TOOLTURN.TRN MM\nT    NAME        ZL       XL     DZL    TO  TYPE\n\
+                12   ROUGH_80    120.5    -15    0.25   1   ROUGH\n[END]\n";
+    let source = Source::new("toolturn.trn", text);
+    let table = Table::parse(TableKind::of_file("toolturn.trn").expect("a kind"), &source).expect("a sound table");
+    assert_eq!(table.kind(), TableKind::Turning);
+    assert_eq!(table.number(12.0, "ZL"), Ok(Some(120.5)));
+    assert_eq!(table.get(12.0, "TYPE"), Ok(Cell::Text("ROUGH".to_owned())));
+    assert!(ciklo::program::table::check(TableKind::Turning, &source).is_empty());
+    let wrong = text.replace("1   ROUGH", "10  MILL ");
+    let found = ciklo::program::table::check(TableKind::Turning, &Source::new("toolturn.trn", wrong));
+    let codes: Vec<_> = found.iter().map(|own| own.code).collect();
+    assert_eq!(codes, ["table-value-not-allowed", "table-value-not-allowed"]);
+    // Its length counts, oversize included.
+    let program = "TOOL CALL \"ROUGH_80\" Z S500\n";
+    let scene = "tools: [{T: 12, L: 99}]\nturning_tools: [{T: 12, NAME: ROUGH_80, ZL: 120.5, DZL: 0.25, TO: 1}]";
+    let (outcome, events) = run(program, scene);
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let lengths: Vec<f64> = events
+        .iter()
+        .filter_map(|event| match &event.kind {
+            EventKind::Spindle { tool: Some((tool, _)), .. } => Some(tool.length),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(lengths, [120.75]);
+}
+
+/// The program ABSATZ of the manual (001:10358-10429): a shoulder of 150 in 160 with chamfers of 2 mm, and a recess of
+/// 142 with chamfers of 1 mm; the tools are without radius here.
+#[test]
+fn the_program_of_the_manual_turns_its_shoulder_and_its_recess() {
+    let program = include_str!("../engine/run/absatz.h");
+    let scene = "turning_tools:\n  - {T: 12, ZL: 100, TO: 1, TYPE: ROUGH}\n\
+                 \x20 - {T: 15, ZL: 100, CUTWIDTH: 3, TO: 1, TYPE: RECESS}\nstart: [120, 0, 100]";
+    let (outcome, events) = run(program, scene);
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let finished = |cycle: u64| -> Vec<DVec3> {
+        let json = events.iter().map(Event::to_json);
+        let own = json.filter(|event| event["cycle"] == cycle && event["kind"] != "rapid");
+        own.filter_map(|event| {
+            let at = |axis: &str| event["to"][axis].as_f64();
+            Some(DVec3::new(at("X")?, 0.0, at("Z")?))
+        })
+        .collect()
+    };
+    let passes = |way: &[DVec3], points: &[(f64, f64)]| {
+        let mut at = way.iter();
+        for (diameter, z) in points {
+            let point = DVec3::new(diameter / 2.0, 0.0, *z);
+            assert!(at.any(|to| to.distance(point) < 1e-9), "{point} is not passed in this order");
+        }
+    };
+    // Chamfer, surface, rounded corner, face and chamfer.
+    passes(&finished(812), &[(146.0, 0.0), (150.0, -2.0), (150.0, -39.0), (152.0, -40.0), (156.0, -40.0), (160.0, -42.0)]);
+    // First flank with its chamfer, floor with the corner of the insert behind it, second flank: the corner in front is
+    // 3 mm ahead on the first one.
+    passes(&finished(862), &[(148.0, -16.0), (142.0, -16.0), (148.0, -18.0), (150.0, -19.0)]);
+    let near_floor = finished(862).iter().map(|to| to.x).fold(f64::INFINITY, f64::min);
+    assert!((near_floor - 71.0).abs() < 1e-9, "{near_floor}");
+}
