@@ -204,6 +204,134 @@ fn the_table_of_turning_tools_is_read_from_its_file() {
     assert_eq!(lengths, [120.75]);
 }
 
+/// Plain blocks with RL and RR: the nose runs along the contour in the plane of the rotary axis and X.
+#[test]
+fn radius_compensation_in_turning_leads_the_nose_along_the_contour() {
+    // A cylinder of diameter 40 down to Z-30, and a cone of 45 degrees up to diameter 60.
+    let program = |side: &str, start: &str, cone: &str| {
+        format!(
+            "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nL X+{start} Z+2 R0 FMAX\nL X+40 Z+2 {side} F200\nL Z-30\n\
+             L X+{cone} Z-40\nL X+{start} R0\n"
+        )
+    };
+    let tool = |insert: &str| format!("turning_tools: [{{T: 1, ZL: 100, {insert}}}]\nstart: [60, 0, 50]");
+    let root = 2.0_f64.sqrt();
+    let radius = 0.8;
+    // The centre is on X 20 + r and on the line that is r beside Z + X = -10; the tip is r in front of it and below it.
+    let (outcome, events) = run(&program("RR", "80", "60"), &tool("RS: 0.8, TO: 1"));
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let way: Vec<DVec3> = ends(&events).iter().map(|(to, _)| *to).collect();
+    near(way[1], DVec3::new(20.0, 0.0, 2.0 - radius));
+    near(way[2], DVec3::new(20.0, 0.0, -30.0 - radius * (2.0 - root)));
+    // Beside the end of the cone, r away at right angles to it.
+    near(way[3], DVec3::new(30.0 + radius / root - radius, 0.0, -40.0 + radius / root - radius));
+    // Measured in the centre of the nose, the way is that of the centre.
+    let (_, events) = run(&program("RR", "80", "60"), &tool("RS: 0.8, TO: 9"));
+    near(ends(&events)[2].0, DVec3::new(20.0 + radius, 0.0, -30.0 - radius * (1.0 - root)));
+    // A bore that becomes narrower: the nose is on the other side, and its tip points outwards.
+    let (outcome, events) = run(&program("RL", "10", "20"), &tool("RS: 0.8, TO: 7"));
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    near(ends(&events)[2].0, DVec3::new(20.0, 0.0, -30.0 - radius * (2.0 - root)));
+    // Arcs and roundings are in that plane: a corner of radius 5 between cylinder and face, the nose inside of it.
+    let program = "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nL X+80 Z+2 R0 FMAX\nL X+40 Z+2 RR F200\nL Z-30\nRND R5\n\
+                   L X+60\nL X+80 R0\n";
+    let (outcome, events) = run(program, &tool("RS: 0.8, TO: 1"));
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let way: Vec<DVec3> = ends(&events).iter().map(|(to, _)| *to).collect();
+    near(way[2], DVec3::new(20.0, 0.0, -25.0 - radius));
+    near(way[3], DVec3::new(25.0 - radius, 0.0, -30.0));
+    let sweep: Vec<f64> = events.iter().filter_map(|event| event.to_json()["angle"].as_f64()).collect();
+    assert!(sweep.len() == 1 && (sweep[0].abs() - 90.0).abs() < 1e-9, "{sweep:?}");
+}
+
+/// The ends of the moves of a program that runs along a contour with an undercut: Z and X, and the angles of its arcs.
+fn undercut(block: &str) -> (Vec<(f64, f64)>, Vec<f64>) {
+    let program = format!(
+        "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nL X+40 Z+0 R0 FMAX\nL Z-30 F200\n{block}\nL X+60\nL Z-40\n"
+    );
+    let (outcome, events) = run(&program, "turning_tools: [{T: 1, ZL: 100, TO: 1}]\nstart: [60, 0, 50]");
+    assert_eq!(outcome.status, Status::Done, "{block}: {:?}", outcome.fault);
+    let angles = events.iter().filter_map(|event| event.to_json()["angle"].as_f64()).collect();
+    (ends(&events).iter().map(|(to, _)| (to.z, to.x)).collect(), angles)
+}
+
+fn same_way(found: &[(f64, f64)], expected: &[(f64, f64)]) {
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for (one, two) in found.iter().zip(expected) {
+        assert!((one.0 - two.0).hypot(one.1 - two.1) < 1e-9, "{one:?} instead of {two:?} in {found:?}");
+    }
+}
+
+#[test]
+fn undercuts_have_the_shapes_of_the_standard() {
+    let tan = |degrees: f64| degrees.to_radians().tan();
+    // Form E, 2 mm deep and 15 mm broad, without radii: the slope of 15 degrees goes down in 2 / tan 15.
+    let (way, _) = undercut("UDC TYPE_E R0 DEPTH2 BREADTH15");
+    let down = 2.0 / tan(15.0);
+    same_way(&way, &[(0.0, 20.0), (-15.0, 20.0), (-15.0 - down, 18.0), (-30.0, 18.0), (-30.0, 30.0), (-40.0, 30.0)]);
+    // With radii of 1 mm: the tangents are tan 7.5 and 1 long, the arcs turn by 15 and by 90 degrees.
+    let (way, angles) = undercut("UDC TYPE_E R1 DEPTH2 BREADTH15");
+    let (cut, slope) = (tan(7.5), 15.0_f64.to_radians());
+    same_way(
+        &way,
+        &[
+            (0.0, 20.0),
+            (-15.0, 20.0),
+            (-15.0 - down + cut * slope.cos(), 18.0 + cut * slope.sin()),
+            (-15.0 - down - cut, 18.0),
+            (-29.0, 18.0),
+            (-30.0, 19.0),
+            (-30.0, 30.0),
+            (-40.0, 30.0),
+        ],
+    );
+    let turned: Vec<f64> = angles.iter().map(|angle| (angle.abs() * 1e6).round() / 1e6).collect();
+    assert_eq!(turned, [15.0, 90.0]);
+    // Form F of diameter 40 by DIN 509: 0.3 deep, 2.5 broad, 0.2 in the face at 8 degrees; radii of 0.6, here none.
+    let (way, _) = undercut("UDC TYPE_F R0");
+    let (down, rise) = (0.3 / tan(15.0), 0.2 / tan(8.0));
+    same_way(
+        &way,
+        &[
+            (0.0, 20.0),
+            (-27.5, 20.0),
+            (-27.5 - down, 19.7),
+            (-30.2, 19.7),
+            (-30.0, 19.7 + rise),
+            (-30.0, 30.0),
+            (-40.0, 30.0),
+        ],
+    );
+    // The same with its radii has two arcs: 15 degrees, and 90 + 8.
+    let (_, angles) = undercut("UDC TYPE_F");
+    let turned: Vec<f64> = angles.iter().map(|angle| (angle.abs() * 1e6).round() / 1e6).collect();
+    assert_eq!(turned, [15.0, 98.0]);
+    // Form U with a chamfer of 0.5 at its edge.
+    let (way, _) = undercut("UDC TYPE_U DEPTH3 BREADTH10 CHF0.5");
+    same_way(
+        &way,
+        &[(0.0, 20.0), (-19.5, 20.0), (-20.0, 19.5), (-20.0, 17.0), (-30.0, 17.0), (-30.0, 30.0), (-40.0, 30.0)],
+    );
+    for refused in ["UDC TYPE_H R1 BREADTH10 ANGLE10", "UDC TYPE_U DEPTH3 BREADTH10 ANGLE5", "UDC THREAD PITCH2"] {
+        let program = format!("TOOL CALL 1 Z F200\nFUNCTION MODE TURN\nL X+40 Z+0 FMAX\nL Z-30\n{refused}\nL X+60\n");
+        let (outcome, _) = run(&program, "start: [60, 0, 50]");
+        assert_eq!(outcome.status, Status::Unsupported, "{refused}");
+    }
+}
+
+/// A contour cycle turns the undercut: what its nose can reach.
+#[test]
+fn a_contour_with_an_undercut_is_turned() {
+    let program = "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nCYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL 2\n\
+                   L X+75 Z+2 R0 FMAX\nCYCL DEF 810\nQ215=2\nQ460=2\nQ499=0\nQ463=3\nQ478=200\nQ483=0\nQ484=0\nQ505=100\n\
+                   Q487=1\nQ488=0\nQ479=0\nQ480=0\nQ482=0\nQ506=0\nCYCL CALL\nM30\n\
+                   LBL 2\nL X+40 Z+0\nL Z-30\nUDC TYPE_U DEPTH3 BREADTH10\nL X+60\nLBL 0\n";
+    let (outcome, events) = run(program, "turning_tools: [{T: 1, ZL: 100, TO: 1}]\nstart: [60, 0, 50]");
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let reached = ends(&events).iter().any(|(to, _)| to.distance(DVec3::new(17.0, 0.0, -30.0)) < 1e-9);
+    assert!(reached, "{:?}", ends(&events));
+}
+
 /// The program ABSATZ of the manual (001:10358-10429): a shoulder of 150 in 160 with chamfers of 2 mm, and a recess of
 /// 142 with chamfers of 1 mm; the tools are without radius here.
 #[test]
@@ -230,7 +358,10 @@ fn the_program_of_the_manual_turns_its_shoulder_and_its_recess() {
         }
     };
     // Chamfer, surface, rounded corner, face and chamfer.
-    passes(&finished(812), &[(146.0, 0.0), (150.0, -2.0), (150.0, -39.0), (152.0, -40.0), (156.0, -40.0), (160.0, -42.0)]);
+    passes(
+        &finished(812),
+        &[(146.0, 0.0), (150.0, -2.0), (150.0, -39.0), (152.0, -40.0), (156.0, -40.0), (160.0, -42.0)],
+    );
     // First flank with its chamfer, floor with the corner of the insert behind it, second flank: the corner in front is
     // 3 mm ahead on the first one.
     passes(&finished(862), &[(148.0, -16.0), (142.0, -16.0), (148.0, -18.0), (150.0, -19.0)]);

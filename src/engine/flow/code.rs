@@ -25,7 +25,7 @@ pub(crate) struct Prepared<'p> {
     definitions: BTreeMap<usize, usize>,
     /// By block: the compiled formula.
     formulas: BTreeMap<usize, Code>,
-    /// By block: whether a rounding or chamfer follows directly.
+    /// By block: whether a rounding, a chamfer or an undercut follows directly.
     rounded: Vec<bool>,
     /// mm in its unit.
     pub(crate) unit: f64,
@@ -39,7 +39,7 @@ impl<'p> Prepared<'p> {
         let cycles = program.cycles();
         let definitions = cycles.iter().enumerate().map(|(index, view)| (view.first, index)).collect();
         let formulas = blocks.iter().enumerate().filter_map(|(at, block)| Some((at, formula(&block.kind)?))).collect();
-        let rounded = rounded(blocks);
+        let rounded = rounded(program);
         let mut labels = HashMap::new();
         for (index, block) in blocks.iter().enumerate() {
             let BlockKind::Lbl(label) = &block.kind else { continue };
@@ -112,16 +112,21 @@ fn key(program: &Program, label: Label) -> Option<Key> {
     }
 }
 
-/// By block: whether a rounding or chamfer follows, but for comments and M functions.
-fn rounded(blocks: &[Block]) -> Vec<bool> {
+/// The word with which undercuts begin.
+const UNDERCUT: &str = "UDC";
+
+/// By block: whether a rounding, a chamfer or an undercut follows, but for comments and M functions.
+fn rounded(program: &Program) -> Vec<bool> {
     let mut follows = false;
-    let mut rounded: Vec<bool> = blocks
+    let mut rounded: Vec<bool> = program
+        .blocks()
         .iter()
         .rev()
         .map(|block| {
             let here = follows;
             follows = match &block.kind {
                 BlockKind::Motion(motion) => matches!(motion.path(), Path::Rnd | Path::Chf),
+                BlockKind::Statement(own) => program.slice(own.head).trim_end().eq_ignore_ascii_case(UNDERCUT),
                 BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => follows,
                 _ => false,
             };

@@ -98,6 +98,7 @@ impl<'e> Run<'_, 'e> {
                 return self.after(functions, false);
             }
             BlockKind::Statement(statement) if statement.kind == StatementKind::Fselect => self.selection()?,
+            BlockKind::Statement(statement) if self.is_undercut(statement) => self.undercut(statement)?,
             BlockKind::Statement(statement) if self.drives.beside_contour => {
                 self.drives.not_beside_contour(self.slice(statement.head).trim())?;
             }

@@ -98,7 +98,7 @@ impl Run<'_, '_> {
             let place = self.block_place();
             return self.contour.line(&mut self.drives, motion, place, to, speed);
         }
-        let plane = self.drives.world.system.plane;
+        let plane = self.drives.world.system.contour_plane();
         let from = self.programmed();
         self.contour.passed(plane.flat(from), plane.flat(to));
         self.drives.straight_to(to, None, speed)
@@ -120,7 +120,7 @@ impl Run<'_, '_> {
         let (plane, from) = (turn.plane, self.programmed());
         let sweep = self.drives.sweep(from, to, &turn)?;
         let beside = self.is_in_contour(motion);
-        if plane != self.drives.world.system.plane {
+        if plane != self.drives.world.system.contour_plane() {
             if beside {
                 return Err(Fault::unsupported("unsupported-compensation").arg("word", "CC").into());
             }
@@ -138,7 +138,7 @@ impl Run<'_, '_> {
 
     /// An arc that goes on in the direction of the element before it.
     fn tangential_circle(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
-        let plane = self.drives.world.system.plane;
+        let plane = self.drives.world.system.contour_plane();
         let (from, heading) = (self.programmed(), self.contour.heading(&self.drives.world)?);
         let found = tangential(plane.flat(from), heading, plane.flat(to));
         let Some((centre, sweep)) = found else { return Err(Fault::program("tangent-missing").into()) };
@@ -261,7 +261,7 @@ impl Run<'_, '_> {
     /// The plane of circles about the pole, and the pole at the tool's height above that plane.
     fn pole(&self) -> Result<(WorkingPlane, DVec3), Fault> {
         let pole = self.modal.pole.ok_or_else(|| Fault::program("pole-missing"))?;
-        let plane = pole.plane.unwrap_or(self.drives.world.system.plane);
+        let plane = pole.plane.unwrap_or(self.drives.world.system.contour_plane());
         Ok((plane, plane.tool.with(pole.at, plane.tool.of(self.programmed()))))
     }
 
@@ -316,7 +316,7 @@ impl Run<'_, '_> {
         let radius = self.operand(radius)? * self.drives.unit();
         let here = self.programmed();
         let to = self.target(&motion.coords, here)?;
-        let plane = self.drives.world.system.plane;
+        let plane = self.drives.world.system.contour_plane();
         let chord = plane.flat(to - here);
         let half = libm::hypot(chord.x, chord.y) / 2.0;
         if half == 0.0 || half > radius.abs() + OFF_CIRCLE {

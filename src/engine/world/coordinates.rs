@@ -327,6 +327,12 @@ impl System {
         self.plane.lift(glam::DVec2::new(plane_point.x, plane_point.y), plane_point.z)
     }
 
+    /// The plane of contours: the working plane, in turning that of the rotary axis and X, in which the insert cuts.
+    pub fn contour_plane(&self) -> WorkingPlane {
+        let turned = self.turning && self.plane.tool == Axis::Z;
+        if turned { WorkingPlane::of_tool_axis(self.plane.secondary) } else { self.plane }
+    }
+
     /// Main, minor and tool coordinates of a point given by axes.
     pub fn in_plane(&self, axes: DVec3) -> DVec3 {
         let flat = self.plane.flat(axes);

@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use super::state::World;
 use crate::engine::machine::{InsertCorrection, Tool, TurningInsert};
+use crate::engine::report::fault::Fault;
 use crate::engine::table::{TableError, TableKind};
 
 /// What is set for turning with the tool in the spindle, up to the next tool call.
@@ -56,6 +57,24 @@ impl World<'_> {
         }
         let oversize = table.number(tool, "DZL")?.unwrap_or_default();
         Ok(table.number(tool, "ZL")?.map(|length| length + oversize))
+    }
+
+    /// Whether it is an insert that runs beside contours, and not the side of the tool. Where a contour is only read,
+    /// nothing does.
+    pub(crate) fn insert_runs_beside(&self) -> bool {
+        self.system.contour_plane() != self.system.plane
+    }
+
+    /// Where the tip of the insert is from the centre of its nose, along the axes of the plane of contours, while the nose
+    /// runs so far beside a contour.
+    pub(crate) fn tip_of_nose(&self, offset: f64) -> Result<DVec2, Fault> {
+        if offset == 0.0 || !self.insert_runs_beside() {
+            return Ok(DVec2::ZERO);
+        }
+        let insert = self.turning_insert()?;
+        let way = insert.way.ok_or_else(|| Fault::control("orientation-missing").arg("tool", insert.tool))?;
+        // The plane goes from the rotary axis to X.
+        Ok(DVec2::new(way.y, way.x) * insert.radius)
     }
 
     /// At which angle the insert is to the main axis while the spindle is at 0, degrees.
