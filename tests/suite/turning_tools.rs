@@ -92,29 +92,25 @@ fn a_reversed_tool_is_one_of_the_other_side() {
 
 #[test]
 fn the_measured_corner_of_a_recessing_insert_is_that_of_its_orientation() {
-    // The insert is 3 mm wide: measured at its upper corner, or in the middle, all is so much higher.
-    let groove = |insert: &str, by: f64| {
-        let program = format!(
-            "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nL X+75 Z{:+} R0 FMAX\nCYCL DEF 861\nQ215=0\nQ460=2\nQ493=50\n\
-             Q494=-50\nQ478=200\nQ483=0.4\nQ484=0.2\nQ505=100\nQ463=0\nCYCL CALL\n",
-            -25.0 + by
-        );
+    // The insert is 3 mm wide: measured at its upper corner, or in the middle, all in the groove is so much higher.
+    let groove = |insert: &str| -> Vec<DVec3> {
+        let program = "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nL X+75 Z-25 R0 FMAX\nCYCL DEF 861\nQ215=0\nQ460=2\n\
+                       Q493=50\nQ494=-50\nQ478=200\nQ483=0.4\nQ484=0.2\nQ505=100\nQ463=0\nCYCL CALL\n";
         let scene = format!("turning_tools: [{{T: 1, ZL: 100, CUTWIDTH: 3, RS: 0.2, {insert}}}]\nstart: [60, 0, 50]");
-        let (outcome, events) = run(&program, &scene);
+        let (outcome, events) = run(program, &scene);
         assert_eq!(outcome.status, Status::Done, "{insert}: {:?}", outcome.fault);
-        ends(&events)
+        ends(&events).into_iter().map(|(to, _)| to).filter(|to| to.x < 37.4).collect()
     };
-    let lower = groove("TO: 1", 0.0);
+    let lower = groove("TO: 1");
     assert!(lower.len() > 10);
-    for (insert, by) in [("TO: 3", 3.0), ("TO: 2", 1.5), ("TO: 3, DCW: 0.5, CUTLENGTH: 8", 3.5)] {
-        let other = groove(insert, by);
-        if !insert.contains("DCW") {
-            for ((one, _), (two, _)) in lower.iter().zip(&other) {
-                near(*two, *one + DVec3::Z * by);
-            }
-        }
-        // The lower corner ends on the second flank, or before it by the allowance.
-        let deepest = other.iter().map(|(to, _)| to.z - by).fold(f64::INFINITY, f64::min);
+    for (insert, by) in [("TO: 3", 3.0), ("TO: 2", 1.5)] {
+        let other = groove(insert);
+        assert_eq!(other.len(), lower.len(), "{insert}");
+        lower.iter().zip(&other).for_each(|(one, two)| near(*two, *one + DVec3::Z * by));
+    }
+    // The corner in front ends on the second flank, also of an insert that is 0.5 mm wider.
+    for (insert, by) in [("TO: 1", 0.0), ("TO: 3, DCW: 0.5", 3.5)] {
+        let deepest = groove(insert).iter().map(|to| to.z - by).fold(f64::INFINITY, f64::min);
         assert!((deepest + 50.0).abs() < 1e-9, "{insert}: {deepest}");
     }
 }
@@ -362,9 +358,9 @@ fn the_program_of_the_manual_turns_its_shoulder_and_its_recess() {
         &finished(812),
         &[(146.0, 0.0), (150.0, -2.0), (150.0, -39.0), (152.0, -40.0), (156.0, -40.0), (160.0, -42.0)],
     );
-    // First flank with its chamfer, floor with the corner of the insert behind it, second flank: the corner in front is
-    // 3 mm ahead on the first one.
-    passes(&finished(862), &[(148.0, -16.0), (142.0, -16.0), (148.0, -18.0), (150.0, -19.0)]);
+    // Flanks at Z-12 and Z-18 with their chamfers, down to the floor: the corner in front is 3 mm ahead on the first one.
+    let flanks = [(150.0, -14.0), (148.0, -15.0), (142.0, -15.0), (150.0, -19.0), (148.0, -18.0), (142.0, -18.0)];
+    passes(&finished(862), &flanks);
     let near_floor = finished(862).iter().map(|to| to.x).fold(f64::INFINITY, f64::min);
     assert!((near_floor - 71.0).abs() < 1e-9, "{near_floor}");
 }

@@ -3,8 +3,6 @@
 //!
 //! The manuals of the cycles do not print these shapes; they are common knowledge of the trade (`docs/events.md`).
 //! Invariant: plain geometry in the plane of contours, `x` along the rotary axis, `y` a radius.
-use glam::DVec2;
-
 use super::element::{Element, Shape, broken, rounded};
 use crate::base::expr::tand;
 

@@ -298,7 +298,7 @@ impl System {
             frame = frame.of(Frame::rotate(Axis::Z, precession));
         }
         self.frame = if beside == DVec3::ZERO { frame } else { frame.of(Frame::shift(beside)) };
-        self.back = frame.inverse();
+        self.back = self.frame.inverse();
     }
 
     fn frame_of(&self, change: &Change) -> Frame {
