@@ -14,7 +14,9 @@ diag-scene-expected =
         [unit] The unit must be mm or inch, not "{ $found }".
         [clock] Expected a date and a time such as 2015-07-03T14:05:00, found "{ $found }".
         [datum-file] The name of a datum table must end in .D.
+        [table-file] The name of a freely definable table must end in .TAB.
         [rotary-axis] Expected the letter of a rotary axis (A, B or C), found "{ $found }".
+        [parallel-axis] Expected the letter of a parallel axis (U, V or W), found "{ $found }".
         [carried] A rotary axis carries the workpiece or the tool, not "{ $found }".
         [orientation] The orientation must be fixed, two or any, not "{ $found }".
         [shaft] The shaft must be thinner than the ball; its diameter is { $found }.

@@ -19,3 +19,11 @@ diag-measuring-position-at-zero = { $axis }-akselin mittausasema on kulmassa 0°
 explain-measuring-position-at-zero = Vertailumittaus tehdään kulmassa 0°, joten mittausasema siinä ei kerro mitään, ja iTNC 530 hylkää sen. Esimerkki: −90…+90 ja 3 pistettä. Korjaus: toinen pistemäärä tai toiset kulmat.
 diag-hirth-without-retraction = { $axis }-akselissa on Hirth-hammastus, joten se tarvitsee vetäytymiskorkeuden.
 explain-hirth-without-retraction = Hirth-hammastettu akseli poistuu rasteristaan paikoitusta varten, joten sitä ei voi mitata ilman vetäytymistä. Esimerkki: vetäytymiskorkeus 0 ja koneessa ”hirth: 3”. Korjaus: anna korkeus kuulan yläpuolelta.
+diag-mask-missing = Maskia { $name } ei ole.
+explain-mask-missing = FN 16 tulostaa maskin mukaan. Maski on tekstitiedosto ohjelman vieressä tai asetelman kohdassa ”masks”, eikä tätä ole kummassakaan. Nimen levyasemalla ja kansioilla ei ole merkitystä. Esimerkki: ”FN 16: F-PRINT TNC:\MASK.A / TNC:\LOG.TXT” ilman tiedostoa MASK.A. Lisää maski tai korjaa sen nimi.
+diag-mask-unreadable = { $file }, rivi { $line }: maskia ei voi lukea: { $found }
+explain-mask-unreadable = Maski koostuu lainausmerkeissä olevista teksteistä, joissa on paikka jokaiselle niiden jälkeen tulevalle arvolle, ja avainsanoista; kukin päättyy puolipisteeseen. Esimerkki: ”"X = %9.3LF", Q31;”. Tavallisia syitä ovat puuttuva puolipiste, liian monta paikkaa arvoihin nähden tai avainsana, jota ei voi simuloida. Korjaa rivi.
+diag-output-path = Polku { $path } johtaa pois tulosten kansiosta.
+explain-output-path = Mitä FN 16 kirjoittaa, menee valitsimen --out kansioon tiedostonsa nimellä ohjauksen kansiosta riippumatta. Polku, joka johtaa ylöspäin tai toisen järjestelmän levyasemaan tai juurikansioon, voisi korvata muita tiedostoja, joten se hylätään. Esimerkki: ”TNC:\LOG\..\PART.TXT”. Käytä TNC:-aseman polkua ilman merkkejä ”..”.
+diag-table-not-open = Mitään taulukkoa ei ole avattu.
+explain-table-not-open = FN 27 ja FN 28 kirjoittavat ja lukevat taulukkoa, jonka FN 26: TABOPEN on avannut, eikä mitään ole avattu ennen tätä lausetta. Esimerkki: ”FN 28: TABREAD Q10 = 6/"X,Y"” ohjelman alussa. Avaa taulukko ensin: ”FN 26: TABOPEN TNC:\TAB1.TAB”.

@@ -13,7 +13,9 @@ diag-scene-expected =
         [unit] Mittayksikön on oltava mm tai inch eikä ”{ $found }”.
         [clock] Tässä pitäisi olla päivämäärä ja kellonaika, esimerkiksi 2015-07-03T14:05:00, eikä ”{ $found }”.
         [datum-file] Nollapistetaulukon nimen lopussa on oltava .D.
+        [table-file] Vapaasti määriteltävän taulukon nimen lopussa on oltava .TAB.
         [rotary-axis] Tässä pitäisi olla kiertoakselin kirjain (A, B tai C), ei ”{ $found }”.
+        [parallel-axis] Tässä pitäisi olla yhdensuuntaisen lisäakselin kirjain (U, V tai W), ei ”{ $found }”.
         [carried] Kiertoakseli kantaa työkappaletta (workpiece) tai työkalua (tool), ei ”{ $found }”.
         [orientation] Suuntauksen on oltava fixed, two tai any eikä ”{ $found }”.
         [shaft] Kosketusvarren varsiosan on oltava kuulaa ohuempi; sen halkaisija on { $found }.

@@ -13,7 +13,9 @@ diag-scene-expected =
         [unit] L’unità di misura deve essere mm o inch, non «{ $found }».
         [clock] Qui sono previste data e ora, ad esempio 2015-07-03T14:05:00, non «{ $found }».
         [datum-file] Il nome di una tabella origini deve terminare con .D.
+        [table-file] Il nome di una tabella liberamente definibile deve terminare con .TAB.
         [rotary-axis] Qui è prevista la lettera di un asse rotativo (A, B o C), non «{ $found }».
+        [parallel-axis] Qui è prevista la lettera di un asse parallelo (U, V o W), non «{ $found }».
         [carried] Un asse rotativo porta il pezzo (workpiece) o l’utensile (tool), non «{ $found }».
         [orientation] L’orientamento deve essere fixed, two o any, non «{ $found }».
         [shaft] Il gambo dello stilo deve essere più sottile della sfera; il suo diametro è { $found }.

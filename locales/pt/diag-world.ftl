@@ -13,7 +13,9 @@ diag-scene-expected =
         [unit] A unidade de medida tem de ser mm ou inch, não «{ $found }».
         [clock] Esperam-se uma data e uma hora como 2015-07-03T14:05:00, encontrou-se «{ $found }».
         [datum-file] O nome de uma tabela de pontos zero tem de terminar em .D.
+        [table-file] O nome de uma tabela de definição livre tem de terminar em .TAB.
         [rotary-axis] Espera-se a letra de um eixo rotativo (A, B ou C), encontrou-se «{ $found }».
+        [parallel-axis] Espera-se a letra de um eixo paralelo (U, V ou W), encontrou-se «{ $found }».
         [carried] Um eixo rotativo leva a peça (workpiece) ou a ferramenta (tool), não «{ $found }».
         [orientation] A orientação tem de ser fixed, two ou any, não «{ $found }».
         [shaft] A haste tem de ser mais fina do que a esfera; o seu diâmetro é { $found }.

@@ -19,3 +19,11 @@ diag-measuring-position-at-zero = Merilni položaj osi { $axis } je pri 0° ali 
 explain-measuring-position-at-zero = Referenčna meritev se izvede pri 0°, zato merilni položaj tam ne pove ničesar in ga iTNC 530 zavrne. Primer: od −90 do +90 s 3 točkami. Rešitev: drugo število točk ali drugi koti.
 diag-hirth-without-retraction = Os { $axis } ima Hirthovo ozobje in potrebuje višino odmika.
 explain-hirth-without-retraction = Os s Hirthovim ozobjem se za pozicioniranje premakne iz zobja, zato je ni mogoče izmeriti brez odmika. Primer: višina odmika 0 in »hirth: 3« v stroju. Rešitev: vnesite višino nad kroglo.
+diag-mask-missing = Maske { $name } ni.
+explain-mask-missing = FN 16 izpisuje po maski, besedilni datoteki ob programu ali v prizorišču pod »masks«, te pa ni na nobenem od obeh mest. Pogon in mape v imenu niso pomembni. Primer: »FN 16: F-PRINT TNC:\MASK.A / TNC:\LOG.TXT« brez datoteke MASK.A. Dodajte masko ali popravite njeno ime.
+diag-mask-unreadable = { $file }, vrstica { $line }: maske ni mogoče prebrati: { $found }
+explain-mask-unreadable = Maska je sestavljena iz besedil v narekovajih, ki imajo mesto za vsako vrednost za njimi, in iz ključnih besed; vsak del se konča s podpičjem. Primer: »"X = %9.3LF", Q31;«. Pogosti vzroki so manjkajoče podpičje, več mest kot vrednosti ali ključna beseda, ki je ni mogoče simulirati. Popravite vrstico.
+diag-output-path = Pot { $path } vodi iz mape z rezultati.
+explain-output-path = Kar zapiše FN 16, gre v mapo, navedeno z --out, pod imenom svoje datoteke, ne glede na mapo v krmiljenju. Pot, ki vodi navzgor ali na pogon oziroma v korensko mapo drugega sistema, bi lahko prepisala druge datoteke, zato je zavrnjena. Primer: »TNC:\LOG\..\PART.TXT«. Uporabite pot na TNC: brez »..«.
+diag-table-not-open = Odprta ni nobena preglednica.
+explain-table-not-open = FN 27 in FN 28 pišeta v preglednico in jo bereta, ko jo odpre FN 26: TABOPEN; pred tem stavkom ni bila odprta nobena. Primer: »FN 28: TABREAD Q10 = 6/"X,Y"« na začetku programa. Preglednico najprej odprite: »FN 26: TABOPEN TNC:\TAB1.TAB«.

@@ -13,7 +13,9 @@ diag-scene-expected =
         [unit] Merska enota mora biti mm ali inch, ne »{ $found }«.
         [clock] Tukaj bi morala biti datum in čas, na primer 2015-07-03T14:05:00, ne »{ $found }«.
         [datum-file] Ime preglednice ničelnih točk se mora končati z .D.
+        [table-file] Ime prosto določljive preglednice se mora končati z .TAB.
         [rotary-axis] Tukaj mora stati črka rotacijske osi (A, B ali C), ne »{ $found }«.
+        [parallel-axis] Tukaj mora stati črka vzporedne osi (U, V ali W), ne »{ $found }«.
         [carried] Rotacijska os nosi obdelovanec (workpiece) ali orodje (tool), ne »{ $found }«.
         [orientation] Usmeritev mora biti fixed, two ali any, ne »{ $found }«.
         [shaft] Steblo mora biti tanjše od tipalne krogle; njegov premer je { $found }.

@@ -29,6 +29,8 @@ use crate::system;
 
 /// Digits of lengths in remarks.
 const SHOWN: Digits = Digits { minimum: 0, maximum: Some(4) };
+/// The extension of masks of formatted output.
+const MASKS: &str = "A";
 /// The scene before anything is known of it.
 const NOTHING: &str = "scene: 1\n";
 
@@ -193,19 +195,37 @@ fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
     let bytes = text.as_bytes();
     // Long programs are not copied for this.
     let selects = |what: &str| {
-        let begins = memchr::memchr2_iter(b'S', b's', bytes);
+        let first = what.bytes().next().unwrap_or_default();
+        let begins = memchr::memchr2_iter(first, first.to_ascii_lowercase(), bytes);
         let mut same = begins.filter_map(|at| bytes.get(at..at + what.len()));
         same.any(|own| own.eq_ignore_ascii_case(what.as_bytes()))
     };
-    for (call, kind) in [("SEL TABLE", TableKind::Datum), ("SEL PATTERN", TableKind::Points)] {
-        if !selects(call) {
+    let kinds = [
+        (&["SEL TABLE"][..], TableKind::Datum),
+        (&["SEL PATTERN"][..], TableKind::Points),
+        (&["TABOPEN", "SQL"][..], TableKind::Free),
+    ];
+    for (calls, kind) in kinds {
+        if !calls.iter().any(|call| selects(call)) {
             continue;
         }
         for other in system::beside(path, kind.extension().trim_start_matches('.'))? {
-            let own = if kind == TableKind::Datum { &mut scene.datums } else { &mut scene.points };
+            let own = match kind {
+                TableKind::Datum => &mut scene.datums,
+                TableKind::Free => &mut scene.free_tables,
+                _ => &mut scene.points,
+            };
             let known = own.iter().any(|known| known.is_named(&other.to_string_lossy()));
             if !known && program::is_table(&program::source(&other)?) {
                 own.push(table(&other, kind)?);
+            }
+        }
+    }
+    if selects("F-PRINT") {
+        for other in system::beside(path, MASKS)? {
+            let name = other.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            if !scene.masks.iter().any(|(known, _)| known.eq_ignore_ascii_case(&name)) {
+                scene.masks.push((name, program::source(&other)?.source.text().to_owned()));
             }
         }
     }

@@ -130,6 +130,17 @@ pub struct Turned {
     pub machine: f64,
 }
 
+/// How one parallel axis goes, in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slid {
+    /// Its letter.
+    pub axis: char,
+    /// From where.
+    pub from: f64,
+    /// Where to.
+    pub to: f64,
+}
+
 /// A thread as the ways of the tool have cut it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Threaded {
@@ -282,6 +293,17 @@ pub enum EventKind {
         /// Whether at the same time as the move reported before.
         together: bool,
     },
+    /// Parallel axes (U, V, W) go together; the tool is not moved by them.
+    Slide {
+        /// The axes that go.
+        axes: Vec<Slid>,
+        /// The rate of the longest way in mm/min.
+        feed: f64,
+        /// Whether at rapid traverse.
+        rapid: bool,
+        /// Whether at the same time as the movement reported before.
+        together: bool,
+    },
     /// The program waits.
     Dwell(f64),
     /// The spindle gets a tool, turns (+1 clockwise, -1 counter-clockwise), stops, or is oriented.
@@ -362,6 +384,7 @@ impl EventKind {
         match self {
             Self::Move { .. } => "move",
             Self::Turn { .. } => "turn",
+            Self::Slide { .. } => "slide",
             Self::Dwell(_) => "dwell",
             Self::Spindle { .. } => "spindle",
             Self::Coolant(_) => "coolant",

@@ -107,11 +107,14 @@ pub const CODES: &[(&str, Class)] = &[
     ("log-template", Class::Internal),
     ("log-text", Class::Internal),
     ("machine-parameter-missing", Class::Control),
+    ("mask-missing", Class::Program),
+    ("mask-unreadable", Class::Program),
     ("measuring-position-at-zero", Class::Control),
     ("move-limit", Class::Limit),
     ("no-cycle-to-call", Class::Program),
     ("no-such-parameter", Class::Program),
     ("number-too-large", Class::Program),
+    ("output-path", Class::Program),
     ("outside-domain", Class::Program),
     ("parameter-in-addition", Class::Unsupported),
     ("parameter-missing", Class::Program),
@@ -152,11 +155,13 @@ pub const CODES: &[(&str, Class)] = &[
     ("solid-not-finite", Class::Internal),
     ("sphere-radius-differs", Class::Control),
     ("strategy-argument", Class::Internal),
-    ("table-bad-number", Class::Internal),
+    ("table-bad-number", Class::Control),
+    ("table-key-column", Class::Control),
     ("table-missing", Class::Control),
-    ("table-no-column", Class::Internal),
+    ("table-no-column", Class::Control),
     ("table-no-row", Class::Control),
-    ("table-too-wide", Class::Internal),
+    ("table-not-open", Class::Program),
+    ("table-too-wide", Class::Control),
     ("tangent-missing", Class::Program),
     ("text-or-number", Class::Program),
     ("text-too-long", Class::Limit),
@@ -253,10 +258,10 @@ impl From<EvalError> for Fault {
 
 impl From<TableError> for Fault {
     fn from(error: TableError) -> Self {
-        // Scenes are checked when they are read: only what a program asks for can be missing.
+        // Scenes are checked when they are read: only what a program asks for can be missing or unfit.
         let class = match error {
-            TableError::NoTable { .. } | TableError::NoRow { .. } => Class::Control,
-            _ => Class::Internal,
+            TableError::TextInNumbers { .. } => Class::Internal,
+            _ => Class::Control,
         };
         let diagnostic = error.diagnostic();
         Self { args: diagnostic.args, ..Self::new(class, diagnostic.code) }

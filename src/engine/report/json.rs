@@ -8,7 +8,7 @@ use crate::base::diag::Arg;
 use crate::engine::geometry::{Axis, RotaryAxis};
 use crate::engine::params::Content;
 use crate::engine::report::event::{
-    At, Coordinates, Event, EventKind, MoveKind, OnDiameter, Probing, Threaded, Turned,
+    At, Coordinates, Event, EventKind, MoveKind, OnDiameter, Probing, Slid, Threaded, Turned,
 };
 use crate::engine::report::fault::Class;
 use crate::engine::report::json_line::Lines;
@@ -251,6 +251,20 @@ impl EventKind {
                 of("from", |axis| axis.from);
                 of("to", |axis| axis.to);
                 of("machine", |axis| axis.machine);
+                object.number("feed", plain(*feed));
+                object.truth("rapid", *rapid);
+                object.truth("together", *together);
+            }
+            Self::Slide { axes, feed, rapid, together } => {
+                let mut of = |key: &str, value: fn(&Slid) -> f64| {
+                    object.object(key, |object| {
+                        for axis in axes {
+                            object.number(axis.axis.encode_utf8(&mut [0; 4]), plain(value(axis)));
+                        }
+                    });
+                };
+                of("from", |axis| axis.from);
+                of("to", |axis| axis.to);
                 object.number("feed", plain(*feed));
                 object.truth("rapid", *rapid);
                 object.truth("together", *together);

@@ -307,6 +307,8 @@ impl<'e> Run<'_, 'e> {
                 Effect::PlungeFactor => self.modal.plunge_factor = self.factor_of(function)?,
                 Effect::ShorterWay(shorter) => self.modal.shorter_way = shorter,
                 Effect::ReduceDisplay => self.reduce_display(),
+                Effect::FeedAtTool(on) => self.modal.feed_at_tool = on,
+                Effect::TiltingAxes => self.choose_tilting_axes(function)?,
                 Effect::EndBasicRotation => {
                     let before = self.drives.world.system.reported();
                     self.drives.world.system.set_basic_rotation(0.0);
@@ -339,6 +341,23 @@ impl<'e> Run<'_, 'e> {
         let Some(number) = written.strip_prefix(['F', 'f']) else { return Err(self.no_function(function)) };
         let percent = self.written_number(number)?;
         if percent > 0.0 { Ok(Some(percent / 100.0)) } else { Err(Fault::program("feed-missing").arg("feed", percent)) }
+    }
+
+    /// `M138 A C`: only these axes are turned for a tilted plane, others stay at 0; `M138` alone: all of them again.
+    fn choose_tilting_axes(&mut self, function: &MFunction) -> Done {
+        if self.drives.world.system.tip_held {
+            return Err(self.no_function(function).into());
+        }
+        let written = function.with.map_or("", |with| self.slice(with));
+        let mut axes = Vec::new();
+        for letter in written.chars().filter(|c| c.is_ascii_alphabetic()) {
+            let axis =
+                RotaryAxis::from_letter(letter.to_ascii_uppercase()).ok_or_else(|| self.no_function(function))?;
+            self.drives.rotary_axis(axis)?;
+            axes.push(axis);
+        }
+        self.drives.world.tilting_axes = Some(axes).filter(|axes| !axes.is_empty());
+        Ok(())
     }
 
     /// `M94`: the rotary axes are displayed below 360 degrees. Nothing turns.

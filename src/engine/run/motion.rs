@@ -8,10 +8,11 @@ use crate::engine::contour::element::tangential;
 use crate::engine::contour::path::BlockPlace;
 use crate::engine::flow::state::{Pole, Run};
 use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis, WorkingPlane};
-use crate::engine::motion::axis::{linear, rotary};
+use crate::engine::machine::Carried;
+use crate::engine::motion::axis::{linear, parallel, rotary};
 use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::{OFF_CIRCLE, Speed, Turn};
-use crate::engine::report::ending::Done;
+use crate::engine::report::ending::{Done, Leave};
 use crate::engine::report::fault::Fault;
 use crate::engine::table::TableKind;
 use crate::program::syntax::{Approach, Axis, Coord, Motion, Path};
@@ -39,6 +40,16 @@ impl Run<'_, '_> {
         let speed = self.speed(motion.feed.as_ref());
         self.modal.rapid = speed == Ok(Speed::Rapid);
         let unsupported = |word: &'static str| Err(Fault::unsupported("unsupported-path").arg("word", word).into());
+        if let Some(word) = motion.coords.iter().find(|coord| parallel(coord.axis).is_some()) {
+            let machine = &self.drives.world.scene.machine;
+            if parallel(word.axis).is_some_and(|letter| machine.parallel(letter).is_some()) {
+                if !matches!(motion.path, Path::L | Path::Axis) {
+                    return unsupported(word.axis.name());
+                }
+                self.slide(motion, in_machine, speed)?;
+                return Ok(true);
+            }
+        }
         match motion.path {
             Path::L if motion.coords.iter().any(|coord| matches!(coord.axis, Axis::Pr | Axis::Pa)) => {
                 return Err(Fault::program("coordinate-out-of-place").arg("path", "L").into());
@@ -165,7 +176,39 @@ impl Run<'_, '_> {
             return self.drives.turn_and_go(&turns, self.drives.world.to_program(to), Some(to), speed, None);
         }
         let to = self.target(&coords, self.drives.world.here)?;
+        let speed = self.speed_at_tool(&turns, to, speed)?;
         self.drives.turn_and_go(&turns, to, None, speed, None)
+    }
+
+    /// The speed of rotary axes with `M116`: as many degrees a minute as bring the tool along the workpiece with the feed
+    /// that is written, at the distance from the axis that it has at the start of the block. Only of one axis of the table
+    /// that turns alone: how a way of several axes is shared, no manual here says.
+    fn speed_at_tool(
+        &self,
+        turns: &[(RotaryAxis, f64)],
+        to: DVec3,
+        speed: Result<Speed, Fault>,
+    ) -> Done<Result<Speed, Fault>> {
+        let (true, Ok(Speed::Feed(feed))) = (self.modal.feed_at_tool, &speed) else { return Ok(speed) };
+        let world = &self.drives.world;
+        let moving = |(axis, angle): &&(RotaryAxis, f64)| axis.of(world.angles) != *angle;
+        let moving: Vec<_> = turns.iter().filter(moving).collect();
+        let [(axis, _)] = *moving else {
+            return if moving.is_empty() { Ok(speed) } else { Err(self.no_feed_at_tool()) };
+        };
+        let own = self.drives.rotary_axis(*axis)?;
+        if own.carries != Carried::Workpiece || to != world.here || world.system.tip_held {
+            return Err(self.no_feed_at_tool());
+        }
+        let turning = world.kinematics().turning(own, world.angles);
+        let radius = (world.machine - turning.centre).reject_from(turning.direction).length();
+        // Near the axis it turns as fast as it can.
+        let rate = if radius > 0.0 { (feed / radius).to_degrees().min(own.rapid) } else { own.rapid };
+        Ok(Speed::of_feed(rate))
+    }
+
+    fn no_feed_at_tool(&self) -> Leave {
+        Fault::unsupported("unsupported-m").arg("word", "M116").into()
     }
 
     /// Whether a block leads to a place in the system that is not tilted, and another one is.

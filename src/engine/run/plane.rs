@@ -24,10 +24,12 @@ use crate::spec::Transformation;
 const POSITIONS: u16 = 120;
 /// Vectors that are shorter have no direction.
 const SAME: f64 = 1e-9;
+/// The greatest projected angle, degrees: at 90 the plane has no trace.
+const STEEPEST: f64 = 89.9999;
 /// The words of angles and vectors.
-const VALUES: [&str; 18] = [
-    "SPA", "SPB", "SPC", "EULPR", "EULNU", "EULROT", "BX", "BY", "BZ", "NX", "NY", "NZ", "A", "B", "C", "IA", "IB",
-    "IC",
+const VALUES: [&str; 22] = [
+    "SPA", "SPB", "SPC", "PROPR", "PROMIN", "PROROT", "ROT", "EULPR", "EULNU", "EULROT", "BX", "BY", "BZ", "NX", "NY",
+    "NZ", "A", "B", "C", "IA", "IB", "IC",
 ];
 
 /// How the rotary axes get to the plane.
@@ -91,7 +93,7 @@ fn unit(vector: DVec3) -> Result<DVec3, Fault> {
 }
 
 impl Run<'_, '_> {
-    /// `PLANE` in all forms but `PROJECTED`, whose senses no manual at hand gives.
+    /// `PLANE` in all forms.
     pub(super) fn plane(&mut self, statement: &Statement) -> Done {
         let head = self.slice(statement.head).to_ascii_uppercase();
         let form = head.split_ascii_whitespace().nth(1).unwrap_or_default();
@@ -138,6 +140,7 @@ impl Run<'_, '_> {
         Ok(match form {
             "RESET" => DVec3::ZERO,
             "SPATIAL" => words.vector(["SPA", "SPB", "SPC"])?,
+            "PROJECTED" => self.projected(words)?,
             "EULER" => {
                 let [precession, nutation, rotation] = words.all(["EULPR", "EULNU", "EULROT"])?;
                 let about_main = Frame::rotate(plane.main, nutation).of(Frame::rotate(plane.tool, rotation));
@@ -165,6 +168,21 @@ impl Run<'_, '_> {
             "AXIAL" => self.drives.tilt_by_axes(self.positions_of_axes(words)).spatial_angles(),
             _ => return Err(Fault::unsupported("unsupported-block").arg("word", format!("PLANE {form}"))),
         })
+    }
+
+    /// The plane whose traces in the plane of main and tool axis and in that of secondary and tool axis are turned by these
+    /// angles, right-handed about the secondary and the main axis. Its main axis is the first trace, turned in the plane.
+    fn projected(&self, words: &Words) -> Result<DVec3, Fault> {
+        let plane = self.drives.world.system.plane;
+        let [first, second] = words.all(["PROPR", "PROMIN"])?;
+        let turned = words.get("ROT").or_else(|| words.get("PROROT")).ok_or_else(|| Fault::program("value-missing"))?;
+        if let Some(steep) = [first, second].into_iter().find(|angle| angle.abs() > STEEPEST) {
+            return Err(Fault::program("parameter-out-of-range").arg("value", steep));
+        }
+        let in_first = Frame::rotate(plane.secondary, first).vector(plane.main.unit());
+        let in_second = Frame::rotate(plane.main, second).vector(plane.secondary.unit());
+        let traced = Frame::with_axes(plane, in_first, unit(in_first.cross(in_second))?);
+        Ok(traced.of(Frame::rotate(plane.tool, turned)).spatial_angles())
     }
 
     /// Where `PLANE AXIAL` puts the rotary axes, in program coordinates; those that are not named stay.

@@ -47,6 +47,8 @@ const KEYS: &[&str] = &[
     "presets",
     "datums",
     "points",
+    "tables",
+    "masks",
     "start",
     "stock",
     "parts",
@@ -97,6 +99,10 @@ pub struct Scene {
     pub datums: Vec<Table>,
     /// The point tables.
     pub points: Vec<Table>,
+    /// Freely definable tables.
+    pub free_tables: Vec<Table>,
+    /// The masks of formatted output: names of files and their texts.
+    pub masks: Vec<(String, String)>,
     /// From the coordinates of the preset that is active at the start to the machine.
     pub frame: Frame,
     /// Where the tool tip is at the start, in machine coordinates.
@@ -193,6 +199,8 @@ impl Scene {
         let (presets, active_preset) = presets(node, r);
         let (datums, points) =
             (of_files(node, "datums", TableKind::Datum, r), of_files(node, "points", TableKind::Points, r));
+        let free_tables = node.get("tables").map_or_else(Vec::new, |node| rows::free_tables(node, r));
+        let masks = node.get("masks").map_or_else(Vec::new, |node| masks(node, r));
         // A row that is missing was reported.
         let preset = Preset::of_row(&presets, active_preset).unwrap_or_default();
         let frame = preset.frame();
@@ -220,6 +228,8 @@ impl Scene {
                 active_preset,
                 datums,
                 points,
+                free_tables,
+                masks,
                 frame,
                 start,
                 start_angles,
@@ -373,6 +383,17 @@ fn of_files(node: &Node, key: &str, kind: TableKind, r: &mut Reader<'_>) -> Vec<
         add(kind.file_name(), node, r);
     }
     tables
+}
+
+/// Masks of formatted output by the name of their file.
+fn masks(node: &Node, r: &mut Reader<'_>) -> Vec<(String, String)> {
+    let mut masks = Vec::new();
+    for (name, text) in r.entries(node) {
+        if let Some(text) = r.text(text) {
+            masks.push((name.text.to_string(), text.to_owned()));
+        }
+    }
+    masks
 }
 
 /// The start in machine coordinates, where the machine must be able to be: the tool tip and the rotary axes.

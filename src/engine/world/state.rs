@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::engine::geometry::{Axis, Frame, WorkingPlane};
+use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::machine::{Machine, MemoryReport, SavedKinematics, Survey, Tool};
 use crate::engine::report::fault::Fault;
 use crate::engine::scene::{Answers, Preset, Scene};
@@ -41,6 +41,7 @@ pub(crate) struct Pressed {
 struct Kept {
     tables: BTreeMap<TableKind, Arc<Table>>,
     datums: Vec<Arc<Table>>,
+    free: Vec<Arc<Table>>,
     kinematics: Arc<Machine>,
     memories: Arc<Vec<SavedKinematics>>,
     written: Vec<String>,
@@ -62,6 +63,8 @@ pub(crate) struct World<'s> {
     pub machine: DVec3,
     /// The rotary axes in machine coordinates, degrees.
     pub angles: DVec3,
+    /// The parallel axes by their letters: where they are, mm.
+    pub(crate) parallel: BTreeMap<char, f64>,
     /// How far the table has turned the parts since the start, as a frame from the machine to where they were then;
     /// nothing while it is as at the start.
     parts: Option<Frame>,
@@ -89,6 +92,8 @@ pub(crate) struct World<'s> {
     /// Where the control believes the tool setter to be since its calibration: the centre of its face in machine
     /// coordinates, and its radius.
     pub(crate) calibrated_setter: Option<(DVec3, f64)>,
+    /// The rotary axes that take part in tilting, where not all of them do.
+    pub(crate) tilting_axes: Option<Vec<RotaryAxis>>,
     /// What machine parameters say of touch probes.
     pub(crate) of_machine: OfMachine,
     /// What the operator will say.
@@ -116,6 +121,12 @@ impl<'s> World<'s> {
             here: DVec3::ZERO,
             machine: scene.start,
             angles: scene.start_angles,
+            parallel: scene
+                .machine
+                .parallel
+                .iter()
+                .map(|axis| (axis.letter, 0.0_f64.clamp(axis.min, axis.max)))
+                .collect(),
             parts: None,
             head: None,
             true_head: None,
@@ -128,6 +139,7 @@ impl<'s> World<'s> {
             system_stays: false,
             all_axes: Axis::ALL.into_iter().all(|axis| scene.machine.axis(axis).is_some()),
             calibrated_setter: None,
+            tilting_axes: None,
             of_machine,
             answers: scene.answers.clone(),
             tool: None,
@@ -135,6 +147,7 @@ impl<'s> World<'s> {
             kept: Arc::new(Kept {
                 tables,
                 datums: scene.datums.iter().cloned().map(Arc::new).collect(),
+                free: scene.free_tables.iter().cloned().map(Arc::new).collect(),
                 kinematics: Arc::new(scene.machine.clone()),
                 memories: Arc::new(scene.saved_kinematics.clone()),
                 written: Vec::new(),
@@ -319,7 +332,7 @@ impl<'s> World<'s> {
     /// The table of a kind; of datum tables the active one.
     pub(crate) fn table(&self, kind: TableKind) -> Result<&Table, TableError> {
         let table = match kind {
-            TableKind::Points => None,
+            TableKind::Points | TableKind::Free => None,
             TableKind::Datum => self.kept.datums.get(self.datum),
             _ => self.kept.tables.get(&kind),
         };
@@ -330,12 +343,31 @@ impl<'s> World<'s> {
     pub(crate) fn table_to_write(&mut self, kind: TableKind) -> Result<&mut Table, TableError> {
         let Kept { tables, datums, written, .. } = Arc::make_mut(&mut self.kept);
         let table = match kind {
-            TableKind::Points => None,
+            TableKind::Points | TableKind::Free => None,
             TableKind::Datum => datums.get_mut(self.datum),
             _ => tables.get_mut(&kind),
         };
         let table = table.map(Arc::make_mut);
         let table = table.ok_or_else(|| TableError::NoTable { file: kind.file_name().to_owned() })?;
+        self.probe.take();
+        if !written.iter().any(|file| file == table.file()) {
+            written.push(table.file().to_owned());
+        }
+        Ok(table)
+    }
+
+    /// The table that a path in a program means.
+    pub(crate) fn table_named(&self, name: &str) -> Result<&Table, TableError> {
+        let Kept { tables, datums, free, .. } = &*self.kept;
+        let found = free.iter().chain(tables.values()).chain(datums).find(|table| table.is_named(name));
+        found.map(Arc::as_ref).ok_or_else(|| TableError::NoTable { file: name.to_owned() })
+    }
+
+    /// The table that a path in a program means, to be written; it counts as written from now on.
+    pub(crate) fn named_table_to_write(&mut self, name: &str) -> Result<&mut Table, TableError> {
+        let Kept { tables, datums, free, written, .. } = Arc::make_mut(&mut self.kept);
+        let found = free.iter_mut().chain(tables.values_mut()).chain(datums).find(|table| table.is_named(name));
+        let table = found.map(Arc::make_mut).ok_or_else(|| TableError::NoTable { file: name.to_owned() })?;
         self.probe.take();
         if !written.iter().any(|file| file == table.file()) {
             written.push(table.file().to_owned());
@@ -358,7 +390,7 @@ impl<'s> World<'s> {
 
     /// Names and texts of the tables that were written.
     pub(crate) fn written(&self) -> Vec<(String, String)> {
-        let all = self.kept.tables.values().chain(&self.kept.datums);
+        let all = self.kept.tables.values().chain(&self.kept.datums).chain(&self.kept.free);
         let text =
             |file: &String| all.clone().find(|table| table.file() == file).map(|table| (file.clone(), table.to_text()));
         let written = |file: &String| match file.as_str() {
@@ -500,6 +532,11 @@ impl<'s> World<'s> {
     /// The rotary axes in program coordinates.
     pub(crate) fn program_angles(&self) -> DVec3 {
         (self.angles - self.system.angle_datum()) * self.system.mirror().1
+    }
+
+    /// Whether a rotary axis takes part in tilting.
+    pub(crate) fn tilts(&self, axis: RotaryAxis) -> bool {
+        self.tilting_axes.as_ref().is_none_or(|axes| axes.contains(&axis))
     }
 
     /// Whether the machine has all linear axes.

@@ -43,6 +43,8 @@ pub enum TableKind {
     Datum,
     /// Positions for machining cycles (`.PNT`).
     Points,
+    /// Tables whose columns are those of their file (`.TAB`).
+    Free,
 }
 
 /// Columns that controls write into tables of tools and touch probes and that no manual here describes: they are known,
@@ -168,6 +170,9 @@ const PRESET: &[Column] = &[
 /// Point tables: TNC 640 manual 1583-1640.
 const POINTS: &[Column] = &[key("NR"), length("X"), length("Y"), length("Z"), text("FADE", 3)];
 
+/// A freely definable table has what its file has, and a number for each row.
+const FREE: &[Column] = &[key("NR")];
+
 /// TNC 640 manual lines 6422-6450.
 const DATUM: &[Column] = &[
     key("D"),
@@ -190,7 +195,7 @@ impl TableKind {
     }
 
     /// All kinds.
-    pub const ALL: [Self; 5] = [Self::Tool, Self::Probe, Self::Preset, Self::Datum, Self::Points];
+    pub const ALL: [Self; 6] = [Self::Tool, Self::Probe, Self::Preset, Self::Datum, Self::Points, Self::Free];
 
     /// The columns in their order; the first is the number of the row.
     pub const fn columns(self) -> &'static [Column] {
@@ -200,6 +205,7 @@ impl TableKind {
             Self::Preset => PRESET,
             Self::Datum => DATUM,
             Self::Points => POINTS,
+            Self::Free => FREE,
         }
     }
 
@@ -211,6 +217,7 @@ impl TableKind {
             Self::Preset => ".PR",
             Self::Datum => ".D",
             Self::Points => ".PNT",
+            Self::Free => ".TAB",
         }
     }
 
@@ -222,6 +229,7 @@ impl TableKind {
             Self::Preset => "PRESET.PR",
             Self::Datum => "DATUM.D",
             Self::Points => "POINTS.PNT",
+            Self::Free => "TABLE.TAB",
         }
     }
 
@@ -233,6 +241,7 @@ impl TableKind {
             Self::Preset => "preset",
             Self::Datum => "datum",
             Self::Points => "points",
+            Self::Free => "free",
         }
     }
 
@@ -292,7 +301,7 @@ impl TableKind {
             Self::Tool => &["L", "R"],
             Self::Points => &["X", "Y"],
             Self::Preset => &["X", "Y", "Z"],
-            Self::Probe | Self::Datum => &[],
+            Self::Probe | Self::Datum | Self::Free => &[],
         }
     }
 
