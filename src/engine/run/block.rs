@@ -105,7 +105,9 @@ impl<'e> Run<'_, 'e> {
                 self.function(block, statement)?;
             }
             BlockKind::Statement(statement) if statement.kind == StatementKind::Plane => self.plane(statement)?,
-            BlockKind::Statement(statement) if statement.kind == StatementKind::Trans => self.shift_datum(statement)?,
+            BlockKind::Statement(statement) if statement.kind == StatementKind::Trans => {
+                self.transform_system(statement)?
+            }
             BlockKind::Statement(statement) if statement.kind == StatementKind::BlkForm => {}
             BlockKind::Statement(statement) if statement.kind == StatementKind::DeclareContour => {
                 self.declare_contour(statement)?;
@@ -434,6 +436,7 @@ impl<'e> Run<'_, 'e> {
             self.stop()?;
         }
         if ends {
+            self.modal.feed_at_tool = false;
             self.drives.end_changes();
         }
         Ok(if ends { After::End } else { After::GoOn })

@@ -20,6 +20,7 @@ mod statement;
 mod tables;
 mod tcpm;
 mod texts;
+mod transform;
 mod turning;
 
 pub use super::flow::calls::program_key;

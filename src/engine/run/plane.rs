@@ -1,5 +1,4 @@
-//! `PLANE` as the manuals' programs use it, and `TRANS DATUM`: the blocks that change the coordinate system without a
-//! cycle.
+//! `PLANE` as the manuals' programs use it.
 //!
 //! Invariant: a tilted plane is the one of the tilting cycle, whichever block defines it; a form or word that the
 //! engine does not execute is a fault, never ignored.
@@ -10,14 +9,12 @@ use glam::DVec3;
 use crate::base::expr::{QKind, QRef};
 use crate::engine::flow::state::Run;
 use crate::engine::geometry::{Axis, Frame, RotaryAxis};
-use crate::engine::motion::axis::rotary;
 use crate::engine::motion::moves::Speed;
 use crate::engine::motion::tilt::Back;
 use crate::engine::params::Content;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
-use crate::engine::table::TableKind;
-use crate::program::syntax::{self, NamedWord, Statement, Value, ValueKind};
+use crate::program::syntax::{NamedWord, Statement, Value, ValueKind};
 use crate::spec::Transformation;
 
 /// Where the positions of the rotary axes are reported: A, then B, then C.
@@ -237,47 +234,5 @@ impl Run<'_, '_> {
             }
         }
         Ok(words)
-    }
-
-    /// `TRANS DATUM`: the datum shift of the datum cycle.
-    pub(super) fn shift_datum(&mut self, statement: &Statement) -> Done {
-        let head = self.slice(statement.head).to_ascii_uppercase();
-        if !head.ends_with("DATUM") {
-            return Err(Fault::unsupported("unsupported-block").arg("word", head).into());
-        }
-        self.drives.not_beside_contour("TRANS DATUM")?;
-        let system = &self.drives.world.system;
-        let (mut shift, mut angles) = (system.datum(), system.angle_shift);
-        for word in &statement.words {
-            let name = self.slice(word.name).to_ascii_uppercase();
-            match &*name {
-                "AXIS" | "TABLE" => {}
-                "RESET" => (shift, angles) = (DVec3::ZERO, DVec3::ZERO),
-                "TABLINE" => {
-                    let (row, table) = (self.number_of(&word.value)?, self.drives.world.table(TableKind::Datum)?);
-                    let number = |column| table.number(row, column).map(Option::unwrap_or_default);
-                    shift = DVec3::new(number("X")?, number("Y")?, number("Z")?);
-                    angles = DVec3::new(number("A")?, number("B")?, number("C")?);
-                }
-                _ => {
-                    let (letter, incremental) = name.strip_prefix('I').map_or((&*name, false), |rest| (rest, true));
-                    let unknown = || Fault::unsupported("unsupported-block").arg("word", format!("TRANS {name}"));
-                    let axis = syntax::Axis::by_name(letter.as_bytes()).ok_or_else(unknown)?;
-                    let value = self.number_of(&word.value)?;
-                    if let Some(RotaryAxis(axis)) = rotary(axis) {
-                        angles = axis.with(angles, value + if incremental { axis.of(angles) } else { 0.0 });
-                    } else {
-                        let axis: Axis = crate::engine::motion::axis::linear(axis)?;
-                        let from = if incremental { axis.of(shift) } else { 0.0 };
-                        shift = axis.with(shift, from + value * self.drives.unit());
-                    }
-                }
-            }
-        }
-        let before = self.drives.world.system.reported();
-        self.drives.world.system.angle_shift = angles;
-        self.drives.world.system.set_datum(shift);
-        self.drives.transformed(before);
-        Ok(())
     }
 }

@@ -168,6 +168,9 @@ impl Run<'_, '_> {
     }
 
     fn fetch(&mut self, words: &[NamedWord]) -> Done<Result<(), Refused>> {
+        if self.has_word(words, "UNDEFINE") {
+            return Err(Fault::unsupported("unsupported-block").arg("word", "SQL FETCH UNDEFINE MISSING").into());
+        }
         let index = self.index(words)?.unwrap_or(0);
         let Some(set) = self.access.results.get(&self.handle(words)?) else { return Ok(Err(Refused)) };
         let Some(row) = set.rows.get(index).cloned() else { return Ok(Err(Refused)) };
@@ -304,11 +307,13 @@ fn results(table: &Table, query: Query) -> Result<ResultSet, TableError> {
 
 /// The number in a cell; texts of tables that only have texts are numbers if they can be read as such.
 fn number_in(cell: &Cell) -> Option<f64> {
-    match cell {
+    let number = match cell {
         Cell::Number(number) => Some(*number),
         Cell::Text(text) => text.trim().replace(',', ".").parse().ok().filter(|number: &f64| number.is_finite()),
         Cell::Empty => None,
-    }
+    };
+    // 0 and -0 are one number.
+    number.map(|number| number + 0.0)
 }
 
 /// Empty cells first, numbers by their size before texts by their letters.
@@ -391,7 +396,7 @@ fn write(table: &mut Table, set: &ResultSet) -> Result<Vec<(f64, String, Cell)>,
             }
             if is_key(table, column) {
                 // The number of a row stays what it is.
-                if number_in(cell) != Some(number) {
+                if number_in(cell).is_some_and(|own| own != number) {
                     return Err(Refused);
                 }
                 continue;
