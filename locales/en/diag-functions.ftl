@@ -25,5 +25,5 @@ diag-mask-unreadable = { $file }, line { $line }: the mask cannot be read: { $fo
 explain-mask-unreadable = A mask consists of texts in quotation marks with a place for each value that follows them, and of keywords; each ends with a semicolon. Example: “"X = %9.3LF", Q31;”. Frequent causes are a missing semicolon, more places than values, or a keyword that cannot be simulated. Correct the line.
 diag-output-path = The path { $path } leads out of the folder of the results.
 explain-output-path = What FN 16 writes goes into the folder that is given with --out, under the name of its file, whatever the folder on the control. A path that leads upwards, or to the drive or root folder of another system, could overwrite other files and is refused. Example: “TNC:\LOG\..\PART.TXT”. Use a path on TNC: without “..”.
-diag-table-not-open = No table is open.
-explain-table-not-open = FN 27 and FN 28 write and read the table that FN 26: TABOPEN has opened, and none has been opened before this block. Example: “FN 28: TABREAD Q10 = 6/"X,Y"” at the beginning of a program. Open the table first: “FN 26: TABOPEN TNC:\TAB1.TAB”.
+diag-open-table-missing = No table is open.
+explain-open-table-missing = FN 27 and FN 28 write and read the table that FN 26: TABOPEN has opened, and none has been opened before this block. Example: “FN 28: TABREAD Q10 = 6/"X,Y"” at the beginning of a program. Open the table first: “FN 26: TABOPEN TNC:\TAB1.TAB”.

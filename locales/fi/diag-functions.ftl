@@ -25,5 +25,5 @@ diag-mask-unreadable = { $file }, rivi { $line }: maskia ei voi lukea: { $found 
 explain-mask-unreadable = Maski koostuu lainausmerkeissä olevista teksteistä, joissa on paikka jokaiselle niiden jälkeen tulevalle arvolle, ja avainsanoista; kukin päättyy puolipisteeseen. Esimerkki: ”"X = %9.3LF", Q31;”. Tavallisia syitä ovat puuttuva puolipiste, liian monta paikkaa arvoihin nähden tai avainsana, jota ei voi simuloida. Korjaa rivi.
 diag-output-path = Polku { $path } johtaa pois tulosten kansiosta.
 explain-output-path = Mitä FN 16 kirjoittaa, menee valitsimen --out kansioon tiedostonsa nimellä ohjauksen kansiosta riippumatta. Polku, joka johtaa ylöspäin tai toisen järjestelmän levyasemaan tai juurikansioon, voisi korvata muita tiedostoja, joten se hylätään. Esimerkki: ”TNC:\LOG\..\PART.TXT”. Käytä TNC:-aseman polkua ilman merkkejä ”..”.
-diag-table-not-open = Mitään taulukkoa ei ole avattu.
-explain-table-not-open = FN 27 ja FN 28 kirjoittavat ja lukevat taulukkoa, jonka FN 26: TABOPEN on avannut, eikä mitään ole avattu ennen tätä lausetta. Esimerkki: ”FN 28: TABREAD Q10 = 6/"X,Y"” ohjelman alussa. Avaa taulukko ensin: ”FN 26: TABOPEN TNC:\TAB1.TAB”.
+diag-open-table-missing = Mitään taulukkoa ei ole avattu.
+explain-open-table-missing = FN 27 ja FN 28 kirjoittavat ja lukevat taulukkoa, jonka FN 26: TABOPEN on avannut, eikä mitään ole avattu ennen tätä lausetta. Esimerkki: ”FN 28: TABREAD Q10 = 6/"X,Y"” ohjelman alussa. Avaa taulukko ensin: ”FN 26: TABOPEN TNC:\TAB1.TAB”.

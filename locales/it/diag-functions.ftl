@@ -25,5 +25,5 @@ diag-mask-unreadable = { $file }, riga { $line }: la maschera non è leggibile: 
 explain-mask-unreadable = Una maschera è composta da testi tra virgolette, con un posto per ogni valore che li segue, e da parole chiave; ogni elemento termina con un punto e virgola. Esempio: «"X = %9.3LF", Q31;». Cause frequenti sono un punto e virgola mancante, più posti che valori o una parola chiave che non può essere simulata. Correggere la riga.
 diag-output-path = Il percorso { $path } porta fuori dalla directory dei risultati.
 explain-output-path = Ciò che FN 16 scrive va nella directory indicata con --out, con il nome del suo file, qualunque sia la directory sul controllo. Un percorso che porta verso l’alto, oppure al drive o alla directory principale di un altro sistema, potrebbe sovrascrivere altri file ed è rifiutato. Esempio: «TNC:\LOG\..\PART.TXT». Usare un percorso su TNC: senza «..».
-diag-table-not-open = Nessuna tabella è aperta.
-explain-table-not-open = FN 27 e FN 28 scrivono e leggono la tabella aperta da FN 26: TABOPEN, e prima di questo blocco non ne è stata aperta nessuna. Esempio: «FN 28: TABREAD Q10 = 6/"X,Y"» all’inizio di un programma. Aprire prima la tabella: «FN 26: TABOPEN TNC:\TAB1.TAB».
+diag-open-table-missing = Nessuna tabella è aperta.
+explain-open-table-missing = FN 27 e FN 28 scrivono e leggono la tabella aperta da FN 26: TABOPEN, e prima di questo blocco non ne è stata aperta nessuna. Esempio: «FN 28: TABREAD Q10 = 6/"X,Y"» all’inizio di un programma. Aprire prima la tabella: «FN 26: TABOPEN TNC:\TAB1.TAB».

@@ -25,5 +25,5 @@ diag-mask-unreadable = { $file }, linha { $line }: não é possível ler a másc
 explain-mask-unreadable = Uma máscara é composta por textos entre aspas, com um lugar para cada valor que se lhes segue, e por palavras-chave; cada elemento termina com um ponto e vírgula. Exemplo: «"X = %9.3LF", Q31;». São causas frequentes um ponto e vírgula em falta, mais lugares do que valores ou uma palavra-chave que não pode ser simulada. Corrija a linha.
 diag-output-path = O caminho { $path } leva para fora da pasta dos resultados.
 explain-output-path = O que FN 16 escreve vai para a pasta indicada com --out, com o nome do seu ficheiro, seja qual for a pasta no comando. Um caminho que leva para cima, ou para a unidade ou a pasta raiz de outro sistema, poderia substituir outros ficheiros e é recusado. Exemplo: «TNC:\LOG\..\PART.TXT». Utilize um caminho em TNC: sem «..».
-diag-table-not-open = Não há nenhuma tabela aberta.
-explain-table-not-open = FN 27 e FN 28 escrevem e leem a tabela que FN 26: TABOPEN abriu, e antes desta frase não foi aberta nenhuma. Exemplo: «FN 28: TABREAD Q10 = 6/"X,Y"» no início de um programa. Abra primeiro a tabela: «FN 26: TABOPEN TNC:\TAB1.TAB».
+diag-open-table-missing = Não há nenhuma tabela aberta.
+explain-open-table-missing = FN 27 e FN 28 escrevem e leem a tabela que FN 26: TABOPEN abriu, e antes desta frase não foi aberta nenhuma. Exemplo: «FN 28: TABREAD Q10 = 6/"X,Y"» no início de um programa. Abra primeiro a tabela: «FN 26: TABOPEN TNC:\TAB1.TAB».

@@ -25,5 +25,5 @@ diag-mask-unreadable = { $file }, vrstica { $line }: maske ni mogoče prebrati: 
 explain-mask-unreadable = Maska je sestavljena iz besedil v narekovajih, ki imajo mesto za vsako vrednost za njimi, in iz ključnih besed; vsak del se konča s podpičjem. Primer: »"X = %9.3LF", Q31;«. Pogosti vzroki so manjkajoče podpičje, več mest kot vrednosti ali ključna beseda, ki je ni mogoče simulirati. Popravite vrstico.
 diag-output-path = Pot { $path } vodi iz mape z rezultati.
 explain-output-path = Kar zapiše FN 16, gre v mapo, navedeno z --out, pod imenom svoje datoteke, ne glede na mapo v krmiljenju. Pot, ki vodi navzgor ali na pogon oziroma v korensko mapo drugega sistema, bi lahko prepisala druge datoteke, zato je zavrnjena. Primer: »TNC:\LOG\..\PART.TXT«. Uporabite pot na TNC: brez »..«.
-diag-table-not-open = Odprta ni nobena preglednica.
-explain-table-not-open = FN 27 in FN 28 pišeta v preglednico in jo bereta, ko jo odpre FN 26: TABOPEN; pred tem stavkom ni bila odprta nobena. Primer: »FN 28: TABREAD Q10 = 6/"X,Y"« na začetku programa. Preglednico najprej odprite: »FN 26: TABOPEN TNC:\TAB1.TAB«.
+diag-open-table-missing = Odprta ni nobena preglednica.
+explain-open-table-missing = FN 27 in FN 28 pišeta v preglednico in jo bereta, ko jo odpre FN 26: TABOPEN; pred tem stavkom ni bila odprta nobena. Primer: »FN 28: TABREAD Q10 = 6/"X,Y"« na začetku programa. Preglednico najprej odprite: »FN 26: TABOPEN TNC:\TAB1.TAB«.

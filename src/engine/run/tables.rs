@@ -36,7 +36,7 @@ impl Run<'_, '_> {
     }
 
     fn open_file(&self) -> Result<String, Fault> {
-        self.access.open.clone().ok_or_else(|| Fault::program("table-not-open"))
+        self.access.open.clone().ok_or_else(|| Fault::program("open-table-missing"))
     }
 
     /// The names of columns in a text, not more than a block may name.
