@@ -17,8 +17,8 @@ use crate::base::diag::{Diagnostic, Severity, Source};
 use crate::engine::run::{
     Engine, Event, EventKind, Fault, Outcome as Ended, Programs as _, Status, Texts, program_key,
 };
-use crate::engine::scene::Scene;
 use crate::engine::scene::guess::{BALL, Guess, GuessedTool, Origin};
+use crate::engine::scene::{Beside, Scene};
 use crate::engine::stock::Blank;
 use crate::language::locale::{Args, Digits, Locales, Ui};
 use crate::language::text;
@@ -180,7 +180,21 @@ pub(super) fn tools(matches: &ArgMatches) -> Result<Option<Table>, Failure> {
 pub(super) fn read_scene(path: &str, files: &[(String, String)]) -> Result<Scene, Failure> {
     let bytes = system::read(Path::new(path))?;
     let text = String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", path))?;
-    Scene::parse(&Source::new(path, text), files).map_err(Failure::Data)
+    let beside = Folder(Path::new(path).parent().unwrap_or(Path::new("")));
+    Scene::parse_beside(&Source::new(path, text), files, Some(&beside)).map_err(Failure::Data)
+}
+
+/// The folder of a scene.
+struct Folder<'p>(&'p Path);
+
+impl Beside for Folder<'_> {
+    fn size(&self, name: &str) -> Option<u64> {
+        system::size(&self.0.join(name))
+    }
+
+    fn bytes(&self, name: &str) -> Result<Vec<u8>, Diagnostic> {
+        Ok(system::read_file(&self.0.join(name))?)
+    }
 }
 
 fn table(path: &Path, kind: TableKind) -> Result<Table, Failure> {

@@ -10,11 +10,13 @@ mod probe;
 mod rows;
 mod setter;
 mod solid;
+mod stl;
 
 pub use answers::Answers;
 pub use clock::Clock;
 pub use probe::{Orientation, PreTravel, Probe, Shaft};
 pub use setter::{Edge, Plate, ToolSetter, TrueTool};
+pub use stl::Beside;
 
 use super::geometry::{Frame, INCH, RotaryAxis};
 use super::machine::Neck;
@@ -151,15 +153,28 @@ impl Scene {
     /// # Errors
     /// All mistakes with their places.
     pub fn parse(source: &Arc<Source>, files: &[(String, String)]) -> Result<Self, Vec<Diagnostic>> {
+        Self::parse_beside(source, files, None)
+    }
+
+    /// The same of a scene that may name files beside it.
+    ///
+    /// # Errors
+    /// All mistakes with their places.
+    pub fn parse_beside(
+        source: &Arc<Source>,
+        files: &[(String, String)],
+        beside: Option<&dyn Beside>,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let mut reader = Reader::new(source);
         let Some(node) = read_yaml(source, &mut reader.found) else {
             if reader.found.is_empty() {
-                return Self::read(&Node { span: (0..0).into(), kind: Kind::Scalar("".into(), true) }, reader, files);
+                let nothing = Node { span: (0..0).into(), kind: Kind::Scalar("".into(), true) };
+                return Self::read(&nothing, reader, files, beside);
             }
             return Err(reader.found);
         };
         reader.need(&node, "scene");
-        Self::read(&node, reader, files)
+        Self::read(&node, reader, files, beside)
     }
 
     /// Reads a scene that is written out in another file of which `node` is a part; `scene: 1` may be left out.
@@ -167,10 +182,15 @@ impl Scene {
     /// # Errors
     /// All mistakes with their places.
     pub fn from_node(node: &Node, source: &Arc<Source>, files: &[(String, String)]) -> Result<Self, Vec<Diagnostic>> {
-        Self::read(node, Reader::new(source), files)
+        Self::read(node, Reader::new(source), files, None)
     }
 
-    fn read(node: &Node, mut reader: Reader<'_>, files: &[(String, String)]) -> Result<Self, Vec<Diagnostic>> {
+    fn read(
+        node: &Node,
+        mut reader: Reader<'_>,
+        files: &[(String, String)],
+        beside: Option<&dyn Beside>,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let r = &mut reader;
         r.only_keys(node, KEYS);
         if let Some(version) = node.get("scene").filter(|version| version.text() != Some(VERSION)) {
@@ -200,7 +220,9 @@ impl Scene {
         let placed = |shape| Shape::Placed { frame, shape: Box::new(shape) };
         let stock = node.get("stock").and_then(|node| solid::stock(node, r)).map(placed);
         let list = node.get("parts").map_or(&[][..], |node| r.items(node));
-        let parts = placed(Shape::Union(list.iter().filter_map(|item| solid::part(item, r)).collect()));
+        let mut models = stl::Models::new(beside);
+        let parts = list.iter().filter_map(|item| solid::part(item, r, &mut models)).collect();
+        let parts = placed(Shape::Union(parts));
         let answers = node.get("answers").map_or_else(Answers::default, |node| Answers::read(node, r));
         let body = Body::new(&parts).map_err(|error| r.report(error.code(), node, Vec::new())).ok();
         match (clock, machine, body) {

@@ -87,6 +87,8 @@ fn cut(shape: &Shape, frame: DAffine3, material: bool, faces: &mut Vec<Face>) {
         Shape::Cone { from, to, radius_from, radius_to } => {
             take(round(*from, *to, [*radius_from, *radius_to], frame));
         }
+        // The scenes of specifications have no files.
+        Shape::Mesh(_) => {}
         Shape::Sphere { centre, radius } => {
             let centre = frame.transform_point3(*centre);
             let square = radius * radius - centre.z * centre.z;
