@@ -1,6 +1,8 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = O programa termina por si próprio com o erro { $number } (FN 14).
 explain-error-of-program = FN 14: ERROR termina o programa com um erro próprio; o número escolhe a mensagem que o comando mostra. Os programas usam-no quando não podem continuar, por exemplo porque o valor de um parâmetro não serve. Exemplo: «FN 14: ERROR = 1010». Solução: verificar a condição antes do bloco e dar aos parâmetros valores com que o programa possa trabalhar.
+diag-tool-setter-collision = Colisão: a ferramenta embate no apalpador de ferramentas num movimento a partir de X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
+explain-tool-setter-collision = A ferramenta embate no apalpador de ferramentas do cenário num movimento que não mede: a ferramenta tal como é na realidade, com a lâmina mais comprida e a mais larga. Na máquina, ambos poderiam partir-se. Muitas vezes a altura segura é demasiado baixa, ou o comprimento e o raio na tabela de ferramentas estão mais longe da realidade do que permite a distância de segurança do apalpador. Introduza valores aproximados antes da primeira medição, ou contorne o apalpador.
 diag-tool-setter-missing = O cenário não tem apalpador de ferramentas.
 explain-tool-setter-missing = Um ciclo de medição da ferramenta precisa de um apalpador de mesa no cenário: onde está a sua superfície e que largura tem. Exemplo: «tool_setter:» com «at: [300, 200, -50]» e «diameter: 40». Solução: acrescentá-lo ao cenário; docs/scene.md descreve as chaves.
 

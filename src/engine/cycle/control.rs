@@ -32,6 +32,9 @@ use crate::engine::strategy::turning_thread::TurnedThread;
 use crate::engine::table::{Cell, TableError, TableKind};
 use crate::engine::world::setter::Pose;
 
+/// A plane whose tool axis leans by less, as a sine, is at right angles to the tool.
+const ASKEW: f64 = 1e-9;
+
 /// A run while a cycle is executed.
 pub(super) struct OfRun<'c, 'x, 'r, 'e> {
     pub(super) run: &'c mut Run<'r, 'e>,
@@ -432,7 +435,10 @@ impl ToolSetter for OfRun<'_, '_, '_, '_> {
 
     fn tip(&self) -> Result<DVec3, Fault> {
         let world = &self.run.drives.world;
-        if world.system.is_on_workpiece() || world.head.is_some() {
+        // A table that is turned leaves the tool as it is in the machine, if the plane was turned to it.
+        let tool = world.system.plane.tool.unit();
+        let askew = || world.system.frame().vector(tool).normalize_or_zero().cross(tool).length() > ASKEW;
+        if world.head.is_some() || world.system.is_on_workpiece() && askew() {
             return Err(Fault::unsupported("unsupported-transformation").arg("name", "tilting"));
         }
         Ok(world.machine)

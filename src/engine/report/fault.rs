@@ -163,6 +163,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("tilting-unreachable", Class::Control),
     ("tool-locked", Class::Control),
     ("tool-not-in-table", Class::Program),
+    ("tool-setter-collision", Class::Control),
     ("tool-setter-missing", Class::Control),
     ("turn-limit", Class::Limit),
     ("unsupported-axis", Class::Unsupported),

@@ -81,6 +81,8 @@ pub(crate) struct World<'s> {
     pub(crate) triggered: usize,
     /// The probe where it stopped after touching, until it moves.
     pub(crate) pressed: Option<Pressed>,
+    /// The direction in which the tool has touched the tool setter, until it moves.
+    pub(crate) at_setter: Option<DVec3>,
     /// While the table turns a cylinder under the tool: a tilted system stays as it is in the machine, so that its tool
     /// axis remains that of the tool.
     pub(crate) system_stays: bool,
@@ -125,6 +127,7 @@ impl<'s> World<'s> {
             spindle_turned: 0.0,
             triggered: 0,
             pressed: None,
+            at_setter: None,
             system_stays: false,
             all_axes: Axis::ALL.into_iter().all(|axis| scene.machine.axis(axis).is_some()),
             calibrated_setter: None,
