@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::engine::geometry::{Axis, Frame, WorkingPlane};
+use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::machine::{Machine, MemoryReport, SavedKinematics, Survey, Tool};
 use crate::engine::report::fault::Fault;
 use crate::engine::scene::{Answers, Preset, Scene};
@@ -71,6 +71,8 @@ pub(crate) struct World<'s> {
     pub(crate) true_head: Option<Frame>,
     /// How far what the rotary axes carry is from where they say, degrees.
     lag: DVec3,
+    /// How often A, B and C have turned.
+    turned: [usize; 3],
     /// What was measured of the rotary axes last.
     pub(crate) survey: Option<Arc<Survey>>,
     /// What was saved, restored, shown or deleted of the kinematics last.
@@ -122,6 +124,7 @@ impl<'s> World<'s> {
             head: None,
             true_head: None,
             lag: DVec3::ZERO,
+            turned: [0; 3],
             survey: None,
             memory_report: None,
             spindle_turned: 0.0,
@@ -236,7 +239,12 @@ impl<'s> World<'s> {
         if let Some(truth) = truth {
             self.lag = truth.lag(self.lag, way);
         }
-        let (machine, true_angles) = (self.true_machine(), angles + self.lag);
+        let mut astray = DVec3::ZERO;
+        for (axis, turned) in RotaryAxis::ALL.into_iter().zip(&mut self.turned) {
+            *turned += usize::from(axis.of(way) != 0.0);
+            astray = axis.with(astray, truth.map_or(0.0, |truth| truth.astray(axis, *turned)));
+        }
+        let (machine, true_angles) = (self.true_machine(), angles + self.lag + astray);
         let (table, at_start) = (machine.table(true_angles), machine.table(self.scene.start_angles));
         let head = |machine: &Machine, angles| Some(machine.head(angles)).filter(|head| *head != Frame::IDENTITY);
         let true_head = head(machine, true_angles);
