@@ -331,11 +331,11 @@ proptest! {
     /// A sphere that is found to have another radius than the entered one ends the cycle in the middle of its
     /// measurements: nothing is written.
     #[test]
-    fn a_fault_in_the_middle_leaves_the_kinematics(shop in shop(), touches in 3_usize..12) {
+    fn a_fault_in_the_middle_leaves_the_kinematics(shop in shop(), touches in 0_usize..18) {
         prop_assume!(shop.is_told(false));
-        // One touch is late by 2 mm.
-        let mut late = vec![0.0; touches * 2];
-        late[touches] = 2.0;
+        // One touch is late by 2 mm: of the reference measurement, or of the position after it, which there always is.
+        let mut late = vec![0.0; 500];
+        late[touches % (2 * (shop.touched as usize + 1))] = 2.0;
         let scene = shop.scene(false, false).replace("DIST: 20}", &format!("DIST: 20, scatter: {late:?}}}"))
             + "machine_parameters: {maxDevCalBall: 0.05}\n";
         let (outcome, _) = run("tnc640", &scene, &shop.call(451, "Q406=1\n"));
