@@ -1,13 +1,14 @@
 //! Prints how many blocks, cycle calls and probing cycles the engine executes in a second, how many moves take material
 //! from a stock, how long the paths of strategies take by themselves, and what memory a run of many moves takes:
 //! `cargo bench --bench engine`, or one part of it: `cargo bench --bench engine -- stock` (`memory`, `strategy`,
-//! `blocks`, `process`).
+//! `blocks`, `process`, `kinematics`, `surface`).
 //!
 //! Where LinuxCNC's `rs274` is installed (Debian package `linuxcnc-uspace`), the same work as RS274 text runs beside it.
 //! A move of the stock is one of 0.25 to 1 mm, as programs of such parts have them; a longer way is told by the steps of
 //! 0.25 mm that it stands for as well. Nothing is judged here.
 use std::hint::black_box;
 use std::process::{Command, Stdio};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 use std::{env, fs};
 
@@ -16,7 +17,7 @@ use ciklo::base::diag::Source;
 use ciklo::engine::geometry::{Axis, Frame};
 use ciklo::engine::run::{Engine, EventKind, NoTexts};
 use ciklo::engine::scene::Scene;
-use ciklo::engine::solid::{Path, Shape};
+use ciklo::engine::solid::{Body, Mesh, Path, Shape};
 use ciklo::engine::stock::{Batch, Cutter, Machining, Stock, Tip};
 use ciklo::engine::strategy::{self, Milling, pocket, thread};
 use ciklo::program::syntax::parse;
@@ -143,6 +144,76 @@ fn processes() {
             }
             None => println!("rs274    is not installed (Debian package linuxcnc-uspace)"),
         }
+    }
+}
+
+/// A tilting and a rotary table whose places are optimized from eight positions of each, as a process of its own.
+fn kinematics() {
+    const SCENE: &str = "scene: 1\nmachine: mill-table-ac\nkinematics:\n  errors: [{axis: A, centre: [0, 0.03, -0.02]}, {axis: C, centre: [0.02, -0.03, 0]}]\n\
+        tools: [{T: 1, L: 100, R: 2, TP_NO: 1}]\nprobe: {NO: 1, ball_radius: 2, SET_UP: 5, F: 300, FMAX: 3000, DIST: 20}\n\
+        presets: {active: 1, rows: [{NO: 1, X: 100, Y: 20, Z: -50}]}\nparts: [{solid: {sphere: {radius: 12.5}}}]\nstart: [0, 0, 60]\n";
+    const PROGRAM: &str = "BEGIN PGM BENCH MM\nTOOL CALL 1 Z\nTCH PROBE 451\nQ406=1\nQ407=12.5\nQ320=0\nQ408=0\nQ253=2000\nQ380=0\n\
+        Q411=-80\nQ412=70\nQ413=0\nQ414=8\nQ415=0\nQ416=0\nQ417=0\nQ418=0\nQ419=-170\nQ420=160\nQ421=0\nQ422=8\nQ423=4\nQ431=0\nQ432=0\n\
+        END PGM BENCH MM\n";
+    let Ok(folder) = tempfile::tempdir() else { return };
+    if [("k.h", PROGRAM), ("k.yaml", SCENE)]
+        .iter()
+        .any(|(name, text)| fs::write(folder.path().join(name), text).is_err())
+    {
+        return println!("kinematics: a temporary file could not be written");
+    }
+    let mut best = Duration::MAX;
+    for _ in 0..PROCESS_ROUNDS {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_ciklo"));
+        command.args(["run", "k.h", "--control", "tnc640", "--scene", "k.yaml"]).current_dir(folder.path());
+        let start = Instant::now();
+        let ended = command.stdout(Stdio::null()).stderr(Stdio::null()).status();
+        if !ended.is_ok_and(|status| status.success()) {
+            return println!("kinematics: the program did not end well");
+        }
+        best = best.min(start.elapsed());
+    }
+    println!("optimizing two rotary axes at 2 x 8 positions, whole process {:>7.1} ms", best.as_secs_f64() * 1e3);
+}
+
+/// Contacts of a ball of 6 mm with a wave of triangles: down on it, and along it where nothing is touched.
+fn surface() {
+    for cells in [22_usize, 71, 224, 707] {
+        let at = |k: usize| k as f64 * PART / cells as f64;
+        let height = |x: f64, y: f64| 5.0 * libm::sin(x / 9.0) * libm::cos(y / 7.0);
+        let corner = |i: usize, j: usize| DVec3::new(at(i), at(j), height(at(i), at(j)));
+        let triangles: Vec<[DVec3; 3]> = (0..cells * cells)
+            .flat_map(|k| {
+                let (i, j) = (k % cells, k / cells);
+                let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+                [[a, b, c], [a, c, d]]
+            })
+            .collect();
+        let start = Instant::now();
+        let Some(mesh) = Mesh::new(&triangles) else { return };
+        let Ok(body) = Body::new(&Shape::Mesh(Arc::new(mesh))) else { return };
+        let made = start.elapsed();
+        let place = |n: usize| DVec3::new(5.0 + (n * 37 % 90) as f64, 5.0 + (n * 53 % 90) as f64, 0.0);
+        let down = best(|| {
+            for n in 0..PROBINGS {
+                let over = place(n) + DVec3::Z * 40.0;
+                let _ = black_box(body.first_contact(3.0, over, over - DVec3::Z * 60.0));
+            }
+        });
+        let across = best(|| {
+            for n in 0..PROBINGS {
+                let at = place(n) + DVec3::Z * 8.5;
+                let _ = black_box(body.first_contact(3.0, at, at + DVec3::new(60.0, 20.0, 0.0)));
+            }
+        });
+        let each = |time: Duration| time.as_secs_f64() * 1e6 / PROBINGS as f64;
+        println!(
+            "surface of {:>9} triangles: made in {:>7.1} ms, a contact {:>7.1} us, a free way of 63 mm {:>7.1} us",
+            triangles.len(),
+            made.as_secs_f64() * 1e3,
+            each(down),
+            each(across)
+        );
     }
 }
 
@@ -368,6 +439,12 @@ fn main() {
     }
     if wants("process") {
         processes();
+    }
+    if wants("kinematics") {
+        kinematics();
+    }
+    if wants("surface") {
+        surface();
     }
     if !wants("blocks") {
         return;
