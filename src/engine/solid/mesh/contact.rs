@@ -18,7 +18,7 @@ use crate::engine::solid::surface::Surface;
 /// Stretches are so long, as a share of the radius of the ball, and within these limits in mm.
 const STRETCH: (f64, f64, f64) = (0.1, 1e-3, 1.0);
 /// Stretches near more triangles than this are made shorter.
-const MANY: usize = 256;
+const MANY: usize = 128;
 /// How far from a triangle a point of it may be calculated, mm.
 const OFF: f64 = 1e-9;
 
