@@ -68,6 +68,7 @@ cli-texts-note-kind = This is { $kind ->
         [guard] why a control refuses a cycle
         [message] a message of the control to the operator
         [figure] the title of a figure
+        [form] the name of a form of the block of a cycle
         [table] the title of a table
         [title] the title of an example
         [term] a term of the glossary

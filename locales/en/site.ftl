@@ -75,7 +75,6 @@ site-choose = Choose a control and a language
 # Words with arguments.
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Cycles of the { $control }
-page-form = Form { $number }
 page-switched-off-by = Can be switched off with { $datum }.
 
 # Lists, comparisons, topics, search.

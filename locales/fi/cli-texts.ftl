@@ -68,6 +68,7 @@ cli-texts-note-kind = Tämä on { $kind ->
         [guard] syy, jonka takia ohjaus hylkää työkierron
         [message] ohjauksen viesti koneen käyttäjälle
         [figure] kuvan otsikko
+        [form] työkierron lauseen muodon nimi
         [table] taulukon otsikko
         [title] esimerkin otsikko
         [term] sanaston termi

@@ -68,7 +68,6 @@ site-choose = Valitse ohjaus ja kieli
 
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Työkierrot: { $control }
-page-form = Muoto { $number }
 page-switched-off-by = Tarkastuksen voi kytkeä pois parametrilla { $datum }.
 
 # Lists, comparisons, topics, search.

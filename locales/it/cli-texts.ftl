@@ -68,6 +68,7 @@ cli-texts-note-kind = Questo testo è { $kind ->
         [guard] il motivo per cui il controllo rifiuta un ciclo
         [message] un messaggio del controllo all’operatore
         [figure] il titolo di una figura
+        [form] il nome di una forma del blocco di un ciclo
         [table] il titolo di una tabella
         [title] il titolo di un esempio
         [term] un termine del glossario

@@ -68,7 +68,6 @@ site-choose = Selezionare il controllo e la lingua
 
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Cicli del controllo { $control }
-page-form = Forma { $number }
 page-switched-off-by = Disattivabile con { $datum }.
 
 # Lists, comparisons, topics, search.

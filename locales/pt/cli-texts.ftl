@@ -68,6 +68,7 @@ cli-texts-note-kind = Este texto é { $kind ->
         [guard] o motivo por que o comando recusa um ciclo
         [message] uma mensagem do comando ao operador
         [figure] o título de uma figura
+        [form] o nome de uma forma do bloco de um ciclo
         [table] o título de uma tabela
         [title] o título de um exemplo
         [term] um termo do glossário

@@ -68,7 +68,6 @@ site-choose = Escolher o comando e o idioma
 
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Ciclos do { $control }
-page-form = Forma { $number }
 page-switched-off-by = Pode ser desativado com { $datum }.
 
 # Lists, comparisons, topics, search.

@@ -72,6 +72,7 @@ cli-texts-note-kind = To je { $kind ->
         [guard] razlog, zakaj krmiljenje zavrne cikel
         [message] sporočilo krmiljenja upravljavcu
         [figure] naslov slike
+        [form] ime oblike stavka cikla
         [table] naslov tabele
         [title] naslov primera
         [term] izraz iz slovarja

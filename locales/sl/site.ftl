@@ -68,7 +68,6 @@ site-choose = Izberite krmiljenje in jezik
 
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Cikli krmiljenja { $control }
-page-form = Oblika { $number }
 page-switched-off-by = Izklop je mogoč s parametrom { $datum }.
 
 # Lists, comparisons, topics, search.

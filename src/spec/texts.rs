@@ -74,6 +74,9 @@ impl Collector<'_> {
             param.choices.iter().for_each(|choice| self.value("choice", choice.choice.as_str()));
             param.effective.iter().for_each(|condition| self.value("condition", condition.as_str()));
         }
+        if cycle.file.forms.len() > 1 {
+            cycle.file.forms.iter().for_each(|form| self.value("form", form.form.as_str()));
+        }
         cycle.file.results.iter().for_each(|result| self.value("result", result.is.as_str()));
         cycle.file.notes.iter().for_each(|note| self.value("note", note.note.as_str()));
         cycle.file.figures.iter().for_each(|figure| self.value("figure", figure.name.as_str()));

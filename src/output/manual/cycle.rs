@@ -184,16 +184,14 @@ impl Maker<'_, '_, '_> {
             let rows: Vec<_> = cycle.fields(at).map(|(param, _)| self.parameter(param)).collect();
             let several = cycle.file.forms.len() > 1;
             if !rows.is_empty() {
-                tables.push(ParameterTable { title: several.then(|| self.form_title(form, at)), rows });
+                tables.push(ParameterTable { title: several.then(|| self.form_title(form)), rows });
             }
         }
         tables
     }
 
-    fn form_title(&self, form: &crate::spec::Form, at: usize) -> String {
-        let name = self.text.find(&format!("form-{}", form.form.as_str()));
-        let name =
-            name.unwrap_or_else(|| self.text.general("page-form", &Args::new().number("number", at as f64 + 1.0)));
+    fn form_title(&self, form: &crate::spec::Form) -> String {
+        let name = self.text.form(&form.form);
         let codes: Vec<&str> = form.iso.iter().map(|iso| iso.code.as_str()).collect();
         if codes.is_empty() { name.into_owned() } else { format!("{name} ({})", codes.join(", ")) }
     }

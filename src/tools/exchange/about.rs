@@ -162,7 +162,7 @@ impl<'c> About<'c> {
 }
 
 /// Kinds of messages by what their identifiers begin with; the first that fits counts.
-const KINDS: [(&str, &str); 28] = [
+const KINDS: [(&str, &str); 29] = [
     ("-", "inserted"),
     ("topics/", "topic"),
     ("cycle-group-", "group"),
@@ -179,6 +179,7 @@ const KINDS: [(&str, &str); 28] = [
     ("guard-", "guard"),
     ("message-", "message"),
     ("figure-", "figure"),
+    ("form-", "form"),
     ("table-", "table"),
     ("title-", "title"),
     ("term-", "term"),
