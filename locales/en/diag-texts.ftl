@@ -8,6 +8,7 @@ diag-texts-file-unreadable = The file cannot be read: { $reason ->
         [entity] there is an unknown entity
         [encoding] the encoding is not UTF-8
         [depth] the elements are nested too deeply
+        [columns] the table lacks the columns concept and language
         [xliff] this is neither XLIFF 1.2 nor XLIFF 2.0
        *[form] the form is wrong from here on
     }.

@@ -9,7 +9,7 @@ explain-texts-no-file =
 explain-texts-no-language =
     Texts are translated from English into a language with a tag such as fi or de-AT. English itself is no target, and a name with other signs than letters, digits and hyphens could not be a folder below locales. Name the language with --to. A file that comes back usually names it itself.
 explain-texts-file-unreadable =
-    The file is refused as a whole, and nothing is changed. XLIFF 1.2, XLIFF 2.0 and PO in UTF-8 are read. Document types and entities of their own are refused because they can fetch other files or grow without end; a deep nesting of elements is refused for the same reason. Look at the place that is named, or export the texts again and let the translation tool save them in the same form.
+    The file is refused as a whole, and nothing is changed. XLIFF 1.2, XLIFF 2.0 and PO in UTF-8 are read, and terms as TBX or CSV. Of several files, none is taken over if one cannot be read. Document types and entities of their own are refused because they can fetch other files or grow without end; a deep nesting of elements is refused for the same reason. Look at the place that is named, or export the texts again and let the translation tool save them in the same form.
 explain-texts-unit-unknown =
     The identifier of a unit is the key of a text, and no text of the language has this key. It was renamed or removed since the file was exported, or the identifier was changed in the file. Export again; a translation memory finds the finished translation by its words.
 explain-texts-unit-twice =

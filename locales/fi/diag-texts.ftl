@@ -8,6 +8,7 @@ diag-texts-file-unreadable = Tiedostoa ei voida lukea: { $reason ->
         [entity] siinä on tuntematon entiteetti
         [encoding] merkistö ei ole UTF-8
         [depth] elementtejä on liian monta sisäkkäin
+        [columns] taulukosta puuttuvat sarakkeet concept ja language
         [xliff] se ei ole XLIFF 1.2 eikä XLIFF 2.0
        *[form] muoto on tästä eteenpäin virheellinen
     }.

@@ -9,7 +9,7 @@ explain-texts-no-file =
 explain-texts-no-language =
     Tekstit käännetään englannista kielelle, jolla on tunnus, esimerkiksi fi tai de-AT. Englanti ei voi olla kohdekieli, eikä nimi, jossa on muita merkkejä kuin kirjaimia, numeroita ja yhdysmerkkejä, kelpaa locales-kansion alikansioksi. Ilmoita kieli valitsimella --to. Palautetussa tiedostossa kieli on yleensä valmiina.
 explain-texts-file-unreadable =
-    Tiedosto hylätään kokonaan, eikä mitään muuteta. Luettavat muodot ovat XLIFF 1.2, XLIFF 2.0 ja PO merkistönä UTF-8. Dokumenttityypit ja tiedoston omat entiteetit hylätään, koska niillä voi hakea muita tiedostoja tai kasvattaa tekstin rajattomaksi; samasta syystä hylätään liian syvät sisäkkäiset elementit. Katso ilmoitettua kohtaa tai vie tekstit uudelleen ja anna käännösohjelman tallentaa ne samassa muodossa.
+    Tiedosto hylätään kokonaan, eikä mitään muuteta. Luettavat muodot ovat XLIFF 1.2, XLIFF 2.0 ja PO sekä termeille TBX ja CSV, merkistönä UTF-8. Jos yhtä useista tiedostoista ei voi lukea, mitään niistä ei oteta käyttöön. Dokumenttityypit ja tiedoston omat entiteetit hylätään, koska niillä voi hakea muita tiedostoja tai kasvattaa tekstin rajattomaksi; samasta syystä hylätään liian syvät sisäkkäiset elementit. Katso ilmoitettua kohtaa tai vie tekstit uudelleen ja anna käännösohjelman tallentaa ne samassa muodossa.
 explain-texts-unit-unknown =
     Yksikön tunnus on tekstin avain, eikä millään kielen tekstillä ole tätä avainta. Avain on nimetty uudelleen tai poistettu viennin jälkeen, tai tunnusta on muutettu tiedostossa. Vie tekstit uudelleen; käännösmuisti löytää valmiin käännöksen sanojen perusteella.
 explain-texts-unit-twice =

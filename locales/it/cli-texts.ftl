@@ -1,7 +1,7 @@
 # Il comando «texts».
 cli-texts = Mostra lo stato delle traduzioni, le approva e le scambia con i traduttori
 cli-texts-action = Operazione: status mostra che cosa resta da fare, accept registra che le traduzioni corrispondono ai testi inglesi, export scrive un file per i traduttori, import ne rilegge uno
-cli-texts-input = import: il file del traduttore, XLIFF o PO
+cli-texts-input = import: i file dei traduttori, XLIFF o PO, oppure termini in TBX o CSV; più file sono ripresi insieme
 cli-texts-lang = Solo questa lingua; si può ripetere
 cli-texts-file = status: solo questo file della lingua, ad esempio drilling.ftl; si può ripetere
 cli-texts-text = accept: il testo con questa chiave o, se KEY termina con *, tutti quelli la cui chiave inizia così; si può ripetere

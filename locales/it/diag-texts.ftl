@@ -8,6 +8,7 @@ diag-texts-file-unreadable = Impossibile leggere il file: { $reason ->
         [entity] contiene un’entità sconosciuta
         [encoding] la codifica non è UTF-8
         [depth] gli elementi sono annidati troppo in profondità
+        [columns] nella tabella mancano le colonne concept e language
         [xliff] non è né XLIFF 1.2 né XLIFF 2.0
        *[form] da questo punto la forma è errata
     }.

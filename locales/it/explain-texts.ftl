@@ -9,7 +9,7 @@ explain-texts-no-file =
 explain-texts-no-language =
     I testi si traducono dall’inglese in una lingua con un codice come fi o de-AT. L’inglese non può essere la lingua di arrivo, e un nome con segni diversi da lettere, cifre e trattini non potrebbe essere una cartella sotto locales. Indicare la lingua con --to. Di solito un file che ritorna la indica già.
 explain-texts-file-unreadable =
-    Il file è rifiutato per intero e non si modifica nulla. Si leggono XLIFF 1.2, XLIFF 2.0 e PO in UTF-8. I tipi di documento e le entità proprie sono rifiutati perché possono richiamare altri file o crescere senza limite; per lo stesso motivo si rifiutano elementi annidati troppo in profondità. Controllare il punto indicato, oppure esportare di nuovo i testi e salvarli nella stessa forma con lo strumento di traduzione.
+    Il file è rifiutato per intero e non si modifica nulla. Si leggono XLIFF 1.2, XLIFF 2.0 e PO in UTF-8, e i termini in TBX o CSV. Se di più file uno non si può leggere, nessuno è ripreso. I tipi di documento e le entità proprie sono rifiutati perché possono richiamare altri file o crescere senza limite; per lo stesso motivo si rifiutano elementi annidati troppo in profondità. Controllare il punto indicato, oppure esportare di nuovo i testi e salvarli nella stessa forma con lo strumento di traduzione.
 explain-texts-unit-unknown =
     L’identificatore di un’unità è la chiave di un testo, e nessun testo della lingua ha questa chiave. È stata rinominata o eliminata dopo l’esportazione, oppure l’identificatore è stato modificato nel file. Esportare di nuovo; una memoria di traduzione ritrova la traduzione già pronta dalle parole.
 explain-texts-unit-twice =

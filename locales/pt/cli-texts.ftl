@@ -1,7 +1,7 @@
 # O comando «texts».
 cli-texts = Mostra o estado das traduções, aceita-as e troca-as com tradutores
 cli-texts-action = O que fazer: status mostra o que está por fazer, accept regista que as traduções correspondem aos textos ingleses, export escreve um ficheiro para tradutores, import lê um de volta
-cli-texts-input = import: o ficheiro do tradutor, XLIFF ou PO
+cli-texts-input = import: os ficheiros dos tradutores, XLIFF ou PO, ou termos em TBX ou CSV; vários são aplicados em conjunto
 cli-texts-lang = Só este idioma; pode ser repetido
 cli-texts-file = status: só este ficheiro do idioma, por exemplo drilling.ftl; pode ser repetido
 cli-texts-text = accept: o texto com esta chave ou, se KEY terminar em *, todos aqueles cuja chave começa assim; pode ser repetido

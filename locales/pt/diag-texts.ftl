@@ -8,6 +8,7 @@ diag-texts-file-unreadable = Não é possível ler o ficheiro: { $reason ->
         [entity] contém uma entidade desconhecida
         [encoding] a codificação não é UTF-8
         [depth] os elementos estão encaixados a demasiada profundidade
+        [columns] faltam à tabela as colunas concept e language
         [xliff] não é XLIFF 1.2 nem XLIFF 2.0
        *[form] a forma está errada a partir daqui
     }.

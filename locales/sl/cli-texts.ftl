@@ -1,7 +1,7 @@
 # Ukaz »texts«.
 cli-texts = Pokaže stanje prevodov, jih potrdi ter izmenja s prevajalci
 cli-texts-action = Kaj naj se naredi: status pokaže, kaj je še odprto, accept zabeleži, da prevodi ustrezajo angleškim besedilom, export zapiše datoteko za prevajalce, import jo prebere nazaj
-cli-texts-input = import: datoteka prevajalca, XLIFF ali PO
+cli-texts-input = import: datoteke prevajalcev, XLIFF ali PO, ali izrazi v obliki TBX ali CSV; več datotek se prevzame skupaj
 cli-texts-lang = Samo ta jezik; lahko se ponovi
 cli-texts-file = status: samo ta datoteka jezika, na primer drilling.ftl; lahko se ponovi
 cli-texts-text = accept: besedilo s tem ključem ali, če se KEY konča z *, vsa besedila, katerih ključ se tako začne; lahko se ponovi
