@@ -1,11 +1,11 @@
 //! `ciklo lint`: everything that can be wrong with specifications and languages.
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, conform as conform_cmd, consequences, session, texts as texts_cmd};
-use crate::base::diag::{Diagnostic, Severity, Source};
+use crate::base::diag::{Arg, Diagnostic, Severity, Source};
 use crate::check::{self, Against, LabelBook};
 use crate::engine::plan;
 use crate::language::consistency;
@@ -28,6 +28,10 @@ pub(super) const COMMAND: Command = Command {
 /// So many findings follow the counts of a summary.
 const NEXT: usize = 20;
 const ACCEPT: &str = "accept-translations";
+/// What is found where a language lacks a text.
+const MISSING: [&str; 3] = ["locale-missing-translation", "locale-missing-text", "manual-topic-missing"];
+/// If more of them are missing in a language, they are counted and not named.
+const MOST_MISSING: usize = 100;
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
@@ -75,8 +79,26 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     if matches.get_flag("summary") {
         return summary(session, found).map(|()| if fails { Outcome::Errors } else { Outcome::Clean });
     }
-    session.report(found, arguments::chosen_format(matches))?;
+    let format = arguments::chosen_format(matches);
+    session.report(if format == "json" { found } else { folded(found) }, format)?;
     Ok(if fails { Outcome::Errors } else { Outcome::Clean })
+}
+
+/// One finding for all that is missing in a language in which hardly anything is there yet.
+fn folded(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let language = |one: &Diagnostic| match one.get("language") {
+        Some(Arg::Text(tag)) if MISSING.contains(&one.code) => Some(tag.to_string()),
+        _ => None,
+    };
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    found.iter().filter_map(language).for_each(|tag| *counts.entry(tag).or_default() += 1);
+    counts.retain(|_, count| *count > MOST_MISSING);
+    found.retain(|one| language(one).is_none_or(|tag| !counts.contains_key(&tag)));
+    let all = counts.into_iter().map(|(tag, count)| {
+        Diagnostic::global("locale-unfinished").arg("language", tag).arg("count", count as f64)
+    });
+    found.extend(all);
+    found
 }
 
 /// Counts by file, then the first findings.
