@@ -21,14 +21,17 @@ const ROUNDS: usize = 6;
 const LABEL: &str = "label-";
 
 /// A unit that can be taken over.
-struct Edit {
-    at: usize,
-    text: usize,
-    path: String,
-    pieces: Vec<Piece>,
+pub(super) struct Edit {
+    /// Where it is in the file.
+    pub(super) at: usize,
+    /// Its text, by number.
+    pub(super) text: usize,
+    /// Which variant of it.
+    pub(super) path: String,
+    pub(super) pieces: Vec<Piece>,
 }
 
-type Edits = BTreeMap<String, Edit>;
+pub(super) type Edits = BTreeMap<String, Edit>;
 
 /// Takes over the final units of a file for a language.
 ///
@@ -46,11 +49,27 @@ pub fn import(
     let (of_pages, received) = received.into_iter().partition(|unit| unit.id.starts_with(prose::TOPICS));
     let mut edits = sift(&texts, tag, received, &mut imported);
     drop_incomplete(&texts, tag, &mut edits, &mut imported);
+    settled(catalogue, files, tag, (&locales, before), &texts, edits, &mut imported);
+    prose::import(files, &prose::pages(&locales, tag), of_pages, &mut imported);
+    imported.refused.sort_by_key(|refusal| refusal.at);
+    Ok(imported)
+}
+
+/// Takes over the edits that the checks of texts have nothing against, and refuses the others.
+pub(super) fn settled(
+    catalogue: &Catalogue,
+    files: &[(String, String)],
+    tag: &str,
+    (locales, before): (&Locales, Vec<Diagnostic>),
+    texts: &[Text],
+    mut edits: Edits,
+    imported: &mut Imported,
+) {
     // What is found today matters only where something changes.
-    let before = if edits.is_empty() { Vec::new() } else { findings(catalogue, &locales, tag, before) };
+    let before = if edits.is_empty() { Vec::new() } else { findings(catalogue, locales, tag, before) };
     let known: BTreeSet<String> = before.iter().map(signature).collect();
     for _ in 0..ROUNDS {
-        imported.files = applied(files, &texts, tag, &edits);
+        imported.files = applied(files, texts, tag, &edits);
         if edits.is_empty() {
             break;
         }
@@ -61,11 +80,11 @@ pub fn import(
         let (after, found) = Locales::load(all);
         let found = findings(catalogue, &after, tag, found);
         let new: Vec<Diagnostic> = found.into_iter().filter(|found| !known.contains(&signature(found))).collect();
-        if !refuse(&texts, &new, locales.language(tag).is_ok(), &mut edits, &mut imported) {
+        if !refuse(texts, &new, locales.language(tag).is_ok(), &mut edits, imported) {
             break;
         }
-        drop_incomplete(&texts, tag, &mut edits, &mut imported);
-        imported.files = applied(files, &texts, tag, &edits);
+        drop_incomplete(texts, tag, &mut edits, imported);
+        imported.files = applied(files, texts, tag, &edits);
     }
     let refused: BTreeSet<&str> = imported.refused.iter().map(|refusal| key_of(&refusal.id)).collect();
     let mut confirmed = std::mem::take(&mut imported.confirmed);
@@ -75,9 +94,6 @@ pub fn import(
     confirmed.dedup();
     imported.confirmed = confirmed;
     imported.taken = edits.into_keys().collect();
-    prose::import(files, &prose::pages(&locales, tag), of_pages, &mut imported);
-    imported.refused.sort_by_key(|refusal| refusal.at);
-    Ok(imported)
 }
 
 /// The key of the text that a unit belongs to.
@@ -223,6 +239,8 @@ fn findings(catalogue: &Catalogue, locales: &Locales, tag: &str, mut found: Vec<
     }
     found.extend(label::check(catalogue, locales));
     found.extend(consistency::check(catalogue, locales));
+    // What a language lacks is no fault of a text that it has.
+    found.retain(|one| one.code != consistency::VARIANT);
     found
 }
 
@@ -254,6 +272,11 @@ fn refuse(texts: &[Text], new: &[Diagnostic], had: bool, edits: &mut Edits, impo
             is_named || !by_place && key.as_deref().is_some_and(|key| key == text.pair.key || key == text.pair.id)
         };
         let mut ids: Vec<String> = edits.iter().filter(|(_, edit)| concerns(edit)).map(|(id, _)| id.clone()).collect();
+        if let (true, Some(Arg::Text(concept))) = (ids.is_empty(), found.get("concept")) {
+            // A word of the glossary that other texts do not keep to.
+            let is_of = |edit: &Edit| texts.get(edit.text).is_some_and(|text| text.pair.id == *concept);
+            ids = edits.iter().filter(|(_, edit)| is_of(edit)).map(|(id, _)| id.clone()).collect();
+        }
         let is_known = imported.refused.iter().any(|refusal| {
             key.as_deref() == Some(key_of(&refusal.id)) || named.as_deref() == key_of(&refusal.id).split('.').next()
         });

@@ -17,8 +17,8 @@ pub enum Form {
 pub struct Unreadable {
     /// The byte.
     pub at: usize,
-    /// A word for the reason: `form`, `document-type`, `entity`, `encoding`, `depth`, or `xliff` if it is another kind of
-    /// file.
+    /// A word for the reason: `form`, `document-type`, `entity`, `encoding`, `depth`, `columns` of a table, or `xliff`
+    /// if it is another kind of file.
     pub what: &'static str,
 }
 
