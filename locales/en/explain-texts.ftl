@@ -20,6 +20,8 @@ explain-texts-unit-not-read =
     A final unit needs a translation that consists of words and of the codes that were exported. This one has no text, or it contains inline elements that the exported file did not have. Remove them, or set the unit to a state that is not final until it is translated.
 explain-texts-unit-codes =
     Codes stand for values, terms and selections that the program fills in. A translation may put them in another order and choose the case of a term, as in { "{ -probe(case: \"genitive\") }" }, but it needs the codes of its source and has no others: a missing code would lose a fact such as a depth or a parameter. Put the missing ones back and remove those that are not allowed.
+explain-texts-unit-exchanged =
+    The words of the translation are those of today, and only codes stand in other places, so each value would be said of another thing. Put the codes back. If the new order is right, change the words as well, or edit the Fluent file.
 explain-texts-unit-incomplete =
     A new text with variants, for example for one and for several holes, is only complete when all variants are there: a missing one would leave a gap in sentences. Translate all units whose identifiers begin with the same key and set them to a final state.
 explain-texts-unit-refused =

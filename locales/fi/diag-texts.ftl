@@ -17,6 +17,7 @@ diag-texts-unit-twice = Yksikkö ”{ $key }” on tiedostossa useita kertoja.
 diag-texts-unit-source-changed = Yksikön ”{ $key }” lähdeteksti ei ole nykyinen: vie teksti uudelleen.
 diag-texts-unit-not-read = Yksikössä ”{ $key }” ei ole käännöstä, tai siinä on tuntemattomia elementtejä.
 diag-texts-unit-codes = Yksikön ”{ $key }” koodit eivät täsmää: puuttuu { $missing }, ei sallittu { $foreign }.
+diag-texts-unit-exchanged = Yksikössä ”{ $key }” koodit ovat vaihtaneet paikkaa samojen sanojen joukossa.
 diag-texts-unit-incomplete = Yksikkö ”{ $key }” on yksi uuden tekstin muunnelmista; muut puuttuvat tai on hylätty.
 diag-texts-unit-refused = Yksikkö ”{ $key }” hylätään ({ $code }): { $finding }
 diag-texts-unit-markup = Yksikön ”{ $key }” käännös muuttaisi sivun muotoa: merkintöjä tai ympäröiviä lohkoja.

@@ -20,6 +20,8 @@ explain-texts-unit-not-read =
     Valmis yksikkö tarvitsee käännöksen, joka koostuu sanoista ja viedyistä koodeista. Tässä ei ole tekstiä, tai siinä on elementtejä, joita viedyssä tiedostossa ei ollut. Poista ne, tai aseta yksikölle keskeneräisen tila, kunnes se on käännetty.
 explain-texts-unit-codes =
     Koodien tilalle ohjelma panee arvoja, termejä ja valintoja. Käännös voi muuttaa niiden järjestystä ja valita termin sijamuodon, esimerkiksi { "{ -probe(case: \"genitive\") }" }, mutta siinä on oltava lähdetekstin koodit eikä muita: puuttuvan koodin mukana katoaisi tieto, esimerkiksi syvyys tai parametri. Lisää puuttuvat koodit ja poista ne, joita ei sallita.
+explain-texts-unit-exchanged =
+    Käännöksen sanat ovat ennallaan ja vain koodit ovat muissa paikoissa, joten kukin arvo tarkoittaisi muuta asiaa. Palauta koodit paikoilleen. Jos uusi järjestys on oikea, muuta myös sanoja tai muokkaa Fluent-tiedostoa.
 explain-texts-unit-incomplete =
     Uusi teksti, jossa on muunnelmia esimerkiksi yhdelle ja usealle reiälle, on valmis vasta, kun kaikki muunnelmat ovat mukana: puuttuvasta jäisi aukko lauseeseen. Käännä kaikki yksiköt, joiden tunnus alkaa samalla avaimella, ja merkitse ne valmiiksi.
 explain-texts-unit-refused =

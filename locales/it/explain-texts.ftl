@@ -20,6 +20,8 @@ explain-texts-unit-not-read =
     Un’unità definitiva richiede una traduzione composta di parole e dei codici esportati. Questa non ha testo, oppure contiene elementi che il file esportato non aveva. Eliminarli, oppure assegnare all’unità uno stato non definitivo finché non è tradotta.
 explain-texts-unit-codes =
     I codici stanno per valori, termini e scelte che il programma inserisce. Una traduzione può cambiarne l’ordine e scegliere la forma di un termine, come in { "{ -probe(case: \"genitive\") }" }, ma deve avere i codici del testo di partenza e nessun altro: un codice mancante farebbe perdere un dato, ad esempio una profondità o un parametro. Rimettere quelli mancanti ed eliminare quelli non ammessi.
+explain-texts-unit-exchanged =
+    Le parole della traduzione sono quelle di oggi e solo i codici sono in altri posti, perciò ogni valore sarebbe detto di un’altra cosa. Rimettere i codici al loro posto. Se il nuovo ordine è giusto, modificare anche le parole, oppure il file Fluent.
 explain-texts-unit-incomplete =
     Un testo nuovo con varianti, ad esempio per uno e per più fori, è completo solo quando ci sono tutte le varianti: una mancante lascerebbe una lacuna nelle frasi. Tradurre tutte le unità il cui identificatore inizia con la stessa chiave e renderle definitive.
 explain-texts-unit-refused =

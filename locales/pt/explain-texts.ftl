@@ -20,6 +20,8 @@ explain-texts-unit-not-read =
     Uma unidade definitiva precisa de uma tradução composta de palavras e dos códigos que foram exportados. Esta não tem texto, ou contém elementos que o ficheiro exportado não tinha. Elimine-os, ou dê à unidade um estado não definitivo até estar traduzida.
 explain-texts-unit-codes =
     Os códigos estão no lugar de valores, termos e escolhas que o programa preenche. Uma tradução pode mudar a sua ordem e escolher a forma de um termo, como em { "{ -probe(case: \"genitive\") }" }, mas precisa dos códigos do texto de partida e de nenhum outro: um código em falta faria perder um dado, por exemplo uma profundidade ou um parâmetro. Reponha os que faltam e elimine os que não são permitidos.
+explain-texts-unit-exchanged =
+    As palavras da tradução são as de hoje e só os códigos estão noutros lugares, por isso cada valor seria dito de outra coisa. Volte a pôr os códigos no lugar. Se a nova ordem estiver certa, altere também as palavras ou edite o ficheiro Fluent.
 explain-texts-unit-incomplete =
     Um texto novo com variantes, por exemplo para um e para vários furos, só está completo quando existem todas as variantes: uma em falta deixaria uma lacuna nas frases. Traduza todas as unidades cujo identificador começa com a mesma chave e torne-as definitivas.
 explain-texts-unit-refused =

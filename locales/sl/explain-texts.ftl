@@ -20,6 +20,8 @@ explain-texts-unit-not-read =
     Dokončana enota potrebuje prevod, sestavljen iz besed in izvoženih kod. Ta nima besedila ali pa vsebuje elemente, ki jih v izvoženi datoteki ni bilo. Odstranite jih ali pa enoto do prevoda označite kot nedokončano.
 explain-texts-unit-codes =
     Kode nadomeščajo vrednosti, izraze in izbire, ki jih vstavi program. Prevod lahko spremeni njihov vrstni red in izbere sklon izraza, na primer { "{ -probe(case: \"genitive\") }" }, vendar potrebuje kode izvirnega besedila in nobenih drugih: z manjkajočo kodo bi se izgubil podatek, na primer globina ali parameter. Vrnite manjkajoče kode in odstranite nedovoljene.
+explain-texts-unit-exchanged =
+    Besede prevoda so enake kot danes, le kode so na drugih mestih, zato bi vsaka vrednost veljala za nekaj drugega. Kode vrnite na njihova mesta. Če je novi vrstni red pravilen, spremenite tudi besede ali uredite datoteko Fluent.
 explain-texts-unit-incomplete =
     Novo besedilo z različicami, na primer za eno in za več izvrtin, je popolno šele, ko so prisotne vse različice: manjkajoča bi pustila vrzel v stavku. Prevedite vse enote, katerih oznaka se začne z istim ključem, in jih označite kot dokončane.
 explain-texts-unit-refused =

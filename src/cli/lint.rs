@@ -94,9 +94,9 @@ fn folded(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
     found.iter().filter_map(language).for_each(|tag| *counts.entry(tag).or_default() += 1);
     counts.retain(|_, count| *count > MOST_MISSING);
     found.retain(|one| language(one).is_none_or(|tag| !counts.contains_key(&tag)));
-    let all = counts.into_iter().map(|(tag, count)| {
-        Diagnostic::global("locale-unfinished").arg("language", tag).arg("count", count as f64)
-    });
+    let all = counts
+        .into_iter()
+        .map(|(tag, count)| Diagnostic::global("locale-unfinished").arg("language", tag).arg("count", count as f64));
     found.extend(all);
     found
 }

@@ -109,6 +109,10 @@ fn units_that_are_not_sound_are_refused_and_the_others_are_taken() {
     );
     let foreign = why(&good.replace(code, "<ph id=\"2\">{ $feed }</ph><ph id=\"9\">{ $other }</ph></target>"));
     assert!(matches!(&foreign[..], [(_, Why::Codes { foreign, .. })] if foreign == "{ $other }"), "{foreign:?}");
+    let swapped = why(&good
+        .replace("{ $depth }</ph> <ph", "{ $feed }</ph> <ph")
+        .replace(code, "<ph id=\"1\">{ $depth }</ph>.</target>"));
+    assert!(matches!(&swapped[..], [(id, Why::Exchanged)] if id == "a"), "{swapped:?}");
     let changed = why(&good.replace("<source>Move to", "<source>Drive to"));
     assert!(matches!(&changed[..], [(_, Why::SourceChanged)]), "{changed:?}");
     let unknown = why(&good.replace("id=\"a\" approved", "id=\"z\" approved"));
@@ -223,9 +227,15 @@ fn facts_and_marks_of_a_page_are_kept() {
     };
     let numbers = why("12 mm:iin", "10 mm:iin");
     assert!(
-        matches!(&numbers, Some(Why::Numbers { missing, foreign }) if missing == "12" && foreign == "10"),
+        matches!(&numbers, Some(Why::Numbers { missing, foreign }) if missing == "12 mm" && foreign == "10 mm"),
         "{numbers:?}"
     );
+    let minus = why("12 mm:iin", "−12 mm:iin");
+    assert!(matches!(&minus, Some(Why::Numbers { foreign, .. }) if foreign == "\u{2212}12 mm"), "{minus:?}");
+    let unit = why("12 mm:iin", "12 %:iin");
+    assert!(matches!(&unit, Some(Why::Numbers { missing, .. }) if missing == "12 mm"), "{unit:?}");
+    let reference = why("kierteille", "inkrementaalisille kierteille");
+    assert!(matches!(&reference, Some(Why::Numbers { foreign, .. }) if foreign == "incremental"), "{reference:?}");
     let code = "<ph id=\"1\" equiv-text=\"[\">[</ph>työkiertoa";
     assert!(matches!(why(code, "työkiertoa"), Some(Why::Codes { .. })), "a mark is missing");
     // A sign that would be a mark is written so that it is none.
@@ -384,7 +394,10 @@ fn a_wider_text_with_other_facts_leaves_a_gap() {
     assert!(!text.contains("step-b__odd"), "a text with the same facts serves\n{text}");
     let filled = text.replace("holes.\"\nmsgstr \"\"", "holes.\"\nmsgstr \"Poraa 7 reikää.\"");
     let imported = import(&files, "fi", &filled);
-    assert!(imported.refused.is_empty() && imported.files[0].1.contains("step-a__odd = Poraa 7 reikää.\n"), "{imported:?}");
+    assert!(
+        imported.refused.is_empty() && imported.files[0].1.contains("step-a__odd = Poraa 7 reikää.\n"),
+        "{imported:?}"
+    );
     // An edit of the wider text is no fault of the missing one.
     assert_eq!(import(&files, "fi", &text.replace("Poraa 5", "Tee 5")).taken, ["step-a"]);
     let (draft, missing) = exchange::draft(&files, "fi").unwrap();
@@ -463,7 +476,8 @@ fn terms_that_come_back_change_what_was_changed_and_no_other_byte() {
             ("Kuinka syvä.", "Miten syvä <se> on.", ("Kuinka syvä.", "Miten syvä <se> on.")),
             ("Kuinka syvä, kaikkiaan.", "Miten syvä.", ("Kuinka syvä,\n        kaikkiaan.", "Miten syvä.")),
         ] {
-            let new = if text.starts_with('<') { new.replace('&', "&amp;").replace('<', "&lt;") } else { new.to_owned() };
+            let new =
+                if text.starts_with('<') { new.replace('&', "&amp;").replace('<', "&lt;") } else { new.to_owned() };
             let imported = import_terms(&files, &text.replace(old, &new));
             assert!(imported.refused.is_empty(), "{old}: {:?}", imported.refused);
             let expected = FINNISH_TERMS.replace(in_file.0, in_file.1);
@@ -476,7 +490,8 @@ fn terms_that_come_back_change_what_was_changed_and_no_other_byte() {
 fn terms_of_a_language_that_lacks_them_are_added_whole() {
     let files = with_terms("step-go = Aja syvyyteen.\n");
     let head = "concept,language,term,label,forms,forbidden,definition,context\r\n";
-    let english = "term-depth,en,Depth,,depth,,\"How deep, in all.\",\r\nparameter-depth,en,Depth,DEPTH,,,How deep.,\r\n";
+    let english =
+        "term-depth,en,Depth,,depth,,\"How deep, in all.\",\r\nparameter-depth,en,Depth,DEPTH,,,How deep.,\r\n";
     let rows = "parameter-depth,fi,Syvyys,SYVYYS,,,,\r\nterm-depth,fi,Syvyys,,syvyy,pohja,Määrä.,\r\n";
     let imported = import_terms(&files, &format!("{head}{english}{rows}"));
     assert!(imported.refused.is_empty(), "{:?}", imported.refused);

@@ -151,6 +151,7 @@ fn diagnostic(session: &Session, source: &Arc<Source>, refusal: &Refusal) -> Dia
         Why::SourceChanged => "texts-unit-source-changed",
         Why::NotRead => "texts-unit-not-read",
         Why::Codes { .. } => "texts-unit-codes",
+        Why::Exchanged => "texts-unit-exchanged",
         Why::Markup => "texts-unit-markup",
         Why::Numbers { .. } => "texts-unit-numbers",
         Why::Incomplete => "texts-unit-incomplete",

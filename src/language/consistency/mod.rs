@@ -59,6 +59,21 @@ pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     found
 }
 
+/// Labels that are the same for two meanings in one language alone: no mistake by itself, but one where an edit makes them so.
+pub fn shared_labels(locales: &Locales) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    label::shared(locales, &mut found);
+    found
+}
+
+/// Units that may be after a number, longest first.
+pub const UNITS: [&str; 6] = fact::UNITS;
+
+/// How often a text says absolute or incremental, in the words of any language.
+pub fn references(text: &str) -> [usize; 2] {
+    fact::references(text)
+}
+
 /// Variants of source texts for which a language has only a wider text with other facts: the key, the message without
 /// suffixes, and the place of the source text.
 pub fn lacking(locales: &Locales, tag: &str) -> Vec<(String, String, Place)> {

@@ -9,7 +9,17 @@ use crate::language::locale::{Key, Language, Locales, SOURCE_LANGUAGE, Scope};
 
 /// Beginnings of the messages that say what a cycle does; names of parameters and words of the program are too short.
 const TEXTS: [&str; 11] = [
-    "step-", "say-", "until-", "note-", "guard-", "choice-", "cycle-", "parameter-", "condition-", "message-", "term-",
+    "step-",
+    "say-",
+    "until-",
+    "note-",
+    "guard-",
+    "choice-",
+    "cycle-",
+    "parameter-",
+    "condition-",
+    "message-",
+    "term-",
 ];
 /// So many languages must deny it.
 const LEAST: usize = 3;
@@ -34,7 +44,8 @@ pub(super) fn check(locales: &Locales, found: &mut Vec<Diagnostic>) {
         if judged.len() <= LEAST || alone.language.tag() == SOURCE_LANGUAGE {
             continue;
         }
-        let others: Vec<&str> = judged.iter().filter(|(_, denies)| *denies).map(|(said, _)| said.language.tag()).collect();
+        let others: Vec<&str> =
+            judged.iter().filter(|(_, denies)| *denies).map(|(said, _)| said.language.tag()).collect();
         found.push(
             Diagnostic::error("consistency-negation", alone.place.clone())
                 .arg("key", key.to_string())

@@ -76,7 +76,8 @@ fn address(path: &str) -> Option<(&str, &str)> {
     };
     let (tag, name) = inside.split_once('/')?;
     // A folder by itself is a language that has nothing yet.
-    (name.is_empty() || name.ends_with(".ftl") || [LOCK, ORIGINALS, ALIKE].contains(&name) || topic(name).is_some()).then_some((tag, name))
+    (name.is_empty() || name.ends_with(".ftl") || [LOCK, ORIGINALS, ALIKE].contains(&name) || topic(name).is_some())
+        .then_some((tag, name))
 }
 
 /// The topic of a page of prose: `topics/threads.md` is `threads`.
