@@ -11,7 +11,8 @@ fn copy() -> tempfile::TempDir {
     let root = tempfile::tempdir().unwrap();
     let is_general = |path: &str| {
         let name = path.strip_prefix("locales/en/").unwrap_or_default();
-        path.starts_with("templates/") || ["cli", "diag-", "explain-", "site", "text", "units"].iter().any(|it| name.starts_with(it))
+        path.starts_with("templates/")
+            || ["cli", "diag-", "explain-", "site", "text", "units"].iter().any(|it| name.starts_with(it))
     };
     for (path, text) in small::files(is_general) {
         put(root.path(), &path, &text);
@@ -109,10 +110,16 @@ fn several_files_are_taken_over_together_or_not_at_all() {
     let (code, found, told) = run(root, &["texts", "import", "one.po", "two.po"]);
     assert_eq!(code, 1, "one unit is refused");
     assert!(found.contains("texts-unit-unknown") && found.contains("two.po:"), "{found}");
-    assert_eq!(told.lines().filter(|line| line.starts_with("de: ")).count(), 2 + 1, "a line a file, and one for what is accepted");
+    assert_eq!(
+        told.lines().filter(|line| line.starts_with("de: ")).count(),
+        2 + 1,
+        "a line a file, and one for what is accepted"
+    );
     let files = german(root);
     let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["small.ftl", "source.lock"]);
-    assert!(files[0].1.contains("cycle-group-drilling = Bohren\n") && files[0].1.contains("= Koordinaten-Umrechnung\n"));
+    assert!(
+        files[0].1.contains("cycle-group-drilling = Bohren\n") && files[0].1.contains("= Koordinaten-Umrechnung\n")
+    );
     assert_eq!(files[1].1.lines().filter(|line| line.starts_with("cycle-group-")).count(), 2, "both are accepted");
 }
