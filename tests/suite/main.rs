@@ -24,6 +24,7 @@ mod export;
 mod expr;
 mod figures;
 mod files;
+mod german;
 mod habits;
 #[path = "../support/html.rs"]
 mod html;
