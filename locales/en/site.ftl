@@ -5,6 +5,7 @@ site-skip = Skip to the content
 site-manual = Cycle manual
 site-draft = Draft: texts in ⟦ ⟧ are not translated yet.
 site-overview = Overview
+site-contents = Contents
 site-languages = Languages
 site-controls = Controls
 site-control = Control

@@ -5,6 +5,7 @@ site-skip = Siirry sisältöön
 site-manual = Työkiertojen käsikirja
 site-draft = Luonnos: hakasulkeissa ⟦ ⟧ olevia tekstejä ei ole vielä käännetty.
 site-overview = Yleiskuvaus
+site-contents = Sisällys
 site-languages = Kielet
 site-controls = Ohjaukset
 site-control = Ohjaus

@@ -5,6 +5,7 @@ site-skip = Vai al contenuto
 site-manual = Manuale dei cicli
 site-draft = Bozza: i testi tra ⟦ ⟧ non sono ancora tradotti.
 site-overview = Panoramica
+site-contents = Indice
 site-languages = Lingue
 site-controls = Controlli
 site-control = Controllo

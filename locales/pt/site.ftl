@@ -5,6 +5,7 @@ site-skip = Saltar para o conteúdo
 site-manual = Manual de ciclos
 site-draft = Rascunho: os textos entre ⟦ ⟧ ainda não estão traduzidos.
 site-overview = Vista geral
+site-contents = Índice
 site-languages = Idiomas
 site-controls = Comandos
 site-control = Comando

@@ -5,6 +5,7 @@ site-skip = Preskočite na vsebino
 site-manual = Priročnik za cikle
 site-draft = Osnutek: besedila v oklepajih ⟦ ⟧ še niso prevedena.
 site-overview = Pregled
+site-contents = Vsebina
 site-languages = Jeziki
 site-controls = Krmiljenja
 site-control = Krmiljenje

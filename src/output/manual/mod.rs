@@ -17,6 +17,8 @@ mod lists;
 mod notes;
 mod overview;
 mod page;
+#[cfg(feature = "pdf")]
+mod print;
 pub mod search;
 mod section;
 mod site;

@@ -35,6 +35,12 @@ impl<'a> Figures<'a> {
         Self { made: all.collect(), files }
     }
 
+    /// A data file.
+    #[cfg(feature = "pdf")]
+    pub(super) fn file(&self, path: &str) -> Option<&'a str> {
+        self.files.iter().find(|(own, _)| own == path).map(|(_, text)| text.as_str())
+    }
+
     /// The figures of a cycle; none that is wrong, which the linter says.
     pub(super) fn of(&self, site: &Site<'a>, on: &'a OnControl, cycle: &'a Cycle) -> &[Figure<'a>] {
         let Some(made) = self.made.get(&(on.id(), cycle.key)) else { return &[] };

@@ -16,7 +16,6 @@ mod status;
 mod terms;
 mod unit;
 mod xliff;
-mod xml;
 
 pub use about::{About, Remark};
 pub use draft::draft;
