@@ -45,6 +45,8 @@ pub(super) struct Translation<'p> {
     pub(super) places: &'p Places,
     /// What the styles of drawings are.
     pub(super) style: &'p str,
+    /// Whether links are left out, as in what a sheet repeats.
+    pub(super) is_repeated: bool,
     /// The drawings that were met.
     pub(super) drawings: Vec<Drawing>,
 }
@@ -71,6 +73,14 @@ impl Translation<'_> {
             }
         }
         out
+    }
+
+    /// What is in an element that the head of a sheet or of a table repeats: links are not allowed there.
+    fn repeated(&mut self, node: &Node) -> String {
+        let was_repeated = std::mem::replace(&mut self.is_repeated, true);
+        let body = self.inside(node);
+        self.is_repeated = was_repeated;
+        body
     }
 
     fn element(&mut self, node: &Node, out: &mut String) {
@@ -155,7 +165,7 @@ impl Translation<'_> {
 
     fn heading(&mut self, node: &Node, out: &mut String) {
         let depth = node.name.bytes().last().map_or(1, |digit| usize::from(digit - b'0'));
-        let body = self.inside(node);
+        let body = if depth == 1 { self.repeated(node) } else { self.inside(node) };
         if depth == 1 && self.level == 0 {
             let _ = writeln!(out, "#front-title[{body}]");
             return;
@@ -173,6 +183,10 @@ impl Translation<'_> {
         let body = self.inside(node);
         let href = node.attribute("href").unwrap_or_default();
         let target = place(self.file, href);
+        if self.is_repeated {
+            out.push_str(&body);
+            return;
+        }
         let _ = match (class, href.contains(':')) {
             // A parameter in its own row leads to itself.
             ("q", _) => write!(out, "#strong[{body}];"),
@@ -229,7 +243,7 @@ impl Translation<'_> {
         }
         let _ = write!(out, "#{function}({columns}, (");
         for cell in rows.iter().flat_map(|row| &row.children).filter(|cell| is_cell(cell)) {
-            let body = self.inside(cell);
+            let body = self.repeated(cell);
             let _ = write!(out, "[{body}], ");
         }
         out.push_str("),\n");

@@ -71,6 +71,7 @@ impl<'a> Site<'a> {
                 is_index,
                 places: &places,
                 style: &style,
+                is_repeated: false,
                 drawings: Vec::new(),
             };
             let text = translation.inside(tree);
@@ -85,6 +86,7 @@ impl<'a> Site<'a> {
             is_index: false,
             places: &places,
             style: &style,
+            is_repeated: false,
             drawings: Vec::new(),
         };
         files.insert(sheet("title.html"), with_look(&front.inside(&tree)));
