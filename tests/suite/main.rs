@@ -40,6 +40,8 @@ mod on_demand;
 mod page_parts;
 mod plain_lines;
 mod presets;
+#[cfg(feature = "pdf")]
+mod printed;
 mod settings;
 #[path = "../support/small.rs"]
 mod small;
