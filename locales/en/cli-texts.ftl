@@ -70,6 +70,7 @@ cli-texts-note-kind = This is { $kind ->
         [figure] the title of a figure
         [table] the title of a table
         [title] the title of an example
+        [comment] a comment in a worked program
         [term] a term of the glossary
         [log] a line of a log that a cycle writes
         [diagnostic] a finding of the program

@@ -57,3 +57,4 @@ diag-figure-nothing-to-see = The figure { $figure } of { $cycle } shows { $name 
 diag-figure-place-not-reached = The figure { $figure } of { $cycle } shows { $name } up to a place ({ $place }) to which neither the tool nor the workpiece comes.
 diag-figure-none = The cycle { $cycle } has no figure on this control.
 diag-figure-parameter-not-shown = No figure of { $cycle } shows { $name }, and the specification gives no reason.
+figure-program = The program from above

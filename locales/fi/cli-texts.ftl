@@ -70,6 +70,7 @@ cli-texts-note-kind = Tämä on { $kind ->
         [figure] kuvan otsikko
         [table] taulukon otsikko
         [title] esimerkin otsikko
+        [comment] esimerkkiohjelman kommentti
         [term] sanaston termi
         [log] rivi työkierron kirjoittamassa pöytäkirjassa
         [diagnostic] ohjelman huomautus

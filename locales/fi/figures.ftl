@@ -57,3 +57,4 @@ diag-figure-nothing-to-see = Työkierron { $cycle } kuvassa { $figure } parametr
 diag-figure-place-not-reached = Työkierron { $cycle } kuvassa { $figure } parametri { $name } päättyy paikkaan ({ $place }), johon työkalu ei liiku ja jossa työkappaletta ei ole.
 diag-figure-none = Työkierrolla { $cycle } ei ole kuvaa tässä ohjauksessa.
 diag-figure-parameter-not-shown = Mikään työkierron { $cycle } kuva ei näytä parametria { $name }, eikä määrittelyssä ole perustelua.
+figure-program = Ohjelma ylhäältä

@@ -70,6 +70,7 @@ cli-texts-note-kind = Questo testo è { $kind ->
         [figure] il titolo di una figura
         [table] il titolo di una tabella
         [title] il titolo di un esempio
+        [comment] un commento in un programma di esempio
         [term] un termine del glossario
         [log] una riga di un protocollo scritto da un ciclo
         [diagnostic] una segnalazione del programma

@@ -57,3 +57,4 @@ diag-figure-nothing-to-see = La figura { $figure } di { $cycle } mostra { $name 
 diag-figure-place-not-reached = La figura { $figure } di { $cycle } mostra { $name } fino a un punto ({ $place }) che né l'utensile né il pezzo raggiungono.
 diag-figure-none = Il ciclo { $cycle } non ha figure su questo controllo numerico.
 diag-figure-parameter-not-shown = Nessuna figura di { $cycle } mostra { $name } e la specifica non ne indica il motivo.
+figure-program = Il programma dall’alto

@@ -70,6 +70,7 @@ cli-texts-note-kind = Este texto é { $kind ->
         [figure] o título de uma figura
         [table] o título de uma tabela
         [title] o título de um exemplo
+        [comment] um comentário num programa de exemplo
         [term] um termo do glossário
         [log] uma linha de um protocolo que um ciclo escreve
         [diagnostic] uma ocorrência assinalada pelo programa

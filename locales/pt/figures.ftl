@@ -57,3 +57,4 @@ diag-figure-nothing-to-see = A figura { $figure } de { $cycle } mostra { $name }
 diag-figure-place-not-reached = A figura { $figure } de { $cycle } mostra { $name } até um ponto ({ $place }) que nem a ferramenta nem a peça alcançam.
 diag-figure-none = O ciclo { $cycle } não tem figuras neste comando.
 diag-figure-parameter-not-shown = Nenhuma figura de { $cycle } mostra { $name } e a especificação não indica o motivo.
+figure-program = O programa visto de cima

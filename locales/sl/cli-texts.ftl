@@ -74,6 +74,7 @@ cli-texts-note-kind = To je { $kind ->
         [figure] naslov slike
         [table] naslov tabele
         [title] naslov primera
+        [comment] opomba v primeru programa
         [term] izraz iz slovarja
         [log] vrstica protokola, ki ga zapiše cikel
         [diagnostic] ugotovitev programa

@@ -77,3 +77,4 @@ figure-rounding = Notranji zaokroževalni polmer
 figure-between-points = Pot med točkami tipanja
 
 figure-no-contact = Pot brez dotika
+figure-program = Program od zgoraj

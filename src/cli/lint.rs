@@ -15,7 +15,7 @@ use crate::language::locale::{Args, Language, LocaleError, Locales, NO_FILE, Sco
 use crate::output::figure;
 use crate::output::manual;
 use crate::program::syntax;
-use crate::spec::{self, Catalogue, Keyword};
+use crate::spec::{self, Catalogue, Keyword, OnControl};
 use crate::tools::conform::{self, Selection, World};
 
 pub(super) const COMMAND: Command = Command {
@@ -138,7 +138,7 @@ fn texts(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
 }
 
 /// What the messages of the specifications begin with.
-const OF_SPECS: [&str; 12] = [
+const OF_SPECS: [&str; 14] = [
     "cycle-",
     "parameter-",
     "step-",
@@ -151,6 +151,8 @@ const OF_SPECS: [&str; 12] = [
     "title-",
     "message-",
     "figure-",
+    "program-",
+    "comment-",
 ];
 /// Messages that begin like those of the specifications and are not theirs.
 const NOT_OF_SPECS: [&str; 1] = ["cycle-group-"];
@@ -187,6 +189,7 @@ fn printed(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     for on in catalogue.controls.values() {
         let labels = LabelBook::new(on, locales);
         let against = Against { catalogue, on, labels: &labels, language: None, software: None, readers: &[source] };
+        worked(on, &against, &mut found);
         for cycle in on.cycles.values() {
             for example in &cycle.file.nc_examples {
                 let Ok(block) = label::example(on, cycle, source, example) else { continue };
@@ -206,6 +209,19 @@ fn printed(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     found
 }
 
+/// Worked programs that the checker would warn of.
+fn worked(on: &OnControl, against: &Against<'_>, found: &mut Vec<Diagnostic>) {
+    for worked in on.worked.iter() {
+        let program = syntax::parse(&Source::new("program", worked.text().to_owned()));
+        let checked = check::check(&program, against).into_iter().filter(|one| one.severity >= Severity::Warning);
+        found.extend(checked.map(|one| {
+            let place = worked.example.name.place.clone();
+            let diagnostic = Diagnostic::error("spec-example-guarded", place).arg("code", one.code);
+            diagnostic.arg("cycle", worked.key.to_string())
+        }));
+    }
+}
+
 /// Examples for the engine that do not come out as they say.
 fn examples(
     catalogue: &Catalogue,
@@ -217,10 +233,10 @@ fn examples(
     let (report, mut found) = conform::run(&World { catalogue, locales, files }, &chosen);
     for case in &report.cases {
         let mismatches = consequences::causes(case);
-        let cycle = catalogue.on(&case.control).and_then(|on| on.by_name(&case.cycle));
-        let place =
-            cycle.and_then(|cycle| cycle.file.examples.iter().find(|example| example.name.as_str() == case.case));
-        let Some(place) = place.map(|example| example.place.clone()) else { continue };
+        let Some(on) = catalogue.on(&case.control) else { continue };
+        let example =
+            on.by_name(&case.cycle).and_then(|cycle| on.cases_of(cycle).find(|own| own.name.as_str() == case.case));
+        let Some(place) = example.map(|example| example.place.clone()) else { continue };
         for mismatch in mismatches {
             found.push(
                 Diagnostic::error("spec-example-fails", place.clone())

@@ -42,6 +42,7 @@ mod plain_lines;
 mod presets;
 #[cfg(feature = "pdf")]
 mod printed;
+mod programs;
 mod settings;
 #[path = "../support/small.rs"]
 mod small;

@@ -17,7 +17,7 @@ use std::fmt::Write as _;
 
 use crate::base::diag::Diagnostic;
 use crate::language::text::CycleText;
-use crate::spec::{Catalogue, Cycle, Figure as Declared, OnControl, Shape, dimensions};
+use crate::spec::{Catalogue, Cycle, Figure as Declared, OnControl, Shape, Worked, dimensions};
 use crate::tools::conform::World;
 
 use measure::Measured;
@@ -69,8 +69,26 @@ pub enum Medium {
 
 /// Runs and measures all figures of a cycle; also what is wrong with them.
 pub fn prepare<'c>(world: &World<'_>, on: &'c OnControl, cycle: &'c Cycle) -> (Vec<Figure<'c>>, Vec<Diagnostic>) {
+    prepare_all(world, on, cycle, &cycle.file.figures)
+}
+
+/// Runs and measures the pictures of a worked program; also what is wrong with them.
+pub fn prepare_worked<'c>(
+    world: &World<'_>,
+    on: &'c OnControl,
+    worked: &'c Worked,
+) -> (Vec<Figure<'c>>, Vec<Diagnostic>) {
+    on.cycles.get(&worked.key).map_or_else(Default::default, |cycle| prepare_all(world, on, cycle, &worked.figures))
+}
+
+fn prepare_all<'c>(
+    world: &World<'_>,
+    on: &'c OnControl,
+    cycle: &'c Cycle,
+    figures: &'c [Declared],
+) -> (Vec<Figure<'c>>, Vec<Diagnostic>) {
     let (mut ready, mut found) = (Vec::new(), Vec::new());
-    for declared in &cycle.file.figures {
+    for declared in figures {
         let dimensions = dimensions(on, cycle, declared);
         for chosen in choices(cycle, declared) {
             match shot::take(world, on, cycle, declared, &dimensions, chosen) {
@@ -102,6 +120,7 @@ pub fn check(catalogue: &Catalogue, world: &World<'_>, wanted: &dyn Fn(&Cycle) -
     for on in catalogue.controls.values() {
         for cycle in on.cycles.values().filter(|cycle| wanted(cycle)) {
             found.extend(prepare(world, on, cycle).1);
+            found.extend(on.worked_of(cycle.key).flat_map(|worked| prepare_worked(world, on, worked).1));
         }
     }
     crate::base::diag::dedupe(&mut found);

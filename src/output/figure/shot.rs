@@ -205,7 +205,7 @@ pub(super) fn take(
     let wrong = |code: &'static str, place: &Place| {
         Diagnostic::error(code, place.clone()).arg("name", figure.name.as_str()).arg("cycle", cycle.key.to_string())
     };
-    let Some(example) = cycle.file.examples.iter().find(|example| example.name == figure.of) else {
+    let Some(example) = on.cases_of(cycle).find(|example| example.name == figure.of) else {
         return Err(vec![wrong("figure-example-missing", &figure.of.place).arg("example", figure.of.as_str())]);
     };
     // What a cycle makes of the data that another one gives it is in the run of the former.

@@ -15,7 +15,7 @@ use super::escape::escape;
 use super::page::Here;
 use super::section::{GLOSSARY, PARAMETERS, Section};
 use super::site::Site;
-use super::{cycle, in_parallel, lists, lock, notes, topic};
+use super::{cycle, in_parallel, lists, lock, notes, programs, topic};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::Args;
 use crate::spec::Group;
@@ -55,6 +55,7 @@ pub(super) enum Page {
     Keywords,
     Glossary,
     Notes,
+    Programs,
 }
 
 /// A page that was made.
@@ -111,6 +112,7 @@ impl<'a> Site<'a> {
                 Page::Keywords => lists::keywords(self, section)?,
                 Page::Glossary => lists::glossary(self, section)?,
                 Page::Notes => notes::page(self, section)?,
+                Page::Programs => programs::page(self, section)?,
             };
             lock(&made).push((at, Made { page, html }));
             Ok(())
@@ -169,6 +171,9 @@ impl<'a> Site<'a> {
                 pages: Vec::new(),
             })
         };
+        if !section.on.worked.is_empty() {
+            chapters.push(list(Page::Programs, "site-worked-programs")?);
+        }
         chapters.push(list(Page::Notes, "site-general-notes")?);
         chapters.push(list(Page::Parameters, "site-parameters-short")?);
         chapters.push(list(Page::Glossary, "site-glossary")?);
@@ -261,7 +266,12 @@ fn pages(section: &Section) -> Vec<Page> {
         |group: Group| (0..section.entries.len()).filter(move |at| section.entries[*at].cycle.file.group == group);
     let cycles = Group::ALL.iter().flat_map(|group| of_group(*group)).map(Page::Cycle);
     let topics = (0..section.topics.len()).map(Page::Topic);
-    cycles.chain(topics).chain([Page::Notes, Page::Parameters, Page::Glossary, Page::Keywords]).collect()
+    let programs = (!section.on.worked.is_empty()).then_some(Page::Programs);
+    cycles
+        .chain(topics)
+        .chain(programs)
+        .chain([Page::Notes, Page::Parameters, Page::Glossary, Page::Keywords])
+        .collect()
 }
 
 /// The name of its file on the site.
@@ -273,6 +283,7 @@ pub(super) fn file_of<'s>(section: &'s Section, page: Page) -> &'s str {
         Page::Keywords => lists::KEYWORDS,
         Page::Glossary => GLOSSARY,
         Page::Notes => notes::PAGE,
+        Page::Programs => programs::PAGE,
     }
 }
 

@@ -9,7 +9,7 @@ use super::view::{
     CheckView, ChoiceView, CycleView, ExampleView, FigureView, FiguresView, Html, LinkView, ParameterTable,
     ParameterView, ResultView, RunView, StepView, TableView,
 };
-use super::{Site, highlight, inline, page};
+use super::{Site, highlight, inline, page, programs};
 use crate::base::diag::Diagnostic;
 use crate::language::label;
 use crate::language::locale::Args;
@@ -26,6 +26,7 @@ pub(super) fn page<'a>(site: &Site<'a>, section: &Section<'a>, at: usize) -> Res
     let maker = Maker { text: &text, section, site, linker: &linker };
     let (mut view, mut faults) = maker.cycle(&entry.name, group);
     view.comparison = site.comparison(section, entry.cycle.key);
+    view.programs = programs::of_cycle(site, section, entry.cycle.key)?;
     let key = entry.cycle.key.to_string();
     let args = Args::new().text("name", entry.name.as_str()).text("key", key.as_str());
     let title = section.text("page-title", &args.text("control", section.on.control.title.as_str()))?.into_owned();
@@ -81,6 +82,7 @@ impl Maker<'_, '_, '_> {
             results: self.results(),
             tables: self.tables(),
             examples,
+            programs: Vec::new(),
             see: cycle.file.see.iter().filter_map(|see| self.see(see)).collect(),
             comparison: None,
         };

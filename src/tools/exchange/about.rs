@@ -162,7 +162,7 @@ impl<'c> About<'c> {
 }
 
 /// Kinds of messages by what their identifiers begin with; the first that fits counts.
-const KINDS: [(&str, &str); 28] = [
+const KINDS: [(&str, &str); 30] = [
     ("-", "inserted"),
     ("topics/", "topic"),
     ("cycle-group-", "group"),
@@ -181,6 +181,8 @@ const KINDS: [(&str, &str); 28] = [
     ("figure-", "figure"),
     ("table-", "table"),
     ("title-", "title"),
+    ("program-", "title"),
+    ("comment-", "comment"),
     ("term-", "term"),
     ("log-", "log"),
     ("diag-", "diagnostic"),

@@ -155,7 +155,7 @@ const fn kind(page: Page) -> (usize, bool) {
     match page {
         Page::Cycle(_) | Page::Topic(_) => (2, false),
         Page::Parameters | Page::Keywords => (1, true),
-        Page::Glossary | Page::Notes => (1, false),
+        Page::Glossary | Page::Notes | Page::Programs => (1, false),
     }
 }
 
