@@ -187,8 +187,10 @@ impl Figure<'_> {
         let shown: Vec<String> =
             params.iter().flatten().map(|param| format!("{}: {}", param.shown, param.name)).collect();
         let [w, h] = [drawn.size.x, drawn.size.y].map(short);
+        // Screen readers do not look into an image; links they must find.
+        let role = if words.links.iter().any(Option::is_some) { "group" } else { "img" };
         let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ciklo-figure\" role=\"img\" viewBox=\"0 0 {w} {h}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ciklo-figure\" role=\"{role}\" viewBox=\"0 0 {w} {h}\" \
              width=\"{w}\" height=\"{h}\">\n<title>{}</title>\n<desc>{}</desc>\n",
             escaped(&title),
             escaped(&shown.join("; ")),
