@@ -1,27 +1,33 @@
 //! Prints how many blocks, cycle calls and probing cycles the engine executes in a second, how many moves take material
 //! from a stock, how long the paths of strategies take by themselves, and what memory a run of many moves takes:
 //! `cargo bench --bench engine`, or one part of it: `cargo bench --bench engine -- stock` (`memory`, `strategy`,
-//! `blocks`, `process`).
+//! `contour`, `turning`, `blocks`, `process`, `kinematics`, `surface`). A region of 10,000 elements with 50 islands is to be cleared in less than 2 s, in a time
+//! that grows no faster than n log n, and a contour of the manual's size (`22 rough-out`) in less than 5 ms a call.
 //!
 //! Where LinuxCNC's `rs274` is installed (Debian package `linuxcnc-uspace`), the same work as RS274 text runs beside it.
 //! A move of the stock is one of 0.25 to 1 mm, as programs of such parts have them; a longer way is told by the steps of
 //! 0.25 mm that it stands for as well. Nothing is judged here.
 use std::hint::black_box;
 use std::process::{Command, Stdio};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 use std::{env, fs};
 
 use ciklo::base::data;
 use ciklo::base::diag::Source;
+use ciklo::base::expr::{cosd, sind};
 use ciklo::engine::geometry::{Axis, Frame};
+use ciklo::engine::region::contours::{Closed, Contour};
+use ciklo::engine::region::{Edge, Way};
 use ciklo::engine::run::{Engine, EventKind, NoTexts};
 use ciklo::engine::scene::Scene;
-use ciklo::engine::solid::{Path, Shape};
+use ciklo::engine::solid::{Body, Mesh, Path, Shape};
 use ciklo::engine::stock::{Batch, Cutter, Machining, Stock, Tip};
+use ciklo::engine::strategy::contour::{Clearing, Contours};
 use ciklo::engine::strategy::{self, Milling, pocket, thread};
 use ciklo::program::syntax::parse;
 use ciklo::spec::{Catalogue, OnControl};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 const ROUNDS: u32 = 3;
 const PROCESS_ROUNDS: u32 = 7;
@@ -30,6 +36,17 @@ const CALLS: usize = 20_000;
 /// Calls of a program that is executed by a process of its own.
 const PROCESS_CALLS: usize = 50_000;
 const PROBINGS: usize = 1_000;
+const ROUGHINGS: usize = 100;
+
+/// A contour of the size of the manual's examples: two pockets that overlap, with an island in each (TNC 640 manual,
+/// lines 4897-5044).
+const ROUGHING: &str = "CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL 1 /2 /3 /4\n\
+    CYCL DEF 20 CONTOUR DATA Q1=-20 Q2=1 Q3=+0.5 Q4=+0.5 Q5=+0 Q6=2 Q7=+100 Q8=0.1 Q9=-1\n\
+    CYCL DEF 22 ROUGH-OUT Q10=5 Q11=100 Q12=350 Q18=0 Q19=0 Q208=9999\n";
+const PARTIAL: &str = "L Z+100 R0 FMAX M2\nLBL 1\nCC X+35 Y+50\nL X+10 Y+50 RR\nC X+10 DR-\nLBL 0\n\
+    LBL 2\nCC X+65 Y+50\nL X+90 Y+50 RR\nC X+90 DR-\nLBL 0\n\
+    LBL 3\nL X+27 Y+50 RL\nL Y+58\nL X+43\nL Y+42\nL X+27\nL Y+50\nLBL 0\n\
+    LBL 4\nL X+65 Y+42 RL\nL X+57\nL X+65 Y+58\nL X+73 Y+42\nL X+65\nLBL 0\n";
 
 const SCENE: &str = "scene: 1\nmachine: mill-3-axis\ntools: [{T: 1, L: 80, R: 5}, {T: 2, L: 100, R: 2, TP_NO: 1}]\n\
     probe: {NO: 1, ball_radius: 2}\nstart: [0, 0, 50]\nparts:\n  - solid:\n      difference:\n        \
@@ -75,6 +92,12 @@ fn works(calls: usize) -> Vec<Work> {
             name: "four-point probing cycles",
             count: PROBINGS,
             klartext: frame(2, &PROBING.repeat(PROBINGS)),
+            rs274: None,
+        },
+        Work {
+            name: "22 rough-out",
+            count: ROUGHINGS,
+            klartext: frame(1, &format!("{ROUGHING}{}{PARTIAL}", "CYCL CALL\n".repeat(ROUGHINGS))),
             rs274: None,
         },
     ]
@@ -143,6 +166,76 @@ fn processes() {
             }
             None => println!("rs274    is not installed (Debian package linuxcnc-uspace)"),
         }
+    }
+}
+
+/// A tilting and a rotary table whose places are optimized from eight positions of each, as a process of its own.
+fn kinematics() {
+    const SCENE: &str = "scene: 1\nmachine: mill-table-ac\nkinematics:\n  errors: [{axis: A, centre: [0, 0.03, -0.02]}, {axis: C, centre: [0.02, -0.03, 0]}]\n\
+        tools: [{T: 1, L: 100, R: 2, TP_NO: 1}]\nprobe: {NO: 1, ball_radius: 2, SET_UP: 5, F: 300, FMAX: 3000, DIST: 20}\n\
+        presets: {active: 1, rows: [{NO: 1, X: 100, Y: 20, Z: -50}]}\nparts: [{solid: {sphere: {radius: 12.5}}}]\nstart: [0, 0, 60]\n";
+    const PROGRAM: &str = "BEGIN PGM BENCH MM\nTOOL CALL 1 Z\nTCH PROBE 451\nQ406=1\nQ407=12.5\nQ320=0\nQ408=0\nQ253=2000\nQ380=0\n\
+        Q411=-80\nQ412=70\nQ413=0\nQ414=8\nQ415=0\nQ416=0\nQ417=0\nQ418=0\nQ419=-170\nQ420=160\nQ421=0\nQ422=8\nQ423=4\nQ431=0\nQ432=0\n\
+        END PGM BENCH MM\n";
+    let Ok(folder) = tempfile::tempdir() else { return };
+    if [("k.h", PROGRAM), ("k.yaml", SCENE)]
+        .iter()
+        .any(|(name, text)| fs::write(folder.path().join(name), text).is_err())
+    {
+        return println!("kinematics: a temporary file could not be written");
+    }
+    let mut best = Duration::MAX;
+    for _ in 0..PROCESS_ROUNDS {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_ciklo"));
+        command.args(["run", "k.h", "--control", "tnc640", "--scene", "k.yaml"]).current_dir(folder.path());
+        let start = Instant::now();
+        let ended = command.stdout(Stdio::null()).stderr(Stdio::null()).status();
+        if !ended.is_ok_and(|status| status.success()) {
+            return println!("kinematics: the program did not end well");
+        }
+        best = best.min(start.elapsed());
+    }
+    println!("optimizing two rotary axes at 2 x 8 positions, whole process {:>7.1} ms", best.as_secs_f64() * 1e3);
+}
+
+/// Contacts of a ball of 6 mm with a wave of triangles: down on it, and along it where nothing is touched.
+fn surface() {
+    for cells in [22_usize, 71, 224, 707] {
+        let at = |k: usize| k as f64 * PART / cells as f64;
+        let height = |x: f64, y: f64| 5.0 * libm::sin(x / 9.0) * libm::cos(y / 7.0);
+        let corner = |i: usize, j: usize| DVec3::new(at(i), at(j), height(at(i), at(j)));
+        let triangles: Vec<[DVec3; 3]> = (0..cells * cells)
+            .flat_map(|k| {
+                let (i, j) = (k % cells, k / cells);
+                let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+                [[a, b, c], [a, c, d]]
+            })
+            .collect();
+        let start = Instant::now();
+        let Some(mesh) = Mesh::new(&triangles) else { return };
+        let Ok(body) = Body::new(&Shape::Mesh(Arc::new(mesh))) else { return };
+        let made = start.elapsed();
+        let place = |n: usize| DVec3::new(5.0 + (n * 37 % 90) as f64, 5.0 + (n * 53 % 90) as f64, 0.0);
+        let down = best(|| {
+            for n in 0..PROBINGS {
+                let over = place(n) + DVec3::Z * 40.0;
+                let _ = black_box(body.first_contact(3.0, over, over - DVec3::Z * 60.0));
+            }
+        });
+        let across = best(|| {
+            for n in 0..PROBINGS {
+                let at = place(n) + DVec3::Z * 8.5;
+                let _ = black_box(body.first_contact(3.0, at, at + DVec3::new(60.0, 20.0, 0.0)));
+            }
+        });
+        let each = |time: Duration| time.as_secs_f64() * 1e6 / PROBINGS as f64;
+        println!(
+            "surface of {:>9} triangles: made in {:>7.1} ms, a contact {:>7.1} us, a free way of 63 mm {:>7.1} us",
+            triangles.len(),
+            made.as_secs_f64() * 1e3,
+            each(down),
+            each(across)
+        );
     }
 }
 
@@ -239,6 +332,68 @@ fn streaming() {
     if let Some(diagnostic) = outcome.diagnostic {
         println!("ended with {} {:?}", diagnostic.code, diagnostic.args);
     }
+}
+
+/// Calls of a cycle that turns a shoulder in so many passes, and what its body costs beside them.
+fn turning() {
+    const SHOULDERS: usize = 1000;
+    const PASSES: usize = 20;
+    const BODIES: u32 = 500;
+    let head = "BEGIN PGM BENCH MM\nTOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\n\
+        L X+124 Z+2 R0 FMAX M303\nCYCL DEF 812 SHOULDER\nQ215=+1\nQ460=+2\nQ491=+120\nQ492=+0\nQ493=+80\nQ494=-60\n\
+        Q495=+0\nQ501=+1\nQ502=+0.5\nQ500=+1\nQ496=+0\nQ503=+1\nQ504=+0.5\nQ463=+1.1\nQ478=+300\nQ483=+0.4\nQ484=+0.2\n\
+        Q505=+100\nQ506=+0\n";
+    let scene = "scene: 1\ntools: [{T: 1, L: 80, R: 0, RS: 0.8, T-ANGLE: 95, P-ANGLE: 80}]\nstart: [62, 0, 2]\n\
+        stock: {cylinder: {diameter: 120, from: -100, to: 0}}\n";
+    let files = data::embedded();
+    let (catalogue, _) = Catalogue::load(&files);
+    let Some(on) = catalogue.on("tnc640") else { return };
+    let Ok(scene) = Scene::parse(&Source::new("bench.scene.yaml", scene), &files) else { return };
+    let program = |calls: usize| {
+        parse(&Source::new("bench.h", format!("{head}{}END PGM BENCH MM\n", "CYCL CALL\n".repeat(calls))))
+    };
+    let (many, once) = (program(SHOULDERS), program(1));
+    let is_move = |kind: &EventKind| matches!(kind, EventKind::Move { .. });
+    let (mut moves, mut work) = (0_usize, f64::INFINITY);
+    let time = best(|| {
+        moves = 0;
+        let before = spent();
+        let outcome = Engine::new(&many, on, &scene, &NoTexts).with_catalogue(&catalogue).observe(&mut |event| {
+            moves += usize::from(is_move(&event.kind));
+            black_box(event);
+        });
+        work = work.min(spent() - before);
+        if let Some(diagnostic) = outcome.diagnostic {
+            println!("turning: ended with {} {:?}", diagnostic.code, diagnostic.args);
+        }
+    });
+    let count = moves as f64;
+    println!(
+        "{SHOULDERS} shoulders: {moves} moves, {:.0}/s, {:.0} in a second of one processor",
+        count / time.as_secs_f64(),
+        count / work.max(0.01)
+    );
+    let (mut events, mut passes) = (Vec::new(), 0_u32);
+    Engine::new(&once, on, &scene, &NoTexts).with_catalogue(&catalogue).observe(&mut |event| {
+        let step = event.at.cycle.as_ref().and_then(|(_, step)| step.as_deref());
+        passes += u32::from(is_move(&event.kind) && step == Some("cut-longitudinally"));
+        events.push(event.clone());
+    });
+    let (mut least, mut work) = (Duration::MAX, 0.0);
+    for _ in 0..BODIES {
+        let Ok(mut machining) = Machining::new(&once, &scene, Some(20.0)) else { return };
+        let (start, before) = (Instant::now(), spent());
+        events.iter().for_each(|event| machining.see(event));
+        least = least.min(start.elapsed());
+        work += spent() - before;
+        black_box(machining.finish());
+    }
+    let per_pass = |seconds: f64| seconds * 1e6 / f64::from(passes.max(1));
+    println!(
+        "body of a shoulder of {passes} passes (about {PASSES}): {:.1} us a pass at best, {:.1} us of one processor on average",
+        per_pass(least.as_secs_f64()),
+        per_pass(work / f64::from(BODIES))
+    );
 }
 
 /// Full helices side by side.
@@ -353,6 +508,47 @@ fn drawing() {
     timed(&thread, tool);
 }
 
+/// A region of so many elements: half of them of a pocket, the others of 50 islands.
+fn region(elements: usize) -> Vec<Closed> {
+    const ISLANDS: usize = 50;
+    let wavy = |centre: DVec2, radius: f64, count: usize, side: i8| {
+        let corner = |n: usize| {
+            let turn = (n % count) as f64 * 360.0 / count as f64;
+            let radius = radius * (1.0 + 0.05 * sind(turn * 11.0));
+            centre + DVec2::new(cosd(turn), sind(turn)) * radius
+        };
+        let edges = (1..=count).map(|n| Edge::Line(corner(n))).collect();
+        Contour { way: Way { start: corner(0), edges }, side }
+    };
+    let pocket = wavy(DVec2::ZERO, 400.0, elements / 2, 1);
+    let places = (0..8).flat_map(|x| (0..8).map(move |y| DVec2::new(f64::from(x) - 3.5, f64::from(y) - 3.5) * 70.0));
+    let inside = places.filter(|at| at.length() < 330.0).take(ISLANDS);
+    let islands = inside.map(|at| wavy(at, 15.0, elements / 2 / ISLANDS, -1));
+    std::iter::once(pocket).chain(islands).filter_map(|contour| contour.closed().ok()).collect()
+}
+
+/// Large regions cleared, and how the time grows.
+fn clearing() {
+    let way = Clearing { stepover: 10.0, allowance: 0.5, rounding: 0.0, climb: 1.0, coarse: None, floors: false };
+    let mut first = None;
+    for elements in [2_500, 5_000, 10_000] {
+        let closed = region(elements);
+        let mut edges = 0;
+        let time = best(|| {
+            let contours = Contours::new(closed.clone(), DVec2::ZERO, 10.0);
+            edges = contours.paths(&way, 10.0).map_or(0, |parts| parts.iter().map(|part| part.path.edges.len()).sum());
+        });
+        let ideal = elements as f64 * libm::log(elements as f64);
+        let growth = time.as_secs_f64() / ideal;
+        println!(
+            "{elements:>6} elements, {} islands: {:>8.1} ms, {edges} edges; over n log n {:.2} times the first one",
+            closed.len() - 1,
+            time.as_secs_f64() * 1e3,
+            growth / *first.get_or_insert(growth)
+        );
+    }
+}
+
 fn main() {
     let chosen: Vec<String> = env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
     let wants = |part: &str| chosen.is_empty() || chosen.iter().any(|name| name == part);
@@ -366,8 +562,20 @@ fn main() {
     if wants("strategy") {
         drawing();
     }
+    if wants("contour") {
+        clearing();
+    }
+    if wants("turning") {
+        turning();
+    }
     if wants("process") {
         processes();
+    }
+    if wants("kinematics") {
+        kinematics();
+    }
+    if wants("surface") {
+        surface();
     }
     if !wants("blocks") {
         return;

@@ -1,7 +1,7 @@
 # The command “texts”.
 cli-texts = Show how far the translations are, accept them, and exchange them with translators
 cli-texts-action = What is to be done: status shows what is open, accept records translations as matching their English texts, export writes a file for translators, import takes one back
-cli-texts-input = import: the file of the translator, XLIFF or PO
+cli-texts-input = import: the files of translators, XLIFF or PO, or terms as TBX or CSV; several are taken over together
 cli-texts-lang = Only this language; may be repeated
 cli-texts-file = status: only this file of the language, such as drilling.ftl; may be repeated
 cli-texts-text = accept: the text with this key, or all whose keys begin like KEY if it ends in *; may be repeated
@@ -68,8 +68,10 @@ cli-texts-note-kind = This is { $kind ->
         [guard] why a control refuses a cycle
         [message] a message of the control to the operator
         [figure] the title of a figure
+        [form] the name of a form of the block of a cycle
         [table] the title of a table
         [title] the title of an example
+        [comment] a comment in a worked program
         [term] a term of the glossary
         [log] a line of a log that a cycle writes
         [diagnostic] a finding of the program

@@ -35,7 +35,7 @@ cli-translate-to = Language of the names and labels
 cli-translate-control = Control of the program (default: detected from its cycles)
 cli-translate-out = File to write (default: standard output)
 cli-run = Execute a program in a scene
-cli-run-tool-table = Tool table to use instead of the one in the scene
+cli-run-tool-table = Table of tools or turning tools (.trn) to use instead of the one in the scene; may be given for each
 cli-run-out = Directory for the tables and logs that the program writes
 cli-run-events = Print each event as a line of JSON
 cli-run-stock = File for the finished part (STL), with a report on the machining
@@ -169,7 +169,9 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [spindle-stopped] The spindle is not turning while the tool moves through { $amount } mm of material.
         [edges-too-short] Material is cut up to { $amount } mm above the tool tip, beyond the length of the cutting edges.
         [turns-together] Rotary axes turn while the tool moves: the material removed is not known.
-        [turned] The workpiece is turned: what tool { $amount } removes from it is not followed.
+        [turned] The workpiece is turned, but it is not a body of revolution about the turning axis, or it was milled before: what tool { $amount } removes from it is not followed.
+        [insert-unknown] No cycle says how the insert of tool { $amount } meets the workpiece: the material removed is not known.
+        [thread-turned] Tool { $amount } turns a thread, which is not part of the body that is followed.
        *[no-radius] Tool { $amount } has no radius: the material removed is not known.
     }
 cli-stock-more = { $count ->

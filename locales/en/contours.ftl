@@ -63,6 +63,7 @@ cycle-rough-out = Rough-out
     .nc = ROUGH-OUT
     .purpose = Clears the contour down to the floor allowance, level by level, or machines only what a coarser tool has left.
 step-position-over-infeed-point = The control positions the tool over the infeed point, considering the finishing allowance for side.
+step-take-depths-of-partial-contours = The control machines a partial contour with a depth of its own down to that depth, all others down to the milling depth of the contour data.
 step-go-to-infeed-point = The tool moves at rapid traverse over the infeed point and down to the set-up clearance above what has been machined.
 step-plunge-to-contour-level = The tool moves to the next plunging depth, { $q-contour-plunging-depth } deeper:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: vertically at the feed rate { $q-contour-plunging-feed }, even if a plunging angle { $mp-plunging-angle } is defined for the active tool
@@ -71,6 +72,7 @@ say-plunge-on-helix-or-in-strokes = otherwise on a helix at the plunging angle {
 step-rough-contour-level = At this depth the tool mills the contour from the inside out at the feed rate { $q-roughing-feed }. Around islands it mills on paths that come closer to the contour of the pocket:
 say-rough-what-coarser-tool-left = if a coarse roughing tool { $q-coarse-roughing-tool } is entered, only what that tool could not machine
 say-rough-whole-region = otherwise the whole area
+message-contour-material-left = The tool does not reach all of the contour: it leaves material in corners or narrow places.
 note-centre-cutting-or-pilot-drilling = If necessary, use a centre-cutting end mill (DIN 844) or pre-drill with cycle 21.
 note-rough-out-plunging = How the tool plunges is determined by the parameter { $q-reciprocation-feed } and by the columns { $mp-plunging-angle } and { $mp-cutting-edge-length } of the tool table. With { $q-reciprocation-feed } = 0 it always plunges vertically. With { $mp-plunging-angle } = 90° it plunges vertically at the feed rate { $q-reciprocation-feed }. With a reciprocation feed rate and { $mp-plunging-angle } from 0.1 to 89.999 it plunges on a helix at that angle. With a reciprocation feed rate and no { $mp-plunging-angle } in the tool table the control reports an error. If there is no room for a helix (as in a slot), the control tries to plunge in strokes; their length is { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = With an overlap factor greater than 1, material may remain in pocket contours with sharp inside corners. Check the innermost path in the test graphics and change the overlap factor slightly if necessary. The cuts are then distributed differently, which often gives the wanted result.

@@ -1,6 +1,8 @@
 # Texts that do not agree with each other; see src/language/consistency.
+diag-consistency-negation = The text { $key } in the language { $language } denies nothing, unlike the same text in the languages { $others }.
 diag-consistency-number = The text { $key } in the language { $language } states other numbers than the languages { $others }: { $found } instead of { $expected }.
 diag-consistency-unit = The text { $key } in the language { $language } states other units than the languages { $others }: { $found } instead of { $expected }.
+diag-consistency-variant = The text { $key } in the language { $language } also serves for { $variant }, where English has a variant with other facts: { $expected } instead of { $found }. A variant is missing.
 diag-consistency-code = The text { $key } in the language { $language } names other parameters, functions or columns than the languages { $others }: { $found } instead of { $expected }.
 diag-consistency-argument = The text { $key } in the language { $language } uses other arguments than the languages { $others }: { $found } instead of { $expected }.
 diag-consistency-label-twice = In the language { $language } the parameters "{ $parameter }" and "{ $other }" of a cycle have the same label { $label }.

@@ -2,6 +2,7 @@
 
 diag-angle-missing = The circle needs its angle PA.
 diag-axis-limit = { $axis } would go to { NUMBER($found) } { $unit }, beyond the limits { NUMBER($min) } to { NUMBER($max) } { $unit } of the machine.
+diag-blank-form-update = Blank form update with TURNDATA BLANK cannot be simulated: the manual does not say how cycles change with the blank.
 diag-block-limit = The run was ended: more than { NUMBER($limit) } blocks have been executed.
 diag-block-unreadable = The block cannot be read: { $found }
 diag-call-depth-limit = Calls are nested deeper than { NUMBER($limit) } levels.
@@ -16,6 +17,7 @@ diag-direction-contradicts = The sign of the incremental angle contradicts the d
 diag-direction-missing = The circle needs its direction of rotation DR.
 diag-direction-undefined = The two points are only { NUMBER($distance) } mm apart: they do not determine a direction.
 diag-division-by-zero = Division by zero.
+diag-elements-overlap = The elements at two corners of the contour overlap: together they take { NUMBER($least) } mm of the side between them, which is { NUMBER($found) } mm long.
 diag-end-off-circle = The end point is not on the circle: radius { NUMBER($start_radius, maximumFractionDigits: 4) } mm at the start, { NUMBER($end_radius, maximumFractionDigits: 4) } mm at the end.
 diag-feed-missing = No feed rate greater than 0 is active.
 diag-field-missing = The field { $field } of { $cycle } is missing.
@@ -24,6 +26,7 @@ diag-fit-collinear = The { NUMBER($points) } touch points are on a straight line
 diag-fit-failed = No circle fits the { NUMBER($points) } touch points.
 diag-fit-too-few = { NUMBER($points) } touch points are too few for a circle.
 diag-infeeds-never-reach-depth = The infeeds never reach the depth of { NUMBER($depth) } mm: the first is { NUMBER($first) } mm, each one is { NUMBER($less) } mm smaller, the minimum is { NUMBER($least) } mm; they end at { NUMBER($reached) } mm.
+diag-insert-direction = The insert of tool { $tool } does not point to the part, or not in the direction of the cuts: its orientation (TO) is { $orientation }.
 diag-jump-limit = The run was ended: more than { NUMBER($limit) } jumps, repeats and calls have been executed.
 diag-jump-target-missing = There is no label { $label }.
 diag-jump-target-twice = The label { $label } is set twice in the program.
@@ -36,6 +39,7 @@ diag-move-limit = The run was ended: more than { NUMBER($limit) } tool movements
 diag-no-cycle-to-call = A cycle is called, but no machining cycle has been defined.
 diag-no-such-parameter = There is no parameter { $q }.
 diag-number-too-large = The result is too large for the number format.
+diag-orientation-missing = Radius compensation in turning needs the orientation (TO) of tool { $tool }: it says where its tip is from the centre of the nose.
 diag-outside-domain = { $function } is not defined for { NUMBER($value) }.
 diag-parameter-missing = { $q } is missing in { $cycle }.
 diag-parameter-out-of-range = { $q } does not accept the value { NUMBER($value) }.
@@ -80,6 +84,7 @@ diag-text-too-long = A string parameter would exceed { NUMBER($limit) } characte
 diag-tool-locked = Tool { $tool } is locked.
 diag-tool-not-in-table = Tool { $tool } is not in the tool table.
 diag-turn-limit = The run was ended: one movement has more than { NUMBER($limit) } turns.
+diag-undercut-impossible = There is no room for the undercut, or it is not between a surface along the rotary axis and a face at right angles to it.
 diag-unsupported-axis = The simulated machine has no axis { $axis }.
 diag-unsupported-block = { $word } cannot be simulated.
 diag-unsupported-cycle = The manual of { $control } only mentions { $cycle } by name: it cannot be simulated.
@@ -94,8 +99,15 @@ diag-word-not-offered = The word { $word } is not permitted here.
 diag-contour-crossing = The contour of label { $label } crosses or touches itself at main { NUMBER($x) } mm, minor { NUMBER($y) } mm.
 diag-contour-begin-incomplete = The contour of label { $label } does not begin with both coordinates X and Y.
 diag-contour-data-undefined = No cycle has defined the data of the contour yet.
+diag-contour-count = A contour consists of more than { NUMBER($limit) } partial contours.
+diag-contour-depth =
+    { $what ->
+        [first] A partial contour is deeper than the first one of CONTOUR DEF, which must be the deepest pocket.
+       *[cycle] A partial contour has a depth of { NUMBER($depth) } mm; that is deeper than the milling depth of the contour data.
+    }
 diag-contour-elements = The contours have more than { NUMBER($limit) } elements together.
 diag-contour-empty = The subprogram of label { $label } describes no contour that encloses an area.
+diag-contour-lead = A contour that a cycle machines cannot contain { $word }: the cycle approaches and leaves it by itself.
 diag-contour-not-defined = No cycle has named the subprograms of the contour yet.
 diag-contour-open = The contour of label { $label } is open: it ends { NUMBER($distance) } mm away from its starting point.
 diag-contour-side-missing = The contour of label { $label } has no radius compensation RL or RR, which says whether it is a pocket or an island.

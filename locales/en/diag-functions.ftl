@@ -1,6 +1,8 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = The program ends itself with the error { $number } (FN 14).
 explain-error-of-program = FN 14: ERROR ends the program with an error of its own; the number chooses the message that the control shows. Programs use it where they cannot go on, for example after a jump over values that they can work with. Example: “FN 14: ERROR = 1010”. Remedy: look at the condition before the block and give the parameters values that the program can work with.
+diag-tool-setter-collision = Collision: the tool meets the tool setter on a movement from X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
+explain-tool-setter-collision = The tool meets the tool setter of the scene on a movement that does not measure: the tool as it really is, with its longest and widest edge. On the machine both could break. Often the clearance height is too low, or length and radius in the tool table are too far from the truth for the safety distance of the tool setter. Enter approximate values before a first measurement, or go round the tool setter.
 diag-tool-setter-missing = The scene has no tool setter.
 explain-tool-setter-missing = A cycle of the tool setter needs one in the scene: where its face is and how wide. Example: “tool_setter:” with “at: [300, 200, -50]” and “diameter: 40”. Remedy: add it to the scene; docs/scene.md describes its keys.
 
@@ -19,3 +21,11 @@ diag-measuring-position-at-zero = A measuring position of the { $axis } axis is 
 explain-measuring-position-at-zero = The reference measurement is made at 0°, so a measuring position there tells nothing, and the iTNC 530 refuses it. Example: −90 to +90 with 3 points. Remedy: another number of points, or other angles.
 diag-hirth-without-retraction = The { $axis } axis has Hirth teeth and needs a retraction height.
 explain-hirth-without-retraction = An axis with Hirth teeth leaves its grid to be positioned, so it cannot be measured without retraction. Example: a retraction height of 0 with “hirth: 3” in the machine. Remedy: enter a height above the sphere.
+diag-mask-missing = There is no mask { $name }.
+explain-mask-missing = FN 16 writes by a mask, a text file that stands beside the program or under "masks" in the scene, and this one is in neither place. Drives and folders in the name do not matter. Example: “FN 16: F-PRINT TNC:\MASK.A / TNC:\LOG.TXT” without a file MASK.A. Add the mask or correct its name.
+diag-mask-unreadable = { $file }, line { $line }: the mask cannot be read: { $found }
+explain-mask-unreadable = A mask consists of texts in quotation marks with a place for each value that follows them, and of keywords; each ends with a semicolon. Example: “"X = %9.3LF", Q31;”. Frequent causes are a missing semicolon, more places than values, or a keyword that cannot be simulated. Correct the line.
+diag-output-path = The path { $path } leads out of the folder of the results.
+explain-output-path = What FN 16 writes goes into the folder that is given with --out, under the name of its file, whatever the folder on the control. A path that leads upwards, or to the drive or root folder of another system, could overwrite other files and is refused. Example: “TNC:\LOG\..\PART.TXT”. Use a path on TNC: without “..”.
+diag-open-table-missing = No table is open.
+explain-open-table-missing = FN 27 and FN 28 write and read the table that FN 26: TABOPEN has opened, and none has been opened before this block. Example: “FN 28: TABREAD Q10 = 6/"X,Y"” at the beginning of a program. Open the table first: “FN 26: TABOPEN TNC:\TAB1.TAB”.

@@ -55,6 +55,7 @@ diag-locale-function-failed =
 diag-locale-too-long = The text “{ $key }” ({ $language }) has too many placeables.
 diag-locale-lock-line = A line of this file is an identifier and eight hexadecimal digits.
 diag-locale-missing-translation = “{ $key }” is not translated into “{ $language }”.
+diag-locale-unfinished = { $count } texts are missing in the language “{ $language }”. “ciklo texts status --lang { $language }” counts them by file and names the next ones.
 diag-locale-orphan = “{ $key }” ({ $language }) is left over: there is no longer an English text.
 diag-locale-stale =
     { $change ->

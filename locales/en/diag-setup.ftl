@@ -52,6 +52,7 @@ diag-tool-table-contradicts =
         [speed] The spindle speed { $value } exceeds { $other }, the maximum speed of tool { $tool } in the tool table (NMAX).
         [locked] Tool { $tool } is locked in the tool table (TL), and no replacement tool is named (RT).
         [point] { $value } centres to a diameter here, and tool { $tool } has no point angle in the tool table (T-ANGLE).
+        [turning] { $value } is not meant for tool { $tool }, which is of type { $other } in the table of turning tools (TYPE).
        *[type] { $value } is not meant for tool { $tool }, which is of type { $other } in the tool table (TYP).
     }
 diag-translate-encoding = The file is written in { $encoding }: it has the same bytes there, and all letters of the new labels.

@@ -24,6 +24,8 @@ diag-spec-expected = Expected { $expected ->
         [one-verb] exactly one verb
         [one-series] exactly one series
         [cell] file, row, column and value
+        [column] at and is
+        [pair] two numbers
         [end-word] done, stopped, error, limit or unsupported
        *[other] { $expected }
     }, found { $found }.

@@ -8,6 +8,7 @@ diag-texts-file-unreadable = The file cannot be read: { $reason ->
         [entity] there is an unknown entity
         [encoding] the encoding is not UTF-8
         [depth] the elements are nested too deeply
+        [columns] the table lacks the columns concept and language
         [xliff] this is neither XLIFF 1.2 nor XLIFF 2.0
        *[form] the form is wrong from here on
     }.
@@ -16,6 +17,7 @@ diag-texts-unit-twice = The unit “{ $key }” is in the file several times.
 diag-texts-unit-source-changed = The source of the unit “{ $key }” is not that of today: export the text again.
 diag-texts-unit-not-read = The unit “{ $key }” has no translation, or one with elements that are not known here.
 diag-texts-unit-codes = The codes of the unit “{ $key }” do not match: missing { $missing }, not allowed { $foreign }.
+diag-texts-unit-exchanged = In the unit “{ $key }” codes have changed places among the same words.
 diag-texts-unit-incomplete = The unit “{ $key }” is one of several variants of a new text; the others are missing or refused.
 diag-texts-unit-refused = The unit “{ $key }” is refused ({ $code }): { $finding }
 diag-texts-unit-markup = The translation of the unit “{ $key }” would change the form of the page: its marks or the blocks around it.

@@ -14,7 +14,9 @@ diag-scene-expected =
         [unit] The unit must be mm or inch, not "{ $found }".
         [clock] Expected a date and a time such as 2015-07-03T14:05:00, found "{ $found }".
         [datum-file] The name of a datum table must end in .D.
+        [table-file] The name of a freely definable table must end in .TAB.
         [rotary-axis] Expected the letter of a rotary axis (A, B or C), found "{ $found }".
+        [parallel-axis] Expected the letter of a parallel axis (U, V or W), found "{ $found }".
         [carried] A rotary axis carries the workpiece or the tool, not "{ $found }".
         [orientation] The orientation must be fixed, two or any, not "{ $found }".
         [shaft] The shaft must be thinner than the ball; its diameter is { $found }.
@@ -32,11 +34,23 @@ diag-scene-one-solid = Exactly one solid is expected here: { $known }.
 diag-scene-unknown-machine = There is no machine named { $name }; the machines are { $known }.
 diag-scene-no-axis = The machine has no axis { $axis }.
 diag-scene-start-outside = The start position is outside the traverse range of axis { $axis }: { $found } { $unit } is not between { $min } and { $max } { $unit }.
+diag-scene-stl = { $file }: { $kind ->
+        [nowhere] A scene inside of another file cannot name STL files.
+        [large] All STL files of a scene together may have { $most } MB.
+        [number] In triangle { $triangle } a coordinate is not a number, or greater than 1000000.
+        [length] The file does not have the length that its { $triangle } triangles need.
+       *[empty] There is no triangle with an area.
+    }
+diag-scene-stl-word = Expected { $wanted ->
+        [number] a number up to 1000000
+       *[word] the word { $wanted }
+    }, found "{ $found }".
 
 diag-solid-not-finite = A dimension is not a finite positive number.
 diag-solid-too-many = The shape has too many surfaces: it would take too long to find its edges. Leave out what no tool or probe comes near.
 diag-solid-edge-unsupported = The ball may touch an edge that is neither a straight line nor a circle; this contact cannot be calculated exactly.
 diag-solid-cusp = The ball may touch a place where surfaces meet tangentially and leave no thickness; this contact cannot be calculated exactly.
+diag-solid-mesh-cut = A triangulated surface cannot be part of a difference.
 diag-solid-helix-unsupported = The ball may touch the workpiece on a helix or while several axes move; this contact cannot be calculated exactly.
 
 diag-table-no-header = The table must begin with a line "BEGIN", the name of a { $extension } file and the unit.

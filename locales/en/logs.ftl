@@ -107,3 +107,6 @@ log-measuring-circle = Radius of the measuring circle:
 log-compensation = Compensation values:
 log-rating = Rating of the measuring points:
 log-uncertainty = Measuring uncertainty (degrees per µm):
+
+# --- masks of formatted output (FN 16): how the keywords of a control name this language ---
+log-mask-language = English

@@ -5,6 +5,7 @@ site-skip = Skip to the content
 site-manual = Cycle manual
 site-draft = Draft: texts in ⟦ ⟧ are not translated yet.
 site-overview = Overview
+site-contents = Contents
 site-languages = Languages
 site-controls = Controls
 site-control = Control
@@ -75,7 +76,6 @@ site-choose = Choose a control and a language
 # Words with arguments.
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Cycles of the { $control }
-page-form = Form { $number }
 page-switched-off-by = Can be switched off with { $datum }.
 
 # Lists, comparisons, topics, search.
@@ -113,12 +113,16 @@ site-filter = Show cycles with
 site-order = Order
 site-copy = Copy
 site-copied = Copied
+site-worked-programs = Worked programs
+site-worked-intro = Complete programs that show how cycles work together. Positions, values and tools are examples.
+site-show-program = Show the program
 site-nc-software = NC software from
 site-not-named = not named
 site-home-intro = The cycles of HEIDENHAIN controls: what they do, their parameters, what the control checks, the results, and NC blocks to copy. All pages can be read and searched without a network.
 site-home-safety = The pages describe the software named above; another version can behave differently. The manuals of the machine and of the control take precedence. Test every program before machining.
 site-page-missing = This page does not exist.
 page-notes-title = Notes for many cycles: { $control }
+page-programs-title = Worked programs: { $control }
 page-software = NC software { $software }
 page-edition = Data of { $date }
 site-notes-before-the-call = Before the call

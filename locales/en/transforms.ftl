@@ -1,6 +1,8 @@
 # Coordinate transformations.
 
 # --- common ---
+form-coordinates = Coordinates of the datum
+form-table = Row of a datum table
 note-transform-acts-until-reset = A coordinate transformation acts from its definition; it is not called. It stays in effect until it is reset or defined again.
 note-transform-reset-ways = A coordinate transformation is reset by defining the cycle again with the values of the basic state (such as scaling factor 1.0), by the miscellaneous functions M2 and M30 or the END PGM block (depending on the machine parameter { $mp-clear-mode }), and by selecting another program.
 

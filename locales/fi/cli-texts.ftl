@@ -1,7 +1,7 @@
 # Komento ”texts”.
 cli-texts = Näyttää, miten pitkällä käännökset ovat, hyväksyy niitä ja välittää ne kääntäjille ja takaisin
 cli-texts-action = Mitä tehdään: status näyttää, mikä on kesken, accept merkitsee käännökset englanninkielisiä tekstejä vastaaviksi, export kirjoittaa tiedoston kääntäjille, import lukee sellaisen takaisin
-cli-texts-input = import: kääntäjän tiedosto, XLIFF tai PO
+cli-texts-input = import: kääntäjien tiedostot, XLIFF tai PO, tai termit muodossa TBX tai CSV; useat otetaan käyttöön yhdessä
 cli-texts-lang = Vain tämä kieli; voidaan toistaa
 cli-texts-file = status: vain tämä kielen tiedosto, esimerkiksi drilling.ftl; voidaan toistaa
 cli-texts-text = accept: teksti, jolla on tämä avain, tai kaikki, joiden avaimen alku on sama, jos KEY päättyy merkkiin *; voidaan toistaa
@@ -68,8 +68,10 @@ cli-texts-note-kind = Tämä on { $kind ->
         [guard] syy, jonka takia ohjaus hylkää työkierron
         [message] ohjauksen viesti koneen käyttäjälle
         [figure] kuvan otsikko
+        [form] työkierron lauseen muodon nimi
         [table] taulukon otsikko
         [title] esimerkin otsikko
+        [comment] esimerkkiohjelman kommentti
         [term] sanaston termi
         [log] rivi työkierron kirjoittamassa pöytäkirjassa
         [diagnostic] ohjelman huomautus

@@ -35,7 +35,7 @@ cli-translate-to = Nimien ja NC-tekstien kieli
 cli-translate-control = Ohjelman ohjaus (oletus: päätellään työkierroista)
 cli-translate-out = Kirjoitettava tiedosto (oletus: vakiotuloste)
 cli-run = Suorita ohjelma asetelmassa
-cli-run-tool-table = Työkalutaulukko, jota käytetään asetelman oman taulukon sijasta
+cli-run-tool-table = Työkalujen tai sorvaustyökalujen (.trn) taulukko asetelman oman sijasta; voidaan antaa kummallekin
 cli-run-out = Hakemisto taulukoille ja pöytäkirjoille, jotka ohjelma kirjoittaa
 cli-run-events = Tulosta jokainen tapahtuma JSON-rivinä
 cli-run-skip-blocks = Ohita lauseet, jotka alkavat merkillä /
@@ -261,7 +261,9 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [spindle-stopped] Kara on pysähdyksissä, kun työkalu kulkee { $amount } mm:n matkan materiaalin läpi.
         [edges-too-short] Materiaalia lastutaan { $amount } mm kärjen yläpuolelle asti, enemmän kuin terien pituus on.
         [turns-together] Akselit kääntyvät työkalun liikkuessa: poistettua ainetta ei tunneta.
-        [turned] Työkappaletta sorvataan: työkalun { $amount } poistamaa ainetta ei seurata.
+        [turned] Työkappaletta sorvataan, mutta se ei ole sorvausakselin suhteen pyörähdyskappale tai sitä on jyrsitty aiemmin: työkalun { $amount } poistamaa ainetta ei seurata.
+        [insert-unknown] Mikään työkierto ei kerro, miten työkalun { $amount } terä osuu työkappaleeseen: poistettua ainetta ei tunneta.
+        [thread-turned] Työkalu { $amount } sorvaa kierteen, jota seurattava kappale ei sisällä.
        *[no-radius] Työkalulla { $amount } ei ole sädettä: ei tiedetä, mitä se poistaa.
     }
 cli-stock-length = Matka: { $feed }{"\u00A0"}mm syöttöarvolla, siitä { $cut }{"\u00A0"}mm materiaalia poistavissa liikkeissä; { $rapid }{"\u00A0"}mm pikaliikkeellä

@@ -63,6 +63,7 @@ cycle-rough-out = Rouhinta
     .nc = ROUHINTA
     .purpose = Työkierto rouhii muodon taso kerrallaan pohjan työvaraan asti tai koneistaa vain sen, mitä suurempi työkalu on jättänyt jäljelle.
 step-position-over-infeed-point = Ohjaus paikoittaa työkalun asetuspisteen yläpuolelle ja ottaa huomioon sivun silitystyövaran.
+step-take-depths-of-partial-contours = Ohjaus koneistaa osamuodon, jolla on oma syvyys, siihen syvyyteen ja kaikki muut muototietojen jyrsintäsyvyyteen.
 step-go-to-infeed-point = Työkalu siirtyy pikaliikkeellä asetuspisteen yläpuolelle ja alas varmuusetäisyydelle jo koneistetusta pinnasta.
 step-plunge-to-contour-level = Työkalu siirtyy seuraavaan asetussyvyyteen eli arvon { $q-contour-plunging-depth } verran syvemmälle:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: kohtisuoraan syöttöarvolla { $q-contour-plunging-feed }, vaikka aktiiviselle työkalulle olisi määritelty sisäänpistokulma { $mp-plunging-angle }
@@ -71,6 +72,7 @@ say-plunge-on-helix-or-in-strokes = muussa tapauksessa kierukkarataa pitkin sis�
 step-rough-contour-level = Tässä syvyydessä työkalu jyrsii muodon sisältä ulospäin syöttöarvolla { $q-roughing-feed }; saarekkeiden ympärillä radat lähestyvät taskun muotoa. Näin se koneistaa:
 say-rough-what-coarser-tool-left = jos esirouhintatyökalu { $q-coarse-roughing-tool } on annettu, vain sen, mitä tämä työkalu ei ole voinut koneistaa
 say-rough-whole-region = muussa tapauksessa koko alueen
+message-contour-material-left = Työkalu ei yllä koko muotoon: se jättää ainetta nurkkiin tai kapeisiin kohtiin.
 note-centre-cutting-or-pilot-drilling = Käytä tarvittaessa keskeltä lastuavaa varsijyrsintä (DIN 844) tai esiporaa työkierrolla 21.
 note-rough-out-plunging = Työkalun sisäänpisto määräytyy parametrista { $q-reciprocation-feed } ja työkalutaulukon sarakkeista { $mp-plunging-angle } ja { $mp-cutting-edge-length }. Kun { $q-reciprocation-feed } = 0, se tunkeutuu aina kohtisuoraan. Kun { $mp-plunging-angle } = 90°, se tunkeutuu kohtisuoraan syöttöarvolla { $q-reciprocation-feed }. Jos heiluriliikkeen syöttöarvo on annettu ja { $mp-plunging-angle } on välillä 0,1–89,999, se tunkeutuu kierukkarataa pitkin tällä kulmalla. Jos heiluriliikkeen syöttöarvo on annettu mutta työkalutaulukosta puuttuu { $mp-plunging-angle }, ohjaus antaa virheilmoituksen. Jos kierukalle ei ole tilaa (esimerkiksi urassa), ohjaus yrittää tunkeutua heiluriliikkeellä; sen pituus on { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = Jos limityskerroin on suurempi kuin 1, teräväkulmaisiin taskumuotoihin voi jäädä materiaalia. Tarkasta sisin rata testausgrafiikalla ja muuta limityskerrointa tarvittaessa hieman. Lastut jakautuvat silloin toisin, mikä johtaa usein haluttuun tulokseen.

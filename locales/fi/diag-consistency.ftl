@@ -1,6 +1,8 @@
 # Tekstit, jotka eivät täsmää keskenään; katso src/accord.
+diag-consistency-negation = Kielen { $language } tekstissä { $key } ei ole kieltosanaa, vaikka kielissä { $others } on.
 diag-consistency-number = Kielen { $language } tekstissä { $key } on muut luvut kuin kielissä { $others }: { $found }, odotettu { $expected }.
 diag-consistency-unit = Kielen { $language } tekstissä { $key } on muut yksiköt kuin kielissä { $others }: { $found }, odotettu { $expected }.
+diag-consistency-variant = Kielen { $language } teksti { $key } on käytössä myös tapauksessa { $variant }, jolle englannissa on oma muunnelma muine tietoineen: { $found }, odotettu { $expected }. Muunnelma puuttuu.
 diag-consistency-code = Kielen { $language } teksti { $key } mainitsee muut parametrit, toiminnot tai sarakkeet kuin kielet { $others }: { $found }, odotettu { $expected }.
 diag-consistency-argument = Kielen { $language } tekstissä { $key } on muut argumentit kuin kielissä { $others }: { $found }, odotettu { $expected }.
 diag-consistency-label-twice = Kielessä { $language } saman työkierron parametreilla ”{ $parameter }” ja ”{ $other }” on sama teksti { $label }.

@@ -2,6 +2,7 @@
 
 diag-angle-missing = Ympyrältä puuttuu kulma PA.
 diag-axis-limit = Akseli { $axis } siirtyisi asemaan { NUMBER($found) }{"\u00A0"}{ $unit }, koneen rajojen { NUMBER($min) } … { NUMBER($max) }{"\u00A0"}{ $unit } ulkopuolelle.
+diag-blank-form-update = Aihion seurantaa (TURNDATA BLANK) ei voi simuloida: käsikirja ei kerro, miten työkierrot muuttuvat aihion mukaan.
 diag-block-limit = Suoritus päättyy: yli { NUMBER($limit) } lausetta on suoritettu.
 diag-block-unreadable = Lausetta ei voi lukea: { $found }
 diag-call-depth-limit = Kutsuja on sisäkkäin yli { NUMBER($limit) } tasoa.
@@ -16,6 +17,7 @@ diag-direction-contradicts = Inkrementaalisen kulman etumerkki on ristiriidassa 
 diag-direction-missing = Ympyrältä puuttuu kiertosuunta DR.
 diag-direction-undefined = Kahden pisteen väli on vain { NUMBER($distance) }{"\u00A0"}mm: ne eivät määrää suuntaa.
 diag-division-by-zero = Jako nollalla.
+diag-elements-overlap = Muodon kahden kulman elementit menevät päällekkäin: ne tarvitsevat väliinsä jäävästä sivusta yhteensä { NUMBER($least) }{"\u00A0"}mm, ja sen pituus on { NUMBER($found) }{"\u00A0"}mm.
 diag-end-off-circle = Loppupiste ei ole ympyrällä: säde alussa { NUMBER($start_radius, maximumFractionDigits: 4) }{"\u00A0"}mm, lopussa { NUMBER($end_radius, maximumFractionDigits: 4) }{"\u00A0"}mm.
 diag-feed-missing = Arvoa 0 suurempaa syöttöarvoa ei ole voimassa.
 diag-field-missing = Työkierrosta { $cycle } puuttuu kenttä { $field }.
@@ -24,6 +26,7 @@ diag-fit-collinear = Kosketuspisteet ({ NUMBER($points) }) ovat samalla suoralla
 diag-fit-failed = Kosketuspisteisiin ({ NUMBER($points) }) ei voi sovittaa ympyrää.
 diag-fit-too-few = Kosketuspisteitä on liian vähän ympyrää varten: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Asetusliikkeet eivät koskaan saavuta syvyyttä { NUMBER($depth) }{"\u00A0"}mm: ensimmäinen on { NUMBER($first) }{"\u00A0"}mm, kukin seuraava on { NUMBER($less) }{"\u00A0"}mm pienempi, pienin on { NUMBER($least) }{"\u00A0"}mm; ne päättyvät syvyyteen { NUMBER($reached) }{"\u00A0"}mm.
+diag-insert-direction = Työkalun { $tool } teräpala ei osoita kappaletta eikä lastujen suuntaan: sen suunta (TO) on { $orientation }.
 diag-jump-limit = Suoritus päättyy: hyppyjä, toistoja ja kutsuja on suoritettu yli { NUMBER($limit) }.
 diag-jump-target-missing = Labelia { $label } ei ole.
 diag-jump-target-twice = Label { $label } on ohjelmassa kahdesti.
@@ -36,6 +39,7 @@ diag-move-limit = Suoritus päättyy: työkalun liikkeitä on suoritettu yli { N
 diag-no-cycle-to-call = Työkierto kutsutaan, mutta koneistustyökiertoa ei ole määritelty.
 diag-no-such-parameter = Parametria { $q } ei ole.
 diag-number-too-large = Tulos on liian suuri lukumuotoon.
+diag-orientation-missing = Sädekorjaus sorvauksessa tarvitsee työkalun { $tool } suunnan (TO): se kertoo, missä kärki on nirkon keskipisteestä.
 diag-outside-domain = Funktiota { $function } ei ole määritelty arvolle { NUMBER($value) }.
 diag-parameter-missing = Työkierrosta { $cycle } puuttuu { $q }.
 diag-parameter-out-of-range = Parametri { $q } ei hyväksy arvoa { NUMBER($value) }.
@@ -65,6 +69,7 @@ diag-text-too-long = Merkkijonoparametrissa olisi yli { NUMBER($limit) } merkki�
 diag-tool-locked = Työkalulle { $tool } on asetettu esto.
 diag-tool-not-in-table = Työkalua { $tool } ei ole työkalutaulukossa.
 diag-turn-limit = Suoritus päättyy: yhdessä liikkeessä on yli { NUMBER($limit) } kierrosta.
+diag-undercut-impossible = Vapaasorvaukselle ei ole tilaa, tai se ei ole pyörintäakselin suuntaisen pinnan ja sitä vastaan kohtisuoran otsapinnan välissä.
 diag-unsupported-axis = Simuloidussa koneessa ei ole akselia { $axis }.
 diag-unsupported-block = Lausetta { $word } ei voi simuloida.
 diag-unsupported-cycle = Ohjauksen { $control } käsikirja vain mainitsee työkierron { $cycle } nimeltä: sitä ei voi simuloida.
@@ -95,8 +100,15 @@ diag-value-not-predefined = Arvoksi on ohjelmoitu PREDEF, mutta mikään GLOBAL 
 diag-contour-crossing = Aliohjelman { $label } muoto leikkaa tai sivuaa itseään kohdassa: pääakseli { NUMBER($x) } mm, sivuakseli { NUMBER($y) } mm.
 diag-contour-begin-incomplete = Labelin { $label } muodon alussa ei ole kumpaakin koordinaattia X ja Y.
 diag-contour-data-undefined = Mikään työkierto ei ole vielä määritellyt muototietoja.
+diag-contour-count = Muoto koostuu yli { NUMBER($limit) } osamuodosta.
+diag-contour-depth =
+    { $what ->
+        [first] Osamuoto on syvempi kuin lauseen CONTOUR DEF ensimmäinen osamuoto, jonka on oltava syvin tasku.
+       *[cycle] Osamuodon syvyys on { NUMBER($depth) } mm: se on syvempi kuin muototietojen jyrsintäsyvyys.
+    }
 diag-contour-elements = Muodoissa on yhteensä yli { NUMBER($limit) } muotoelementtiä.
 diag-contour-empty = Labelin { $label } aliohjelma ei kuvaa muotoa, joka rajaa alueen.
+diag-contour-lead = Työkierron koneistamassa muodossa ei voi olla lausetta { $word }: työkierto ajaa itse muotoon ja pois siitä.
 diag-contour-not-defined = Mikään työkierto ei ole vielä nimennyt muodon aliohjelmia.
 diag-contour-open = Labelin { $label } muoto on avoin: se päättyy { NUMBER($distance) } mm:n päähän alkupisteestään.
 diag-contour-side-missing = Labelin { $label } muodosta puuttuu sädekorjaus RL tai RR, joka kertoo, onko se tasku vai saareke.

@@ -1,6 +1,8 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = Ohjelma päättää itsensä virheeseen { $number } (FN 14).
 explain-error-of-program = FN 14: ERROR päättää ohjelman sen omaan virheeseen; numero valitsee ilmoituksen, jonka ohjaus näyttää. Ohjelmat käyttävät sitä, kun ne eivät voi jatkaa, esimerkiksi kun parametrin arvo ei kelpaa. Esimerkki: ”FN 14: ERROR = 1010”. Korjaus: tarkista lausetta edeltävä ehto ja anna parametreille arvot, joilla ohjelma voi toimia.
+diag-tool-setter-collision = Törmäys: työkalu osuu työkalukosketusjärjestelmään liikkeellä, joka alkaa asemasta X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
+explain-tool-setter-collision = Työkalu osuu skenaarion työkalukosketusjärjestelmään liikkeellä, joka ei ole mittaus: työkalu sellaisena kuin se todella on, pisimpine ja leveimpine terineen. Koneessa molemmat voisivat rikkoutua. Usein varmuuskorkeus on liian pieni tai työkalutaulukon pituus ja säde poikkeavat todellisesta enemmän kuin kosketusjärjestelmän turvaetäisyys sallii. Syötä likimääräiset arvot ennen ensimmäistä mittausta tai kierrä kosketusjärjestelmä.
 diag-tool-setter-missing = Skenaariossa ei ole työkalukosketusjärjestelmää.
 explain-tool-setter-missing = Työkalun mittauksen työkierto tarvitsee skenaarioon kosketusjärjestelmän: missä sen mittauspinta on ja kuinka leveä se on. Esimerkki: ”tool_setter:”, jossa ”at: [300, 200, -50]” ja ”diameter: 40”. Korjaus: lisää se skenaarioon; docs/scene.md kuvaa avaimet.
 
@@ -19,3 +21,11 @@ diag-measuring-position-at-zero = { $axis }-akselin mittausasema on kulmassa 0°
 explain-measuring-position-at-zero = Vertailumittaus tehdään kulmassa 0°, joten mittausasema siinä ei kerro mitään, ja iTNC 530 hylkää sen. Esimerkki: −90…+90 ja 3 pistettä. Korjaus: toinen pistemäärä tai toiset kulmat.
 diag-hirth-without-retraction = { $axis }-akselissa on Hirth-hammastus, joten se tarvitsee vetäytymiskorkeuden.
 explain-hirth-without-retraction = Hirth-hammastettu akseli poistuu rasteristaan paikoitusta varten, joten sitä ei voi mitata ilman vetäytymistä. Esimerkki: vetäytymiskorkeus 0 ja koneessa ”hirth: 3”. Korjaus: anna korkeus kuulan yläpuolelta.
+diag-mask-missing = Maskia { $name } ei ole.
+explain-mask-missing = FN 16 tulostaa maskin mukaan. Maski on tekstitiedosto ohjelman vieressä tai asetelman kohdassa ”masks”, eikä tätä ole kummassakaan. Nimen levyasemalla ja kansioilla ei ole merkitystä. Esimerkki: ”FN 16: F-PRINT TNC:\MASK.A / TNC:\LOG.TXT” ilman tiedostoa MASK.A. Lisää maski tai korjaa sen nimi.
+diag-mask-unreadable = { $file }, rivi { $line }: maskia ei voi lukea: { $found }
+explain-mask-unreadable = Maski koostuu lainausmerkeissä olevista teksteistä, joissa on paikka jokaiselle niiden jälkeen tulevalle arvolle, ja avainsanoista; kukin päättyy puolipisteeseen. Esimerkki: ”"X = %9.3LF", Q31;”. Tavallisia syitä ovat puuttuva puolipiste, liian monta paikkaa arvoihin nähden tai avainsana, jota ei voi simuloida. Korjaa rivi.
+diag-output-path = Polku { $path } johtaa pois tulosten kansiosta.
+explain-output-path = Mitä FN 16 kirjoittaa, menee valitsimen --out kansioon tiedostonsa nimellä ohjauksen kansiosta riippumatta. Polku, joka johtaa ylöspäin tai toisen järjestelmän levyasemaan tai juurikansioon, voisi korvata muita tiedostoja, joten se hylätään. Esimerkki: ”TNC:\LOG\..\PART.TXT”. Käytä TNC:-aseman polkua ilman merkkejä ”..”.
+diag-open-table-missing = Mitään taulukkoa ei ole avattu.
+explain-open-table-missing = FN 27 ja FN 28 kirjoittavat ja lukevat taulukkoa, jonka FN 26: TABOPEN on avannut, eikä mitään ole avattu ennen tätä lausetta. Esimerkki: ”FN 28: TABREAD Q10 = 6/"X,Y"” ohjelman alussa. Avaa taulukko ensin: ”FN 26: TABOPEN TNC:\TAB1.TAB”.

@@ -55,6 +55,7 @@ diag-locale-function-failed =
 diag-locale-too-long = Tekstissä ”{ $key }” ({ $language }) on liian monta täytettävää kohtaa.
 diag-locale-lock-line = Tämän tiedoston jokaisella rivillä on oltava tunnus ja kahdeksan heksadesimaalinumeroa.
 diag-locale-missing-translation = Tekstiä ”{ $key }” ei ole käännetty kielelle ”{ $language }”.
+diag-locale-unfinished = Kielestä ”{ $language }” puuttuu { $count } tekstiä. ”ciklo texts status --lang { $language }” laskee ne tiedostoittain ja nimeää seuraavat.
 diag-locale-orphan = ”{ $key }” ({ $language }) on jäänyt yli: englanninkielistä tekstiä ei enää ole.
 diag-locale-stale =
     { $change ->

@@ -52,6 +52,7 @@ diag-tool-table-contradicts =
         [speed] Karan kierrosluku { $value } ylittää arvon { $other }, joka on työkalun { $tool } suurin kierrosluku työkalutaulukossa (NMAX).
         [locked] Työkalu { $tool } on lukittu työkalutaulukossa (TL), eikä varatyökalua ole annettu (RT).
         [point] { $value } keskiöi tässä halkaisijaan, mutta työkalulla { $tool } ei ole kärkikulmaa työkalutaulukossa (T-ANGLE).
+        [turning] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on sorvaustyökalujen taulukossa { $other } (TYPE).
        *[type] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on työkalutaulukossa { $other } (TYP).
     }
 diag-translate-encoding = Tiedosto kirjoitetaan merkistöllä { $encoding }: tavut pysyvät siinä samoina, ja siinä ovat uusien NC-tekstien kaikki kirjaimet.

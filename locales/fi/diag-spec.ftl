@@ -24,6 +24,8 @@ diag-spec-expected = Odotettiin: { $expected ->
         [one-verb] täsmälleen yksi verbi
         [one-series] täsmälleen yksi sarja
         [cell] file, row, column ja value
+        [column] at ja is
+        [pair] kaksi lukua
         [end-word] done, stopped, error, limit tai unsupported
        *[other] { $expected }
     }, löytyi: { $found }.

@@ -8,6 +8,7 @@ diag-texts-file-unreadable = Tiedostoa ei voida lukea: { $reason ->
         [entity] siinä on tuntematon entiteetti
         [encoding] merkistö ei ole UTF-8
         [depth] elementtejä on liian monta sisäkkäin
+        [columns] taulukosta puuttuvat sarakkeet concept ja language
         [xliff] se ei ole XLIFF 1.2 eikä XLIFF 2.0
        *[form] muoto on tästä eteenpäin virheellinen
     }.
@@ -16,6 +17,7 @@ diag-texts-unit-twice = Yksikkö ”{ $key }” on tiedostossa useita kertoja.
 diag-texts-unit-source-changed = Yksikön ”{ $key }” lähdeteksti ei ole nykyinen: vie teksti uudelleen.
 diag-texts-unit-not-read = Yksikössä ”{ $key }” ei ole käännöstä, tai siinä on tuntemattomia elementtejä.
 diag-texts-unit-codes = Yksikön ”{ $key }” koodit eivät täsmää: puuttuu { $missing }, ei sallittu { $foreign }.
+diag-texts-unit-exchanged = Yksikössä ”{ $key }” koodit ovat vaihtaneet paikkaa samojen sanojen joukossa.
 diag-texts-unit-incomplete = Yksikkö ”{ $key }” on yksi uuden tekstin muunnelmista; muut puuttuvat tai on hylätty.
 diag-texts-unit-refused = Yksikkö ”{ $key }” hylätään ({ $code }): { $finding }
 diag-texts-unit-markup = Yksikön ”{ $key }” käännös muuttaisi sivun muotoa: merkintöjä tai ympäröiviä lohkoja.

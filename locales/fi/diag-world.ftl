@@ -13,7 +13,9 @@ diag-scene-expected =
         [unit] Mittayksikön on oltava mm tai inch eikä ”{ $found }”.
         [clock] Tässä pitäisi olla päivämäärä ja kellonaika, esimerkiksi 2015-07-03T14:05:00, eikä ”{ $found }”.
         [datum-file] Nollapistetaulukon nimen lopussa on oltava .D.
+        [table-file] Vapaasti määriteltävän taulukon nimen lopussa on oltava .TAB.
         [rotary-axis] Tässä pitäisi olla kiertoakselin kirjain (A, B tai C), ei ”{ $found }”.
+        [parallel-axis] Tässä pitäisi olla yhdensuuntaisen lisäakselin kirjain (U, V tai W), ei ”{ $found }”.
         [carried] Kiertoakseli kantaa työkappaletta (workpiece) tai työkalua (tool), ei ”{ $found }”.
         [orientation] Suuntauksen on oltava fixed, two tai any eikä ”{ $found }”.
         [shaft] Kosketusvarren varsiosan on oltava kuulaa ohuempi; sen halkaisija on { $found }.
@@ -31,11 +33,23 @@ diag-scene-one-solid = Tässä pitäisi olla täsmälleen yksi kappale: { $known
 diag-scene-unknown-machine = Konetta { $name } ei ole; koneet ovat { $known }.
 diag-scene-no-axis = Koneessa ei ole akselia { $axis }.
 diag-scene-start-outside = Lähtöasema on akselin { $axis } liikealueen ulkopuolella: { $found }{"\u00A0"}{ $unit } ei ole välillä { $min } … { $max }{"\u00A0"}{ $unit }.
+diag-scene-stl = { $file }: { $kind ->
+        [nowhere] Toisen tiedoston sisällä oleva asetelma ei voi nimetä STL-tiedostoja.
+        [large] Asetelman STL-tiedostot saavat olla yhteensä enintään { $most }{"\u00A0"}Mt.
+        [number] Kolmion { $triangle } koordinaatti ei ole luku, tai se on suurempi kuin 1000000.
+        [length] Tiedosto ei ole niin pitkä kuin sen { $triangle } kolmiota vaativat.
+       *[empty] Yhdelläkään kolmiolla ei ole pinta-alaa.
+    }
+diag-scene-stl-word = Tässä pitäisi olla { $wanted ->
+        [number] luku, enintään 1000000
+       *[word] sana { $wanted }
+    }, mutta on ”{ $found }”.
 
 diag-solid-not-finite = Jokin mitta ei ole äärellinen positiivinen luku.
 diag-solid-too-many = Muodossa on liian monta pintaa: sen reunojen etsiminen kestäisi liian kauan. Jätä pois se, minkä lähelle mikään työkalu tai kosketuspää ei tule.
 diag-solid-edge-unsupported = Kosketuskuula saattaa koskettaa reunaa, joka ei ole suora eikä ympyrä; tätä kosketusta ei voi laskea tarkasti.
 diag-solid-cusp = Kosketuskuula saattaa koskettaa kohtaa, jossa pinnat sivuavat toisiaan eikä ainetta jää väliin; tätä kosketusta ei voi laskea tarkasti.
+diag-solid-mesh-cut = Kolmiopinta ei voi olla osa erotusta.
 diag-solid-helix-unsupported = Kosketuskuula saattaa koskettaa työkappaletta kierukkaradalla tai usean akselin liikkuessa; tätä kosketusta ei voi laskea tarkasti.
 
 diag-table-no-header = Taulukon ensimmäisellä rivillä on oltava ”BEGIN”, { $extension }-tiedoston nimi ja mittayksikkö.

@@ -9,7 +9,7 @@ explain-texts-no-file =
 explain-texts-no-language =
     Tekstit käännetään englannista kielelle, jolla on tunnus, esimerkiksi fi tai de-AT. Englanti ei voi olla kohdekieli, eikä nimi, jossa on muita merkkejä kuin kirjaimia, numeroita ja yhdysmerkkejä, kelpaa locales-kansion alikansioksi. Ilmoita kieli valitsimella --to. Palautetussa tiedostossa kieli on yleensä valmiina.
 explain-texts-file-unreadable =
-    Tiedosto hylätään kokonaan, eikä mitään muuteta. Luettavat muodot ovat XLIFF 1.2, XLIFF 2.0 ja PO merkistönä UTF-8. Dokumenttityypit ja tiedoston omat entiteetit hylätään, koska niillä voi hakea muita tiedostoja tai kasvattaa tekstin rajattomaksi; samasta syystä hylätään liian syvät sisäkkäiset elementit. Katso ilmoitettua kohtaa tai vie tekstit uudelleen ja anna käännösohjelman tallentaa ne samassa muodossa.
+    Tiedosto hylätään kokonaan, eikä mitään muuteta. Luettavat muodot ovat XLIFF 1.2, XLIFF 2.0 ja PO sekä termeille TBX ja CSV, merkistönä UTF-8. Jos yhtä useista tiedostoista ei voi lukea, mitään niistä ei oteta käyttöön. Dokumenttityypit ja tiedoston omat entiteetit hylätään, koska niillä voi hakea muita tiedostoja tai kasvattaa tekstin rajattomaksi; samasta syystä hylätään liian syvät sisäkkäiset elementit. Katso ilmoitettua kohtaa tai vie tekstit uudelleen ja anna käännösohjelman tallentaa ne samassa muodossa.
 explain-texts-unit-unknown =
     Yksikön tunnus on tekstin avain, eikä millään kielen tekstillä ole tätä avainta. Avain on nimetty uudelleen tai poistettu viennin jälkeen, tai tunnusta on muutettu tiedostossa. Vie tekstit uudelleen; käännösmuisti löytää valmiin käännöksen sanojen perusteella.
 explain-texts-unit-twice =
@@ -20,6 +20,8 @@ explain-texts-unit-not-read =
     Valmis yksikkö tarvitsee käännöksen, joka koostuu sanoista ja viedyistä koodeista. Tässä ei ole tekstiä, tai siinä on elementtejä, joita viedyssä tiedostossa ei ollut. Poista ne, tai aseta yksikölle keskeneräisen tila, kunnes se on käännetty.
 explain-texts-unit-codes =
     Koodien tilalle ohjelma panee arvoja, termejä ja valintoja. Käännös voi muuttaa niiden järjestystä ja valita termin sijamuodon, esimerkiksi { "{ -probe(case: \"genitive\") }" }, mutta siinä on oltava lähdetekstin koodit eikä muita: puuttuvan koodin mukana katoaisi tieto, esimerkiksi syvyys tai parametri. Lisää puuttuvat koodit ja poista ne, joita ei sallita.
+explain-texts-unit-exchanged =
+    Käännöksen sanat ovat ennallaan ja vain koodit ovat muissa paikoissa, joten kukin arvo tarkoittaisi muuta asiaa. Palauta koodit paikoilleen. Jos uusi järjestys on oikea, muuta myös sanoja tai muokkaa Fluent-tiedostoa.
 explain-texts-unit-incomplete =
     Uusi teksti, jossa on muunnelmia esimerkiksi yhdelle ja usealle reiälle, on valmis vasta, kun kaikki muunnelmat ovat mukana: puuttuvasta jäisi aukko lauseeseen. Käännä kaikki yksiköt, joiden tunnus alkaa samalla avaimella, ja merkitse ne valmiiksi.
 explain-texts-unit-refused =

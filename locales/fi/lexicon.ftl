@@ -9,3 +9,4 @@ lexicon-count = lukumäärä | lkm | numero | kierteitä | koskettu | pisteiden 
 lexicon-factor = kerroin | limitys | pintanormaali
 lexicon-absolute = koordina | koord. | keskip | korkeu | perusp | asema | asetusarvo | piste | kulma | halkaisija | alku | alun | loppu | lopun | kierto | säde | numero
 lexicon-incremental = etäisyy | syvyy | työvara | matka | vetäyty | avautum | askel | väli | vähennys | pituu | rata | upotu | esipysäyty | reuna | terän korkeus | paksuus | ylitys | ajo | leveys | leveyden | pysäyty | koko | syvennetty | epäkesko
+lexicon-negation = ei | eivät | eikä | eivätkä | älä | älkää | ilman | ellei | elleivät | jollei | jolleivät | ettei | etteivät | kumpikaan | koskaan | enintään | nykäyksittä | -matta | -mättä | -ton | -tön | -ttom- | -ttöm- | puuttu- | estä- | vältt-

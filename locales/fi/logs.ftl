@@ -107,3 +107,6 @@ log-measuring-circle = Mittausympyrän säde:
 log-compensation = Korjausarvot:
 log-rating = Mittauspisteiden arviointi:
 log-uncertainty = Mittausepävarmuus (astetta/µm):
+
+# --- masks of formatted output (FN 16): how the keywords of a control name this language ---
+log-mask-language = Finnish

@@ -5,6 +5,7 @@ site-skip = Siirry sisältöön
 site-manual = Työkiertojen käsikirja
 site-draft = Luonnos: hakasulkeissa ⟦ ⟧ olevia tekstejä ei ole vielä käännetty.
 site-overview = Yleiskuvaus
+site-contents = Sisällys
 site-languages = Kielet
 site-controls = Ohjaukset
 site-control = Ohjaus
@@ -68,7 +69,6 @@ site-choose = Valitse ohjaus ja kieli
 
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Työkierrot: { $control }
-page-form = Muoto { $number }
 page-switched-off-by = Tarkastuksen voi kytkeä pois parametrilla { $datum }.
 
 # Lists, comparisons, topics, search.
@@ -107,12 +107,16 @@ site-filter = Näytä työkierrot, joissa on
 site-order = Järjestys
 site-copy = Kopioi
 site-copied = Kopioitu
+site-worked-programs = Esimerkkiohjelmat
+site-worked-intro = Kokonaisia ohjelmia, jotka näyttävät, miten työkierrot toimivat yhdessä. Paikat, arvot ja työkalut ovat esimerkkejä.
+site-show-program = Näytä ohjelma
 site-nc-software = NC-ohjelmisto versiosta
 site-not-named = ei mainittu
 site-home-intro = HEIDENHAIN-ohjausten työkierrot: mitä ne tekevät, niiden parametrit, mitä ohjaus tarkistaa, tulokset ja kopioitavat NC-lauseet. Kaikkia sivuja voi lukea ja hakea ilman verkkoyhteyttä.
 site-home-safety = Sivut kuvaavat edellä mainittuja ohjelmistoja; toinen versio voi toimia toisin. Koneen ja ohjauksen käsikirjat ovat etusijalla. Testaa jokainen ohjelma ennen koneistusta.
 site-page-missing = Tätä sivua ei ole.
 page-notes-title = Monien työkiertojen ohjeet: { $control }
+page-programs-title = Esimerkkiohjelmat: { $control }
 page-software = NC-ohjelmisto { $software }
 page-edition = Tietojen päiväys { $date }
 site-notes-before-the-call = Ennen kutsua

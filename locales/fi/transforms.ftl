@@ -1,6 +1,8 @@
 # Koordinaattimuunnokset.
 
 # --- yhteiset ---
+form-coordinates = Nollapisteen koordinaatit
+form-table = Nollapistetaulukon rivi
 note-transform-acts-until-reset = Koordinaattimuunnos vaikuttaa määrittelystään lähtien; sitä ei kutsuta. Se on voimassa, kunnes se peruutetaan tai määritellään uudelleen.
 note-transform-reset-ways = Koordinaattimuunnos peruutetaan määrittelemällä työkierto uudelleen perustilan arvoilla (esimerkiksi mittakerroin 1,0), lisätoiminnoilla M2 ja M30 tai lauseella END PGM (riippuu koneparametrista { $mp-clear-mode }) sekä valitsemalla toinen ohjelma.
 

@@ -1,7 +1,7 @@
 # Il comando «texts».
 cli-texts = Mostra lo stato delle traduzioni, le approva e le scambia con i traduttori
 cli-texts-action = Operazione: status mostra che cosa resta da fare, accept registra che le traduzioni corrispondono ai testi inglesi, export scrive un file per i traduttori, import ne rilegge uno
-cli-texts-input = import: il file del traduttore, XLIFF o PO
+cli-texts-input = import: i file dei traduttori, XLIFF o PO, oppure termini in TBX o CSV; più file sono ripresi insieme
 cli-texts-lang = Solo questa lingua; si può ripetere
 cli-texts-file = status: solo questo file della lingua, ad esempio drilling.ftl; si può ripetere
 cli-texts-text = accept: il testo con questa chiave o, se KEY termina con *, tutti quelli la cui chiave inizia così; si può ripetere
@@ -68,8 +68,10 @@ cli-texts-note-kind = Questo testo è { $kind ->
         [guard] il motivo per cui il controllo rifiuta un ciclo
         [message] un messaggio del controllo all’operatore
         [figure] il titolo di una figura
+        [form] il nome di una forma del blocco di un ciclo
         [table] il titolo di una tabella
         [title] il titolo di un esempio
+        [comment] un commento in un programma di esempio
         [term] un termine del glossario
         [log] una riga di un protocollo scritto da un ciclo
         [diagnostic] una segnalazione del programma

@@ -35,7 +35,7 @@ cli-translate-to = Lingua dei nomi e delle etichette
 cli-translate-control = Controllo numerico del programma (predefinito: riconosciuto dai cicli)
 cli-translate-out = File da scrivere (predefinito: uscita standard)
 cli-run = Esegue un programma in una scena
-cli-run-tool-table = Tabella utensili da usare al posto di quella nella scena
+cli-run-tool-table = Tabella degli utensili o degli utensili per tornire (.trn) da usare al posto di quella nella scena; può essere indicata per ciascuna
 cli-run-out = Cartella per le tabelle e i protocolli scritti dal programma
 cli-run-events = Stampa ogni evento come riga JSON
 cli-run-skip-blocks = Salta i blocchi che cominciano con /
@@ -259,7 +259,9 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [spindle-stopped] Il mandrino è fermo mentre l’utensile attraversa { $amount } mm di materiale.
         [edges-too-short] Il materiale viene asportato fino a { $amount } mm sopra la punta dell’utensile, oltre la lunghezza dei taglienti.
         [turns-together] Gli assi rotativi ruotano mentre l’utensile si sposta: il materiale asportato non è noto.
-        [turned] Il pezzo viene tornito: ciò che l’utensile { $amount } asporta non viene seguito.
+        [turned] Il pezzo viene tornito, ma non è un solido di rotazione attorno all’asse di tornitura oppure è stato fresato in precedenza: ciò che l’utensile { $amount } asporta non viene seguito.
+        [insert-unknown] Nessun ciclo indica come l’inserto dell’utensile { $amount } incontra il pezzo: il materiale asportato non è noto.
+        [thread-turned] L’utensile { $amount } tornisce una filettatura, che non fa parte del solido seguito.
        *[no-radius] L’utensile { $amount } non ha raggio: il materiale asportato non è noto.
     }
 cli-stock-length = Percorso: { $feed } mm in avanzamento, di cui { $cut } mm in movimenti che asportano materiale; { $rapid } mm in rapido

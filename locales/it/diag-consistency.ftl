@@ -1,6 +1,8 @@
 # Texts that do not agree with each other; see the English file.
+diag-consistency-negation = Il testo { $key } nella lingua { $language } non contiene una negazione, a differenza delle lingue { $others }.
 diag-consistency-number = Il testo { $key } nella lingua { $language } indica numeri diversi dalle lingue { $others }: { $found } invece di { $expected }.
 diag-consistency-unit = Il testo { $key } nella lingua { $language } indica unità diverse dalle lingue { $others }: { $found } invece di { $expected }.
+diag-consistency-variant = Il testo { $key } nella lingua { $language } vale anche per { $variant }, per cui l’inglese ha una variante con altri dati: { $found } invece di { $expected }. Manca una variante.
 diag-consistency-code = Il testo { $key } nella lingua { $language } nomina parametri, funzioni o colonne diversi dalle lingue { $others }: { $found } invece di { $expected }.
 diag-consistency-argument = Il testo { $key } nella lingua { $language } usa argomenti diversi dalle lingue { $others }: { $found } invece di { $expected }.
 diag-consistency-label-twice = Nella lingua { $language } i parametri «{ $parameter }» e «{ $other }» di un ciclo hanno la stessa etichetta { $label }.

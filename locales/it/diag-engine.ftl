@@ -2,6 +2,7 @@
 
 diag-angle-missing = Al cerchio manca l’angolo PA.
 diag-axis-limit = L’asse { $axis } andrebbe a { NUMBER($found) } { $unit }, oltre i limiti della macchina da { NUMBER($min) } a { NUMBER($max) } { $unit }.
+diag-blank-form-update = L’aggiornamento del pezzo grezzo con TURNDATA BLANK non si può simulare: il manuale non dice come i cicli cambiano in base al grezzo.
 diag-block-limit = L’esecuzione è stata terminata: sono stati eseguiti più di { NUMBER($limit) } blocchi.
 diag-block-unreadable = Il blocco non è leggibile: { $found }
 diag-call-depth-limit = Le chiamate sono annidate per più di { NUMBER($limit) } livelli.
@@ -16,6 +17,7 @@ diag-direction-contradicts = Il segno del valore incrementale dell’angolo cont
 diag-direction-missing = Al cerchio manca il senso di rotazione DR.
 diag-direction-undefined = I due punti distano solo { NUMBER($distance) } mm: non determinano una direzione.
 diag-division-by-zero = Divisione per zero.
+diag-elements-overlap = Gli elementi su due spigoli del profilo si sovrappongono: insieme occupano { NUMBER($least) } mm del lato che li separa, lungo { NUMBER($found) } mm.
 diag-end-off-circle = Il punto finale non è sul cerchio: raggio { NUMBER($start_radius, maximumFractionDigits: 4) } mm all’inizio, { NUMBER($end_radius, maximumFractionDigits: 4) } mm alla fine.
 diag-feed-missing = Non è attivo alcun avanzamento maggiore di 0.
 diag-field-missing = Manca il campo { $field } di { $cycle }.
@@ -24,6 +26,7 @@ diag-fit-collinear = I { NUMBER($points) } punti di tastatura sono su una retta:
 diag-fit-failed = Nessun cerchio approssima i { NUMBER($points) } punti di tastatura.
 diag-fit-too-few = I punti di tastatura sono troppo pochi per un cerchio: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Gli incrementi non raggiungono mai la profondità di { NUMBER($depth) } mm: il primo è di { NUMBER($first) } mm, ciascuno è minore di { NUMBER($less) } mm, il minimo è di { NUMBER($least) } mm; finiscono a { NUMBER($reached) } mm.
+diag-insert-direction = L'inserto dell'utensile { $tool } non è rivolto verso il pezzo o nella direzione dei tagli: il suo orientamento (TO) è { $orientation }.
 diag-jump-limit = L’esecuzione è stata terminata: sono stati eseguiti più di { NUMBER($limit) } salti, ripetizioni e chiamate.
 diag-jump-target-missing = Manca il label { $label }.
 diag-jump-target-twice = Il label { $label } compare due volte nel programma.
@@ -36,6 +39,7 @@ diag-machine-parameter-missing = Il parametro macchina { $name } con le sue tre 
 diag-no-cycle-to-call = Viene chiamato un ciclo, ma non è stato definito alcun ciclo di lavorazione.
 diag-no-such-parameter = Non esiste il parametro { $q }.
 diag-number-too-large = Il risultato è troppo grande per il formato numerico.
+diag-orientation-missing = La compensazione del raggio in tornitura richiede l'orientamento (TO) dell'utensile { $tool }: indica dove si trova la punta rispetto al centro del raggio.
 diag-outside-domain = { $function } non è definita per { NUMBER($value) }.
 diag-parameter-missing = { $q } manca in { $cycle }.
 diag-parameter-out-of-range = { $q } non accetta il valore { NUMBER($value) }.
@@ -68,6 +72,7 @@ diag-text-too-long = Un parametro stringa supererebbe { NUMBER($limit) } caratte
 diag-tool-locked = L’utensile { $tool } è bloccato.
 diag-tool-not-in-table = L’utensile { $tool } non è nella tabella utensili.
 diag-turn-limit = L’esecuzione è stata terminata: un movimento ha più di { NUMBER($limit) } giri.
+diag-undercut-impossible = Non c'è spazio per la gola di scarico, oppure essa non si trova tra una superficie lungo l'asse di rotazione e una faccia ad angolo retto.
 diag-unsupported-axis = La macchina simulata non ha l’asse { $axis }.
 diag-unsupported-block = { $word } non si può simulare.
 diag-unsupported-cycle = Il manuale di { $control } menziona { $cycle } soltanto per nome: non si può simulare.
@@ -94,8 +99,15 @@ diag-value-not-predefined = È programmato PREDEF, ma nessun GLOBAL DEF ha defin
 diag-contour-crossing = Il profilo della label { $label } interseca o tocca sé stesso nel punto con asse principale { NUMBER($x) } mm e asse secondario { NUMBER($y) } mm.
 diag-contour-begin-incomplete = Il profilo della label { $label } non inizia con entrambe le coordinate X e Y.
 diag-contour-data-undefined = Nessun ciclo ha ancora definito i dati del profilo.
+diag-contour-count = Il profilo è formato da più di { NUMBER($limit) } segmenti di profilo.
+diag-contour-depth =
+    { $what ->
+        [first] Un segmento di profilo è più profondo del primo di CONTOUR DEF, che deve essere la tasca più profonda.
+       *[cycle] Un segmento di profilo ha una profondità di { NUMBER($depth) } mm, maggiore della profondità di fresatura dei dati del profilo.
+    }
 diag-contour-elements = I profili hanno in totale più di { NUMBER($limit) } elementi.
 diag-contour-empty = Il sottoprogramma della label { $label } non descrive un profilo che racchiuda un'area.
+diag-contour-lead = Un profilo lavorato da un ciclo non può contenere { $word }: il ciclo lo accosta e se ne allontana da sé.
 diag-contour-not-defined = Nessun ciclo ha ancora indicato i sottoprogrammi del profilo.
 diag-contour-open = Il profilo della label { $label } è aperto: termina a { NUMBER($distance) } mm dal punto di partenza.
 diag-contour-side-missing = Nel profilo della label { $label } manca la compensazione del raggio RL o RR, che stabilisce se si tratta di una tasca o di un'isola.

@@ -1,6 +1,8 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = Il programma termina da sé con l’errore { $number } (FN 14).
 explain-error-of-program = FN 14: ERROR termina il programma con un errore proprio; il numero sceglie il messaggio visualizzato dal controllo. I programmi lo usano quando non possono proseguire, ad esempio perché il valore di un parametro non è utilizzabile. Esempio: «FN 14: ERROR = 1010». Rimedio: controllare la condizione che precede il blocco e assegnare ai parametri valori con cui il programma può lavorare.
+diag-tool-setter-collision = Collisione: l’utensile urta il sistema di tastatura per utensili in un movimento da X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
+explain-tool-setter-collision = L’utensile urta il sistema di tastatura per utensili dello scenario in un movimento che non è di misura: l’utensile com’è davvero, con il tagliente più lungo e quello più largo. Sulla macchina potrebbero rompersi entrambi. Spesso l’altezza di sicurezza è troppo bassa, oppure lunghezza e raggio nella tabella utensili si scostano dal vero più della distanza di sicurezza del sistema di tastatura. Inserire valori approssimativi prima della prima misurazione, oppure aggirare il sistema.
 diag-tool-setter-missing = Lo scenario non ha un sistema di tastatura per utensili.
 explain-tool-setter-missing = Un ciclo di misura dell’utensile richiede nello scenario un sistema di tastatura da tavolo: dove si trova la sua superficie e quanto è larga. Esempio: «tool_setter:» con «at: [300, 200, -50]» e «diameter: 40». Rimedio: aggiungerlo allo scenario; docs/scene.md ne descrive le chiavi.
 
@@ -19,3 +21,11 @@ diag-measuring-position-at-zero = Una posizione di misura dell’asse { $axis } 
 explain-measuring-position-at-zero = La misura di riferimento avviene a 0°, quindi una posizione di misura in quel punto non fornisce dati e l’iTNC 530 la rifiuta. Esempio: da −90 a +90 con 3 punti. Rimedio: un altro numero di punti o altri angoli.
 diag-hirth-without-retraction = L’asse { $axis } ha una dentatura Hirth e richiede un’altezza di ritorno.
 explain-hirth-without-retraction = Un asse con dentatura Hirth esce dalla dentatura per posizionarsi, quindi non può essere misurato senza ritorno. Esempio: altezza di ritorno 0 con «hirth: 3» nella macchina. Rimedio: inserire un’altezza sopra la sfera.
+diag-mask-missing = La maschera { $name } non esiste.
+explain-mask-missing = FN 16 scrive secondo una maschera, un file di testo accanto al programma o nella voce «masks» della scena, e questa non si trova in nessuno dei due posti. Il drive e le directory nel nome non contano. Esempio: «FN 16: F-PRINT TNC:\MASK.A / TNC:\LOG.TXT» senza un file MASK.A. Aggiungere la maschera o correggerne il nome.
+diag-mask-unreadable = { $file }, riga { $line }: la maschera non è leggibile: { $found }
+explain-mask-unreadable = Una maschera è composta da testi tra virgolette, con un posto per ogni valore che li segue, e da parole chiave; ogni elemento termina con un punto e virgola. Esempio: «"X = %9.3LF", Q31;». Cause frequenti sono un punto e virgola mancante, più posti che valori o una parola chiave che non può essere simulata. Correggere la riga.
+diag-output-path = Il percorso { $path } porta fuori dalla directory dei risultati.
+explain-output-path = Ciò che FN 16 scrive va nella directory indicata con --out, con il nome del suo file, qualunque sia la directory sul controllo. Un percorso che porta verso l’alto, oppure al drive o alla directory principale di un altro sistema, potrebbe sovrascrivere altri file ed è rifiutato. Esempio: «TNC:\LOG\..\PART.TXT». Usare un percorso su TNC: senza «..».
+diag-open-table-missing = Nessuna tabella è aperta.
+explain-open-table-missing = FN 27 e FN 28 scrivono e leggono la tabella aperta da FN 26: TABOPEN, e prima di questo blocco non ne è stata aperta nessuna. Esempio: «FN 28: TABREAD Q10 = 6/"X,Y"» all’inizio di un programma. Aprire prima la tabella: «FN 26: TABOPEN TNC:\TAB1.TAB».

@@ -55,6 +55,7 @@ diag-locale-function-failed =
 diag-locale-too-long = Il testo «{ $key }» ({ $language }) ha troppi segnaposto.
 diag-locale-lock-line = Una riga di questo file ha un identificatore e otto cifre esadecimali.
 diag-locale-missing-translation = «{ $key }» non è tradotto nella lingua «{ $language }».
+diag-locale-unfinished = Nella lingua «{ $language }» mancano { $count } testi. «ciklo texts status --lang { $language }» li conta per file e nomina i prossimi.
 diag-locale-orphan = «{ $key }» ({ $language }) è superfluo: il testo inglese non esiste più.
 diag-locale-stale =
     { $change ->

@@ -24,6 +24,8 @@ diag-spec-expected = Atteso: { $expected ->
         [one-verb] esattamente un verbo
         [one-series] esattamente una serie
         [cell] file, row, column e value
+        [column] at e is
+        [pair] due numeri
         [end-word] done, stopped, error, limit o unsupported
        *[other] { $expected }
     }, trovato: { $found }.

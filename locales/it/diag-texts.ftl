@@ -8,6 +8,7 @@ diag-texts-file-unreadable = Impossibile leggere il file: { $reason ->
         [entity] contiene un’entità sconosciuta
         [encoding] la codifica non è UTF-8
         [depth] gli elementi sono annidati troppo in profondità
+        [columns] nella tabella mancano le colonne concept e language
         [xliff] non è né XLIFF 1.2 né XLIFF 2.0
        *[form] da questo punto la forma è errata
     }.
@@ -16,6 +17,7 @@ diag-texts-unit-twice = L’unità «{ $key }» compare più volte nel file.
 diag-texts-unit-source-changed = Il testo di partenza dell’unità «{ $key }» non è quello attuale: esportare di nuovo il testo.
 diag-texts-unit-not-read = L’unità «{ $key }» non ha traduzione, oppure ne ha una con elementi sconosciuti.
 diag-texts-unit-codes = I codici dell’unità «{ $key }» non corrispondono: mancanti { $missing }, non ammessi { $foreign }.
+diag-texts-unit-exchanged = Nell’unità «{ $key }» i codici sono scambiati di posto fra le stesse parole.
 diag-texts-unit-incomplete = L’unità «{ $key }» è una delle varianti di un testo nuovo; le altre mancano o sono rifiutate.
 diag-texts-unit-refused = L’unità «{ $key }» è rifiutata ({ $code }): { $finding }
 diag-texts-unit-markup = La traduzione dell’unità «{ $key }» cambierebbe la forma della pagina: i suoi segni o i blocchi vicini.

@@ -13,7 +13,9 @@ diag-scene-expected =
         [unit] L’unità di misura deve essere mm o inch, non «{ $found }».
         [clock] Qui sono previste data e ora, ad esempio 2015-07-03T14:05:00, non «{ $found }».
         [datum-file] Il nome di una tabella origini deve terminare con .D.
+        [table-file] Il nome di una tabella liberamente definibile deve terminare con .TAB.
         [rotary-axis] Qui è prevista la lettera di un asse rotativo (A, B o C), non «{ $found }».
+        [parallel-axis] Qui è prevista la lettera di un asse parallelo (U, V o W), non «{ $found }».
         [carried] Un asse rotativo porta il pezzo (workpiece) o l’utensile (tool), non «{ $found }».
         [orientation] L’orientamento deve essere fixed, two o any, non «{ $found }».
         [shaft] Il gambo dello stilo deve essere più sottile della sfera; il suo diametro è { $found }.
@@ -31,11 +33,23 @@ diag-scene-one-solid = Qui è previsto esattamente un solido: { $known }.
 diag-scene-unknown-machine = Non esiste alcuna macchina di nome { $name }; le macchine sono { $known }.
 diag-scene-no-axis = La macchina non ha un asse { $axis }.
 diag-scene-start-outside = La posizione di partenza è fuori dal campo di traslazione dell’asse { $axis }: { $found } { $unit } non è compreso tra { $min } e { $max } { $unit }.
+diag-scene-stl = { $file }: { $kind ->
+        [nowhere] Una scena contenuta in un altro file non può indicare file STL.
+        [large] I file STL di una scena possono occupare in tutto { $most } MB.
+        [number] Nel triangolo { $triangle } una coordinata non è un numero o è maggiore di 1000000.
+        [length] Il file non ha la lunghezza richiesta dal numero di triangoli indicato ({ $triangle }).
+       *[empty] Nessun triangolo ha un’area.
+    }
+diag-scene-stl-word = Qui è previsto { $wanted ->
+        [number] un numero fino a 1000000
+       *[word] { $wanted }
+    }, invece di «{ $found }».
 
 diag-solid-not-finite = Una quota non è un numero finito e positivo.
 diag-solid-too-many = La forma ha troppe superfici: la ricerca degli spigoli richiederebbe troppo tempo. Omettere ciò a cui non si avvicina nessun utensile né tastatore.
 diag-solid-edge-unsupported = La sfera del tastatore può toccare uno spigolo che non è né una retta né un cerchio; questo contatto non può essere calcolato con esattezza.
 diag-solid-cusp = La sfera del tastatore può toccare un punto in cui le superfici sono tangenti e non lasciano spessore; questo contatto non può essere calcolato con esattezza.
+diag-solid-mesh-cut = Una superficie a triangoli non può far parte di una differenza.
 diag-solid-helix-unsupported = La sfera del tastatore può toccare il pezzo durante un movimento elicoidale o mentre si muovono più assi; questo contatto non può essere calcolato con esattezza.
 
 diag-table-no-header = La tabella deve iniziare con una riga contenente "BEGIN", il nome di un file { $extension } e l’unità di misura.

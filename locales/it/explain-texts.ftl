@@ -9,7 +9,7 @@ explain-texts-no-file =
 explain-texts-no-language =
     I testi si traducono dall’inglese in una lingua con un codice come fi o de-AT. L’inglese non può essere la lingua di arrivo, e un nome con segni diversi da lettere, cifre e trattini non potrebbe essere una cartella sotto locales. Indicare la lingua con --to. Di solito un file che ritorna la indica già.
 explain-texts-file-unreadable =
-    Il file è rifiutato per intero e non si modifica nulla. Si leggono XLIFF 1.2, XLIFF 2.0 e PO in UTF-8. I tipi di documento e le entità proprie sono rifiutati perché possono richiamare altri file o crescere senza limite; per lo stesso motivo si rifiutano elementi annidati troppo in profondità. Controllare il punto indicato, oppure esportare di nuovo i testi e salvarli nella stessa forma con lo strumento di traduzione.
+    Il file è rifiutato per intero e non si modifica nulla. Si leggono XLIFF 1.2, XLIFF 2.0 e PO in UTF-8, e i termini in TBX o CSV. Se di più file uno non si può leggere, nessuno è ripreso. I tipi di documento e le entità proprie sono rifiutati perché possono richiamare altri file o crescere senza limite; per lo stesso motivo si rifiutano elementi annidati troppo in profondità. Controllare il punto indicato, oppure esportare di nuovo i testi e salvarli nella stessa forma con lo strumento di traduzione.
 explain-texts-unit-unknown =
     L’identificatore di un’unità è la chiave di un testo, e nessun testo della lingua ha questa chiave. È stata rinominata o eliminata dopo l’esportazione, oppure l’identificatore è stato modificato nel file. Esportare di nuovo; una memoria di traduzione ritrova la traduzione già pronta dalle parole.
 explain-texts-unit-twice =
@@ -20,6 +20,8 @@ explain-texts-unit-not-read =
     Un’unità definitiva richiede una traduzione composta di parole e dei codici esportati. Questa non ha testo, oppure contiene elementi che il file esportato non aveva. Eliminarli, oppure assegnare all’unità uno stato non definitivo finché non è tradotta.
 explain-texts-unit-codes =
     I codici stanno per valori, termini e scelte che il programma inserisce. Una traduzione può cambiarne l’ordine e scegliere la forma di un termine, come in { "{ -probe(case: \"genitive\") }" }, ma deve avere i codici del testo di partenza e nessun altro: un codice mancante farebbe perdere un dato, ad esempio una profondità o un parametro. Rimettere quelli mancanti ed eliminare quelli non ammessi.
+explain-texts-unit-exchanged =
+    Le parole della traduzione sono quelle di oggi e solo i codici sono in altri posti, perciò ogni valore sarebbe detto di un’altra cosa. Rimettere i codici al loro posto. Se il nuovo ordine è giusto, modificare anche le parole, oppure il file Fluent.
 explain-texts-unit-incomplete =
     Un testo nuovo con varianti, ad esempio per uno e per più fori, è completo solo quando ci sono tutte le varianti: una mancante lascerebbe una lacuna nelle frasi. Tradurre tutte le unità il cui identificatore inizia con la stessa chiave e renderle definitive.
 explain-texts-unit-refused =

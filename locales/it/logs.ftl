@@ -107,3 +107,6 @@ log-measuring-circle = Raggio del cerchio di misura:
 log-compensation = Valori di correzione:
 log-rating = Valutazione dei punti di misura:
 log-uncertainty = Imprecisione di misura (gradi per µm):
+
+# --- masks of formatted output (FN 16): how the keywords of a control name this language ---
+log-mask-language = Italian

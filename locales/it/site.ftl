@@ -5,6 +5,7 @@ site-skip = Vai al contenuto
 site-manual = Manuale dei cicli
 site-draft = Bozza: i testi tra ⟦ ⟧ non sono ancora tradotti.
 site-overview = Panoramica
+site-contents = Indice
 site-languages = Lingue
 site-controls = Controlli
 site-control = Controllo
@@ -68,7 +69,6 @@ site-choose = Selezionare il controllo e la lingua
 
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Cicli del controllo { $control }
-page-form = Forma { $number }
 page-switched-off-by = Disattivabile con { $datum }.
 
 # Lists, comparisons, topics, search.
@@ -106,12 +106,16 @@ site-filter = Mostra i cicli con
 site-order = Ordine
 site-copy = Copia
 site-copied = Copiato
+site-worked-programs = Programmi di esempio
+site-worked-intro = Programmi completi che mostrano come i cicli lavorano insieme. Posizioni, valori e utensili sono esempi.
+site-show-program = Mostra il programma
 site-nc-software = Software NC a partire da
 site-not-named = non indicato
 site-home-intro = I cicli dei controlli numerici HEIDENHAIN: che cosa fanno, i loro parametri, che cosa verifica il controllo numerico, i risultati e blocchi NC da copiare. Tutte le pagine si possono leggere e consultare senza rete.
 site-home-safety = Le pagine descrivono il software indicato sopra; un’altra versione può comportarsi diversamente. Prevalgono i manuali della macchina e del controllo numerico. Provare ogni programma prima della lavorazione.
 site-page-missing = Questa pagina non esiste.
 page-notes-title = Avvertenze comuni a più cicli: { $control }
+page-programs-title = Programmi di esempio: { $control }
 page-software = Software NC { $software }
 page-edition = Dati del { $date }
 site-notes-before-the-call = Prima della chiamata

@@ -1,6 +1,8 @@
 # Coordinate transformations; see the English file.
 
 # --- common ---
+form-coordinates = Coordinate dell’origine
+form-table = Riga di una tabella origini
 note-transform-acts-until-reset = Una conversione di coordinate è attiva dalla sua definizione e non deve essere chiamata. Rimane attiva finché non viene annullata o ridefinita.
 note-transform-reset-ways = Una conversione di coordinate si annulla ridefinendo il ciclo con i valori dello stato base (ad esempio fattore di scala 1,0), con le funzioni ausiliarie M2 e M30 o con il blocco END PGM (a seconda del parametro macchina { $mp-clear-mode }), oppure selezionando un altro programma.
 

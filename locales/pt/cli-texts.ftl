@@ -1,7 +1,7 @@
 # O comando «texts».
 cli-texts = Mostra o estado das traduções, aceita-as e troca-as com tradutores
 cli-texts-action = O que fazer: status mostra o que está por fazer, accept regista que as traduções correspondem aos textos ingleses, export escreve um ficheiro para tradutores, import lê um de volta
-cli-texts-input = import: o ficheiro do tradutor, XLIFF ou PO
+cli-texts-input = import: os ficheiros dos tradutores, XLIFF ou PO, ou termos em TBX ou CSV; vários são aplicados em conjunto
 cli-texts-lang = Só este idioma; pode ser repetido
 cli-texts-file = status: só este ficheiro do idioma, por exemplo drilling.ftl; pode ser repetido
 cli-texts-text = accept: o texto com esta chave ou, se KEY terminar em *, todos aqueles cuja chave começa assim; pode ser repetido
@@ -68,8 +68,10 @@ cli-texts-note-kind = Este texto é { $kind ->
         [guard] o motivo por que o comando recusa um ciclo
         [message] uma mensagem do comando ao operador
         [figure] o título de uma figura
+        [form] o nome de uma forma do bloco de um ciclo
         [table] o título de uma tabela
         [title] o título de um exemplo
+        [comment] um comentário num programa de exemplo
         [term] um termo do glossário
         [log] uma linha de um protocolo que um ciclo escreve
         [diagnostic] uma ocorrência assinalada pelo programa

@@ -35,7 +35,7 @@ cli-translate-to = Idioma dos nomes e designações
 cli-translate-control = Comando numérico do programa (predefinição: reconhecido pelos ciclos)
 cli-translate-out = Ficheiro a escrever (predefinição: saída padrão)
 cli-run = Executa um programa num cenário
-cli-run-tool-table = Tabela de ferramentas a utilizar em vez da que está na cena
+cli-run-tool-table = Tabela de ferramentas ou de ferramentas de tornear (.trn) a utilizar em vez da que está na cena; pode ser indicada para cada uma
 cli-run-out = Pasta para as tabelas e os registos que o programa escreve
 cli-run-events = Mostra cada evento como uma linha JSON
 cli-run-skip-blocks = Salta as frases que começam por /
@@ -262,7 +262,9 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [spindle-stopped] O cabeçote não roda enquanto a ferramenta atravessa { $amount } mm de material.
         [edges-too-short] O material é cortado até { $amount } mm acima da ponta da ferramenta, para lá do comprimento das lâminas.
         [turns-together] Os eixos rotativos rodam enquanto a ferramenta se desloca: não se conhece o material retirado.
-        [turned] A peça está a ser torneada: o que a ferramenta { $amount } remove não é acompanhado.
+        [turned] A peça está a ser torneada, mas não é um sólido de revolução em torno do eixo de torneamento, ou foi fresada antes: o que a ferramenta { $amount } remove não é acompanhado.
+        [insert-unknown] Nenhum ciclo indica como a pastilha da ferramenta { $amount } encontra a peça: não se conhece o material retirado.
+        [thread-turned] A ferramenta { $amount } torneia uma rosca, que não faz parte do sólido acompanhado.
        *[no-radius] A ferramenta { $amount } não tem raio: não se conhece o material retirado.
     }
 cli-stock-length = Percurso: { $feed } mm em avanço, dos quais { $cut } mm em movimentos que retiram material; { $rapid } mm em avanço rápido

@@ -63,6 +63,7 @@ cycle-rough-out = Desbaste
     .nc = DESBASTE
     .purpose = Desbasta o contorno, nível a nível, até à medida excedente do fundo, ou maquina apenas o que uma ferramenta mais grossa deixou.
 step-position-over-infeed-point = O comando posiciona a ferramenta sobre o ponto de penetração, tendo em conta a medida excedente de acabamento lateral.
+step-take-depths-of-partial-contours = O comando maquina um contorno parcial com profundidade própria até essa profundidade, e todos os outros até à profundidade de fresagem dos dados do contorno.
 step-go-to-infeed-point = A ferramenta desloca-se em avanço rápido para cima do ponto de penetração e desce até à distância de segurança da superfície já maquinada.
 step-plunge-to-contour-level = A ferramenta desloca-se para a profundidade de passo seguinte, { $q-contour-plunging-depth } mais funda:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: na vertical com o avanço { $q-contour-plunging-feed }, mesmo que esteja definido um ângulo de penetração { $mp-plunging-angle } para a ferramenta ativa
@@ -71,6 +72,7 @@ say-plunge-on-helix-or-in-strokes = caso contrário, em hélice com o ângulo de
 step-rough-contour-level = A esta profundidade, a ferramenta fresa o contorno de dentro para fora com o avanço { $q-roughing-feed }. À volta das ilhas, fresa em trajetórias que se aproximam do contorno da caixa:
 say-rough-what-coarser-tool-left = se estiver introduzida uma ferramenta de desbaste prévio { $q-coarse-roughing-tool }, só o que essa ferramenta não pôde maquinar
 say-rough-whole-region = caso contrário, toda a superfície
+message-contour-material-left = A ferramenta não alcança todo o contorno: deixa material em cantos ou em pontos estreitos.
 note-centre-cutting-or-pilot-drilling = Se necessário, utilize uma fresa que corte ao centro (DIN 844) ou faça um furo prévio com o ciclo 21.
 note-rough-out-plunging = A forma como a ferramenta penetra na peça é determinada pelo parâmetro { $q-reciprocation-feed } e pelas colunas { $mp-plunging-angle } e { $mp-cutting-edge-length } da tabela de ferramentas. Com { $q-reciprocation-feed } = 0, penetra sempre na vertical. Com { $mp-plunging-angle } = 90°, penetra na vertical com o avanço { $q-reciprocation-feed }. Com um avanço pendular e { $mp-plunging-angle } de 0,1 a 89,999, penetra em hélice com esse ângulo. Com um avanço pendular e sem { $mp-plunging-angle } na tabela de ferramentas, o comando emite um aviso de erro. Se não houver espaço para uma hélice (como numa ranhura), o comando tenta penetrar em movimento pendular, cuja longitude é { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = Com um fator de sobreposição maior do que 1, pode ficar material em contornos de caixas com esquinas interiores agudas. Verifique a trajetória mais interior no gráfico de teste e, se necessário, altere ligeiramente o fator de sobreposição. Os cortes ficam então repartidos de outra forma, o que muitas vezes dá o resultado pretendido.

@@ -1,7 +1,9 @@
 # Texts that do not agree with each other; see src/accord.
 
+diag-consistency-negation = O texto { $key } no idioma { $language } não contém uma negação, ao contrário dos idiomas { $others }.
 diag-consistency-number = O texto { $key } no idioma { $language } indica números diferentes dos dos idiomas { $others }: { $found } em vez de { $expected }.
 diag-consistency-unit = O texto { $key } no idioma { $language } indica unidades diferentes das dos idiomas { $others }: { $found } em vez de { $expected }.
+diag-consistency-variant = O texto { $key } no idioma { $language } serve também para { $variant }, para o qual o inglês tem uma variante com outros dados: { $found } em vez de { $expected }. Falta uma variante.
 diag-consistency-code = O texto { $key } no idioma { $language } refere parâmetros, funções ou colunas diferentes dos dos idiomas { $others }: { $found } em vez de { $expected }.
 diag-consistency-argument = O texto { $key } no idioma { $language } utiliza argumentos diferentes dos dos idiomas { $others }: { $found } em vez de { $expected }.
 diag-consistency-label-twice = No idioma { $language }, os parâmetros «{ $parameter }» e «{ $other }» de um ciclo têm a mesma designação { $label }.

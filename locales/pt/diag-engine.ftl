@@ -2,6 +2,7 @@
 
 diag-angle-missing = Falta o ângulo PA do círculo.
 diag-axis-limit = O eixo { $axis } iria para { NUMBER($found) } { $unit }, para lá dos limites da máquina de { NUMBER($min) } a { NUMBER($max) } { $unit }.
+diag-blank-form-update = O seguimento do bloco com TURNDATA BLANK não pode ser simulado: o manual não diz como os ciclos mudam em função do bloco.
 diag-block-limit = A execução foi terminada: foram executadas mais de { NUMBER($limit) } frases.
 diag-block-unreadable = Não é possível ler a frase: { $found }
 diag-call-depth-limit = As chamadas estão encadeadas em mais de { NUMBER($limit) } níveis.
@@ -16,6 +17,7 @@ diag-direction-contradicts = O sinal do ângulo incremental contradiz o sentido 
 diag-direction-missing = Falta o sentido de rotação DR do círculo.
 diag-direction-undefined = Os dois pontos distam apenas { NUMBER($distance) } mm: não determinam nenhuma direção.
 diag-division-by-zero = Divisão por zero.
+diag-elements-overlap = Os elementos em dois cantos do contorno sobrepõem-se: juntos ocupam { NUMBER($least) } mm do lado que os separa, com { NUMBER($found) } mm de comprimento.
 diag-end-off-circle = O ponto final não está no círculo: raio { NUMBER($start_radius, maximumFractionDigits: 4) } mm no início, { NUMBER($end_radius, maximumFractionDigits: 4) } mm no fim.
 diag-feed-missing = Não está ativo nenhum avanço maior do que 0.
 diag-field-missing = Falta o campo { $field } de { $cycle }.
@@ -24,6 +26,7 @@ diag-fit-collinear = Os { NUMBER($points) } pontos de apalpação estão em linh
 diag-fit-failed = Nenhum círculo se ajusta aos { NUMBER($points) } pontos de apalpação.
 diag-fit-too-few = Os pontos de apalpação são demasiado poucos para um círculo: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Os passos nunca atingem a profundidade de { NUMBER($depth) } mm: o primeiro é de { NUMBER($first) } mm, cada um é { NUMBER($less) } mm menor, o mínimo é de { NUMBER($least) } mm; terminam em { NUMBER($reached) } mm.
+diag-insert-direction = A pastilha da ferramenta { $tool } não aponta para a peça ou para a direção dos cortes: a sua orientação (TO) é { $orientation }.
 diag-jump-limit = A execução foi terminada: foram executados mais de { NUMBER($limit) } saltos, repetições e chamadas.
 diag-jump-target-missing = Não existe o label { $label }.
 diag-jump-target-twice = O label { $label } aparece duas vezes no programa.
@@ -36,6 +39,7 @@ diag-move-limit = A execução foi terminada: foram executados mais de { NUMBER(
 diag-no-cycle-to-call = É chamado um ciclo, mas não foi definido nenhum ciclo de maquinação.
 diag-no-such-parameter = Não existe o parâmetro { $q }.
 diag-number-too-large = O resultado é demasiado grande para o formato numérico.
+diag-orientation-missing = A compensação do raio ao tornear precisa da orientação (TO) da ferramenta { $tool }: indica onde está a ponta em relação ao centro do raio.
 diag-outside-domain = { $function } não está definido para { NUMBER($value) }.
 diag-parameter-missing = Falta { $q } em { $cycle }.
 diag-parameter-out-of-range = { $q } não aceita o valor { NUMBER($value) }.
@@ -65,6 +69,7 @@ diag-text-too-long = Um parâmetro de texto ultrapassaria { NUMBER($limit) } car
 diag-tool-locked = A ferramenta { $tool } está bloqueada.
 diag-tool-not-in-table = A ferramenta { $tool } não está na tabela de ferramentas.
 diag-turn-limit = A execução foi terminada: um movimento tem mais de { NUMBER($limit) } voltas.
+diag-undercut-impossible = Não há espaço para o rebaixo, ou este não está entre uma superfície ao longo do eixo rotativo e uma face perpendicular a ela.
 diag-unsupported-axis = A máquina simulada não tem um eixo { $axis }.
 diag-unsupported-block = { $word } não pode ser simulado.
 diag-unsupported-cycle = O manual do comando { $control } só menciona o nome de { $cycle }: não pode ser simulado.
@@ -94,8 +99,15 @@ diag-value-not-predefined = Está programado PREDEF, mas nenhum GLOBAL DEF defin
 diag-contour-crossing = O contorno do label { $label } cruza-se ou toca-se a si próprio no ponto com eixo principal { NUMBER($x) } mm e eixo secundário { NUMBER($y) } mm.
 diag-contour-begin-incomplete = O contorno do label { $label } não começa com as duas coordenadas X e Y.
 diag-contour-data-undefined = Nenhum ciclo definiu ainda os dados do contorno.
+diag-contour-count = O contorno é formado por mais de { NUMBER($limit) } contornos parciais.
+diag-contour-depth =
+    { $what ->
+        [first] Um contorno parcial é mais fundo do que o primeiro de CONTOUR DEF, que tem de ser a caixa mais funda.
+       *[cycle] Um contorno parcial tem uma profundidade de { NUMBER($depth) } mm, maior do que a profundidade de fresagem dos dados do contorno.
+    }
 diag-contour-elements = Os contornos têm, no total, mais de { NUMBER($limit) } elementos.
 diag-contour-empty = O subprograma do label { $label } não descreve nenhum contorno que delimite uma área.
+diag-contour-lead = Um contorno que um ciclo maquina não pode conter { $word }: o ciclo aproxima-se dele e afasta-se por si próprio.
 diag-contour-not-defined = Nenhum ciclo indicou ainda os subprogramas do contorno.
 diag-contour-open = O contorno do label { $label } está aberto: termina a { NUMBER($distance) } mm do ponto inicial.
 diag-contour-side-missing = O contorno do label { $label } não tem correção de raio RL ou RR, que indica se se trata de uma caixa ou de uma ilha.

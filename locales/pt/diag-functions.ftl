@@ -1,6 +1,8 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = O programa termina por si próprio com o erro { $number } (FN 14).
 explain-error-of-program = FN 14: ERROR termina o programa com um erro próprio; o número escolhe a mensagem que o comando mostra. Os programas usam-no quando não podem continuar, por exemplo porque o valor de um parâmetro não serve. Exemplo: «FN 14: ERROR = 1010». Solução: verificar a condição antes do bloco e dar aos parâmetros valores com que o programa possa trabalhar.
+diag-tool-setter-collision = Colisão: a ferramenta embate no apalpador de ferramentas num movimento a partir de X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
+explain-tool-setter-collision = A ferramenta embate no apalpador de ferramentas do cenário num movimento que não mede: a ferramenta tal como é na realidade, com a lâmina mais comprida e a mais larga. Na máquina, ambos poderiam partir-se. Muitas vezes a altura segura é demasiado baixa, ou o comprimento e o raio na tabela de ferramentas estão mais longe da realidade do que permite a distância de segurança do apalpador. Introduza valores aproximados antes da primeira medição, ou contorne o apalpador.
 diag-tool-setter-missing = O cenário não tem apalpador de ferramentas.
 explain-tool-setter-missing = Um ciclo de medição da ferramenta precisa de um apalpador de mesa no cenário: onde está a sua superfície e que largura tem. Exemplo: «tool_setter:» com «at: [300, 200, -50]» e «diameter: 40». Solução: acrescentá-lo ao cenário; docs/scene.md descreve as chaves.
 
@@ -19,3 +21,11 @@ diag-measuring-position-at-zero = Uma posição de medição do eixo { $axis } e
 explain-measuring-position-at-zero = A medição de referência é feita a 0°, pelo que uma posição de medição aí nada diz e o iTNC 530 recusa-a. Exemplo: −90 a +90 com 3 pontos. Solução: outro número de pontos ou outros ângulos.
 diag-hirth-without-retraction = O eixo { $axis } tem dentes Hirth e precisa de uma altura de retração.
 explain-hirth-without-retraction = Um eixo com dentes Hirth sai da sua grelha para ser posicionado, pelo que não pode ser medido sem retração. Exemplo: altura de retração 0 com «hirth: 3» na máquina. Solução: introduzir uma altura acima da esfera.
+diag-mask-missing = A máscara { $name } não existe.
+explain-mask-missing = FN 16 escreve segundo uma máscara, um ficheiro de texto ao lado do programa ou em «masks» na cena, e esta não está em nenhum dos dois sítios. A unidade e as pastas no nome não contam. Exemplo: «FN 16: F-PRINT TNC:\MASK.A / TNC:\LOG.TXT» sem um ficheiro MASK.A. Acrescente a máscara ou corrija o nome.
+diag-mask-unreadable = { $file }, linha { $line }: não é possível ler a máscara: { $found }
+explain-mask-unreadable = Uma máscara é composta por textos entre aspas, com um lugar para cada valor que se lhes segue, e por palavras-chave; cada elemento termina com um ponto e vírgula. Exemplo: «"X = %9.3LF", Q31;». São causas frequentes um ponto e vírgula em falta, mais lugares do que valores ou uma palavra-chave que não pode ser simulada. Corrija a linha.
+diag-output-path = O caminho { $path } leva para fora da pasta dos resultados.
+explain-output-path = O que FN 16 escreve vai para a pasta indicada com --out, com o nome do seu ficheiro, seja qual for a pasta no comando. Um caminho que leva para cima, ou para a unidade ou a pasta raiz de outro sistema, poderia substituir outros ficheiros e é recusado. Exemplo: «TNC:\LOG\..\PART.TXT». Utilize um caminho em TNC: sem «..».
+diag-open-table-missing = Não há nenhuma tabela aberta.
+explain-open-table-missing = FN 27 e FN 28 escrevem e leem a tabela que FN 26: TABOPEN abriu, e antes desta frase não foi aberta nenhuma. Exemplo: «FN 28: TABREAD Q10 = 6/"X,Y"» no início de um programa. Abra primeiro a tabela: «FN 26: TABOPEN TNC:\TAB1.TAB».

@@ -55,6 +55,7 @@ diag-locale-function-failed =
 diag-locale-too-long = O texto «{ $key }» ({ $language }) tem demasiados campos.
 diag-locale-lock-line = Uma linha deste ficheiro tem um identificador e oito algarismos hexadecimais.
 diag-locale-missing-translation = «{ $key }» não está traduzido para o idioma «{ $language }».
+diag-locale-unfinished = Faltam { $count } textos no idioma «{ $language }». «ciklo texts status --lang { $language }» conta-os por ficheiro e indica os seguintes.
 diag-locale-orphan = «{ $key }» ({ $language }) é um resto: o texto inglês já não existe.
 diag-locale-stale =
     { $change ->

@@ -52,6 +52,7 @@ diag-tool-table-contradicts =
         [speed] As rotações { $value } excedem { $other }, as rotações máximas da ferramenta { $tool } na tabela de ferramentas (NMAX).
         [locked] A ferramenta { $tool } está bloqueada na tabela de ferramentas (TL) e não há ferramenta gémea indicada (RT).
         [point] { $value } centra aqui até ao diâmetro, mas a ferramenta { $tool } não tem ângulo de ponta na tabela de ferramentas (T-ANGLE).
+        [turning] { $value } não serve para a ferramenta { $tool }, que na tabela de ferramentas de tornear é do tipo { $other } (TYPE).
        *[type] { $value } não serve para a ferramenta { $tool }, que na tabela de ferramentas é do tipo { $other } (TYP).
     }
 diag-translate-encoding = O ficheiro é escrito em { $encoding }: tem aí os mesmos bytes e existem todas as letras das novas designações.

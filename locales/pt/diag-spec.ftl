@@ -24,6 +24,8 @@ diag-spec-expected = Esperado: { $expected ->
         [one-verb] exatamente um verbo
         [one-series] exatamente uma série
         [cell] file, row, column e value
+        [column] at e is
+        [pair] dois números
         [end-word] done, stopped, error, limit ou unsupported
        *[other] { $expected }
     }, encontrado: { $found }.

@@ -8,6 +8,7 @@ diag-texts-file-unreadable = Não é possível ler o ficheiro: { $reason ->
         [entity] contém uma entidade desconhecida
         [encoding] a codificação não é UTF-8
         [depth] os elementos estão encaixados a demasiada profundidade
+        [columns] faltam à tabela as colunas concept e language
         [xliff] não é XLIFF 1.2 nem XLIFF 2.0
        *[form] a forma está errada a partir daqui
     }.
@@ -16,6 +17,7 @@ diag-texts-unit-twice = A unidade «{ $key }» aparece várias vezes no ficheiro
 diag-texts-unit-source-changed = O texto de partida da unidade «{ $key }» não é o atual: exporte o texto de novo.
 diag-texts-unit-not-read = A unidade «{ $key }» não tem tradução, ou tem uma com elementos desconhecidos.
 diag-texts-unit-codes = Os códigos da unidade «{ $key }» não correspondem: em falta { $missing }, não permitidos { $foreign }.
+diag-texts-unit-exchanged = Na unidade «{ $key }» os códigos trocaram de lugar entre as mesmas palavras.
 diag-texts-unit-incomplete = A unidade «{ $key }» é uma das variantes de um texto novo; as outras faltam ou foram recusadas.
 diag-texts-unit-refused = A unidade «{ $key }» foi recusada ({ $code }): { $finding }
 diag-texts-unit-markup = A tradução da unidade «{ $key }» mudaria a forma da página: as suas marcas ou os blocos em redor.

@@ -13,7 +13,9 @@ diag-scene-expected =
         [unit] A unidade de medida tem de ser mm ou inch, não «{ $found }».
         [clock] Esperam-se uma data e uma hora como 2015-07-03T14:05:00, encontrou-se «{ $found }».
         [datum-file] O nome de uma tabela de pontos zero tem de terminar em .D.
+        [table-file] O nome de uma tabela de definição livre tem de terminar em .TAB.
         [rotary-axis] Espera-se a letra de um eixo rotativo (A, B ou C), encontrou-se «{ $found }».
+        [parallel-axis] Espera-se a letra de um eixo paralelo (U, V ou W), encontrou-se «{ $found }».
         [carried] Um eixo rotativo leva a peça (workpiece) ou a ferramenta (tool), não «{ $found }».
         [orientation] A orientação tem de ser fixed, two ou any, não «{ $found }».
         [shaft] A haste tem de ser mais fina do que a esfera; o seu diâmetro é { $found }.
@@ -31,11 +33,23 @@ diag-scene-one-solid = Espera-se aqui exatamente um sólido: { $known }.
 diag-scene-unknown-machine = Não existe nenhuma máquina com o nome { $name }; as máquinas são { $known }.
 diag-scene-no-axis = A máquina não tem um eixo { $axis }.
 diag-scene-start-outside = A posição inicial está fora da margem de deslocação do eixo { $axis }: { $found } { $unit } não está entre { $min } e { $max } { $unit }.
+diag-scene-stl = { $file }: { $kind ->
+        [nowhere] Uma cena dentro de outro ficheiro não pode indicar ficheiros STL.
+        [large] Os ficheiros STL de uma cena podem ter ao todo { $most } MB.
+        [number] No triângulo { $triangle }, uma coordenada não é um número ou é superior a 1000000.
+        [length] O ficheiro não tem o comprimento que o número de triângulos indicado ({ $triangle }) exige.
+       *[empty] Nenhum triângulo tem área.
+    }
+diag-scene-stl-word = Espera-se aqui { $wanted ->
+        [number] um número até 1000000
+       *[word] { $wanted }
+    }, em vez de «{ $found }».
 
 diag-solid-not-finite = Uma medida não é um número finito e positivo.
 diag-solid-too-many = A forma tem demasiadas superfícies: levaria demasiado tempo a encontrar as suas arestas. Omita aquilo de que nenhuma ferramenta ou apalpador se aproxima.
 diag-solid-edge-unsupported = A esfera de apalpação pode tocar numa aresta que não é uma reta nem um círculo; este contacto não pode ser calculado com exatidão.
 diag-solid-cusp = A esfera de apalpação pode tocar num ponto em que as superfícies são tangentes e não deixam espessura; este contacto não pode ser calculado com exatidão.
+diag-solid-mesh-cut = Uma superfície de triângulos não pode fazer parte de uma diferença.
 diag-solid-helix-unsupported = A esfera de apalpação pode tocar na peça durante um movimento helicoidal ou enquanto se movem vários eixos; este contacto não pode ser calculado com exatidão.
 
 diag-table-no-header = A tabela deve começar por uma linha com "BEGIN", o nome de um ficheiro { $extension } e a unidade de medida.

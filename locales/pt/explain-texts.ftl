@@ -9,7 +9,7 @@ explain-texts-no-file =
 explain-texts-no-language =
     Os textos são traduzidos do inglês para um idioma com um código como fi ou de-AT. O inglês não pode ser o idioma de chegada, e um nome com outros sinais além de letras, algarismos e hífenes não poderia ser uma pasta em locales. Indique o idioma com --to. Um ficheiro que regressa geralmente já o indica.
 explain-texts-file-unreadable =
-    O ficheiro é recusado na totalidade e nada é alterado. Leem-se XLIFF 1.2, XLIFF 2.0 e PO em UTF-8. Declarações de tipo de documento e entidades próprias são recusadas porque podem ir buscar outros ficheiros ou crescer sem fim; pela mesma razão recusa-se um encaixe demasiado profundo de elementos. Verifique o local indicado, ou exporte os textos de novo e guarde-os na mesma forma com a ferramenta de tradução.
+    O ficheiro é recusado na totalidade e nada é alterado. Leem-se XLIFF 1.2, XLIFF 2.0 e PO em UTF-8, e termos em TBX ou CSV. Se um de vários ficheiros não se puder ler, nenhum é aplicado. Declarações de tipo de documento e entidades próprias são recusadas porque podem ir buscar outros ficheiros ou crescer sem fim; pela mesma razão recusa-se um encaixe demasiado profundo de elementos. Verifique o local indicado, ou exporte os textos de novo e guarde-os na mesma forma com a ferramenta de tradução.
 explain-texts-unit-unknown =
     O identificador de uma unidade é a chave de um texto, e nenhum texto do idioma tem esta chave. Foi mudada ou eliminada desde a exportação, ou o identificador foi alterado no ficheiro. Exporte de novo; uma memória de tradução encontra a tradução já feita pelas palavras.
 explain-texts-unit-twice =
@@ -20,6 +20,8 @@ explain-texts-unit-not-read =
     Uma unidade definitiva precisa de uma tradução composta de palavras e dos códigos que foram exportados. Esta não tem texto, ou contém elementos que o ficheiro exportado não tinha. Elimine-os, ou dê à unidade um estado não definitivo até estar traduzida.
 explain-texts-unit-codes =
     Os códigos estão no lugar de valores, termos e escolhas que o programa preenche. Uma tradução pode mudar a sua ordem e escolher a forma de um termo, como em { "{ -probe(case: \"genitive\") }" }, mas precisa dos códigos do texto de partida e de nenhum outro: um código em falta faria perder um dado, por exemplo uma profundidade ou um parâmetro. Reponha os que faltam e elimine os que não são permitidos.
+explain-texts-unit-exchanged =
+    As palavras da tradução são as de hoje e só os códigos estão noutros lugares, por isso cada valor seria dito de outra coisa. Volte a pôr os códigos no lugar. Se a nova ordem estiver certa, altere também as palavras ou edite o ficheiro Fluent.
 explain-texts-unit-incomplete =
     Um texto novo com variantes, por exemplo para um e para vários furos, só está completo quando existem todas as variantes: uma em falta deixaria uma lacuna nas frases. Traduza todas as unidades cujo identificador começa com a mesma chave e torne-as definitivas.
 explain-texts-unit-refused =

@@ -107,3 +107,6 @@ log-measuring-circle = Raio do círculo de medição:
 log-compensation = Valores de correção:
 log-rating = Avaliação dos pontos de medição:
 log-uncertainty = Incerteza de medição (graus por µm):
+
+# --- masks of formatted output (FN 16): how the keywords of a control name this language ---
+log-mask-language = Portuguese

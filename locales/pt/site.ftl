@@ -5,6 +5,7 @@ site-skip = Saltar para o conteúdo
 site-manual = Manual de ciclos
 site-draft = Rascunho: os textos entre ⟦ ⟧ ainda não estão traduzidos.
 site-overview = Vista geral
+site-contents = Índice
 site-languages = Idiomas
 site-controls = Comandos
 site-control = Comando
@@ -68,7 +69,6 @@ site-choose = Escolher o comando e o idioma
 
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Ciclos do { $control }
-page-form = Forma { $number }
 page-switched-off-by = Pode ser desativado com { $datum }.
 
 # Lists, comparisons, topics, search.
@@ -107,12 +107,16 @@ site-filter = Mostrar ciclos com
 site-order = Ordem
 site-copy = Copiar
 site-copied = Copiado
+site-worked-programs = Programas de exemplo
+site-worked-intro = Programas completos que mostram como os ciclos funcionam em conjunto. Posições, valores e ferramentas são exemplos.
+site-show-program = Mostrar o programa
 site-nc-software = Software NC a partir de
 site-not-named = não indicado
 site-home-intro = Os ciclos dos comandos HEIDENHAIN: o que fazem, os seus parâmetros, o que o comando verifica, os resultados e blocos NC para copiar. Todas as páginas podem ser lidas e pesquisadas sem rede.
 site-home-safety = As páginas descrevem o software indicado acima; outra versão pode comportar-se de forma diferente. Os manuais da máquina e do comando prevalecem. Teste cada programa antes da maquinação.
 site-page-missing = Esta página não existe.
 page-notes-title = Notas comuns a vários ciclos: { $control }
+page-programs-title = Programas de exemplo: { $control }
 page-software = Software NC { $software }
 page-edition = Dados de { $date }
 site-notes-before-the-call = Antes da chamada

@@ -1,6 +1,8 @@
 # Coordinate transformations.
 
 # --- common ---
+form-coordinates = Coordenadas do ponto zero
+form-table = Linha de uma tabela de pontos zero
 note-transform-acts-until-reset = Uma conversão de coordenadas atua a partir da sua definição; não é chamada. Permanece ativa até ser anulada ou definida de novo.
 note-transform-reset-ways = Uma conversão de coordenadas anula-se definindo de novo o ciclo com os valores do estado básico (por exemplo, fator de escala 1,0), com as funções auxiliares M2 e M30 ou a frase END PGM (dependendo do parâmetro de máquina { $mp-clear-mode }) e selecionando outro programa.
 

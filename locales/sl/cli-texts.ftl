@@ -1,7 +1,7 @@
 # Ukaz »texts«.
 cli-texts = Pokaže stanje prevodov, jih potrdi ter izmenja s prevajalci
 cli-texts-action = Kaj naj se naredi: status pokaže, kaj je še odprto, accept zabeleži, da prevodi ustrezajo angleškim besedilom, export zapiše datoteko za prevajalce, import jo prebere nazaj
-cli-texts-input = import: datoteka prevajalca, XLIFF ali PO
+cli-texts-input = import: datoteke prevajalcev, XLIFF ali PO, ali izrazi v obliki TBX ali CSV; več datotek se prevzame skupaj
 cli-texts-lang = Samo ta jezik; lahko se ponovi
 cli-texts-file = status: samo ta datoteka jezika, na primer drilling.ftl; lahko se ponovi
 cli-texts-text = accept: besedilo s tem ključem ali, če se KEY konča z *, vsa besedila, katerih ključ se tako začne; lahko se ponovi
@@ -72,8 +72,10 @@ cli-texts-note-kind = To je { $kind ->
         [guard] razlog, zakaj krmiljenje zavrne cikel
         [message] sporočilo krmiljenja upravljavcu
         [figure] naslov slike
+        [form] ime oblike stavka cikla
         [table] naslov tabele
         [title] naslov primera
+        [comment] opomba v primeru programa
         [term] izraz iz slovarja
         [log] vrstica protokola, ki ga zapiše cikel
         [diagnostic] ugotovitev programa

@@ -35,7 +35,7 @@ cli-translate-to = Jezik imen in oznak
 cli-translate-control = Krmiljenje programa (privzeto: se ugotovi iz njegovih ciklov)
 cli-translate-out = Datoteka za zapis (privzeto: standardni izhod)
 cli-run = Izvede program v prizorišču
-cli-run-tool-table = Preglednica orodij, ki se uporabi namesto tiste iz prizorišča
+cli-run-tool-table = Preglednica orodij ali stružnih orodij (.trn), ki se uporabi namesto tiste iz prizorišča; lahko je podana za vsako
 cli-run-out = Mapa za preglednice in protokole, ki jih zapiše program
 cli-run-events = Vsak dogodek izpiše kot vrstico JSON
 cli-run-skip-blocks = Preskoči stavke, ki se začnejo z /
@@ -285,7 +285,9 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [spindle-stopped] Vreteno miruje, medtem ko se orodje giblje skozi { $amount } mm materiala.
         [edges-too-short] Material se reže do { $amount } mm nad konico orodja, kar je več, kot so dolga rezila.
         [turns-together] Rotacijske osi se med premikanjem orodja vrtijo: odvzeti material ni znan.
-        [turned] Obdelovanec se struži: kaj z njega odreže orodje { $amount }, se ne spremlja.
+        [turned] Obdelovanec se struži, vendar ni rotacijsko telo okoli osi struženja ali pa je bil prej rezkan: kaj z njega odreže orodje { $amount }, se ne spremlja.
+        [insert-unknown] Noben cikel ne pove, kako se ploščica orodja { $amount } dotika obdelovanca: odvzeti material ni znan.
+        [thread-turned] Orodje { $amount } struži navoj, ki ni del spremljanega telesa.
        *[no-radius] Orodje { $amount } nima polmera: odvzeti material ni znan.
     }
 cli-stock-length = Pot: { $feed } mm s pomikom, od tega { $cut } mm v premikih, ki odvzemajo material; { $rapid } mm v hitrem teku

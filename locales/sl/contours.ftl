@@ -63,6 +63,7 @@ cycle-rough-out = Posnemanje
     .nc = VRTANJE
     .purpose = Konturo ravnino za ravnino grobo obdela do globinske nadmere ali obdela samo tisto, kar je pustilo večje orodje.
 step-position-over-infeed-point = Krmiljenje z upoštevanjem nadmere stranskega finega rezkanja premakne orodje nad vbodno točko.
+step-take-depths-of-partial-contours = Krmiljenje obdela delno konturo z lastno globino do te globine, vse druge pa do globine rezkanja iz konturnih podatkov.
 step-go-to-infeed-point = Orodje se v hitrem teku premakne nad vbodno točko in navzdol na varnostno razdaljo do že obdelane površine.
 step-plunge-to-contour-level = Orodje se spusti na naslednjo globino primika, za { $q-contour-plunging-depth } globlje:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: navpično s pomikom { $q-contour-plunging-feed }, tudi če je za aktivno orodje definiran kot spuščanja { $mp-plunging-angle }
@@ -71,6 +72,7 @@ say-plunge-on-helix-or-in-strokes = sicer po vijačnici pod kotom spuščanja { 
 step-rough-contour-level = Na tej globini orodje konturo rezka od znotraj navzven s pomikom { $q-roughing-feed }. Okoli otokov rezka po poteh, ki se približujejo konturi žepa:
 say-rough-what-coarser-tool-left = če je vneseno orodje za predvrtanje { $q-coarse-roughing-tool }, samo tisto, česar to orodje ni moglo obdelati
 say-rough-whole-region = sicer celotno površino
+message-contour-material-left = Orodje ne doseže celotne konture: v kotih ali na ozkih mestih pusti material.
 note-centre-cutting-or-pilot-drilling = Po potrebi uporabite rezkar s čelnim zobom, ki reže po sredini (DIN 844), ali predvrtajte s ciklom 21.
 note-rough-out-plunging = Način spuščanja določajo parameter { $q-reciprocation-feed } in stolpca { $mp-plunging-angle } in { $mp-cutting-edge-length } v preglednici orodij. Pri { $q-reciprocation-feed } = 0 je spuščanje vedno navpično. Pri { $mp-plunging-angle } = 90° je spuščanje navpično s pomikom { $q-reciprocation-feed }. Pri nihajnem pomiku in { $mp-plunging-angle } od 0,1 do 89,999 poteka spuščanje po vijačnici pod tem kotom. Pri nihajnem pomiku brez vrednosti { $mp-plunging-angle } v preglednici orodij krmiljenje javi napako. Če za vijačnico ni prostora (na primer v utoru), poskusi krmiljenje z nihajočim spuščanjem; dolžina nihanja je { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = Pri faktorju prekrivanja, večjem od 1, lahko pri konturah žepov z ostrimi notranjimi vogali ostane material. V testni grafiki preverite skrajno notranjo pot in po potrebi nekoliko spremenite faktor prekrivanja. Tako se rezi drugače razporedijo, kar pogosto da želeni rezultat.

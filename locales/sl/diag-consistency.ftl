@@ -1,6 +1,8 @@
 # Texts that do not agree with each other; see src/accord.
+diag-consistency-negation = Besedilo { $key } v jeziku { $language } ne vsebuje nikalnice, jeziki { $others } pa jo imajo.
 diag-consistency-number = Besedilo { $key } v jeziku { $language } navaja druga števila kot jeziki { $others }: { $found } namesto { $expected }.
 diag-consistency-unit = Besedilo { $key } v jeziku { $language } navaja druge enote kot jeziki { $others }: { $found } namesto { $expected }.
+diag-consistency-variant = Besedilo { $key } v jeziku { $language } velja tudi za { $variant }, za kar ima angleščina različico z drugimi podatki: { $found } namesto { $expected }. Manjka različica.
 diag-consistency-code = Besedilo { $key } v jeziku { $language } navaja druge parametre, funkcije ali stolpce kot jeziki { $others }: { $found } namesto { $expected }.
 diag-consistency-argument = Besedilo { $key } v jeziku { $language } uporablja druge argumente kot jeziki { $others }: { $found } namesto { $expected }.
 diag-consistency-label-twice = V jeziku { $language } imata parametra »{ $parameter }« in »{ $other }« enega cikla enako oznako { $label }.

@@ -2,6 +2,7 @@
 
 diag-angle-missing = Krožnici manjka kot PA.
 diag-axis-limit = Os { $axis } bi se premaknila na { NUMBER($found) }{"\u00A0"}{ $unit }, zunaj območja stroja od { NUMBER($min) } do { NUMBER($max) }{"\u00A0"}{ $unit }.
+diag-blank-form-update = Sledenja surovca s TURNDATA BLANK ni mogoče simulirati: priročnik ne pove, kako se cikli prilagodijo surovcu.
 diag-block-limit = Izvajanje je bilo prekinjeno: izvedenih je bilo več kot { NUMBER($limit) } stavkov.
 diag-block-unreadable = Stavka ni mogoče prebrati: { $found }
 diag-call-depth-limit = Priklici so ugnezdeni globlje kot { NUMBER($limit) } ravni.
@@ -16,6 +17,7 @@ diag-direction-contradicts = Predznak inkrementalnega kota nasprotuje smeri vrte
 diag-direction-missing = Krožnici manjka smer vrtenja DR.
 diag-direction-undefined = Točki sta narazen le { NUMBER($distance) }{"\u00A0"}mm: smeri ne določata.
 diag-division-by-zero = Deljenje z nič.
+diag-elements-overlap = Elementa na dveh vogalih konture se prekrivata: skupaj zavzameta { NUMBER($least) }{"\u00A0"}mm stranice med njima, ki je dolga { NUMBER($found) }{"\u00A0"}mm.
 diag-end-off-circle = Končna točka ne leži na krožnici: polmer na začetku { NUMBER($start_radius, maximumFractionDigits: 4) }{"\u00A0"}mm, na koncu { NUMBER($end_radius, maximumFractionDigits: 4) }{"\u00A0"}mm.
 diag-feed-missing = Aktiven ni noben pomik, večji od 0.
 diag-field-missing = V ciklu { $cycle } manjka polje { $field }.
@@ -24,6 +26,7 @@ diag-fit-collinear = Tipalne točke ({ NUMBER($points) }) ležijo na premici: kr
 diag-fit-failed = Tipalnim točkam ({ NUMBER($points) }) ni mogoče prilagoditi krožnice.
 diag-fit-too-few = Tipalnih točk je premalo za krožnico: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Primiki nikoli ne dosežejo globine { NUMBER($depth) }{"\u00A0"}mm: prvi meri { NUMBER($first) }{"\u00A0"}mm, vsak naslednji je za { NUMBER($less) }{"\u00A0"}mm manjši, najmanjši meri { NUMBER($least) }{"\u00A0"}mm; končajo se pri { NUMBER($reached) }{"\u00A0"}mm.
+diag-insert-direction = Rezalna ploščica orodja { $tool } ni obrnjena proti obdelovancu ali v smer rezov: njena usmeritev (TO) je { $orientation }.
 diag-jump-limit = Izvajanje je bilo prekinjeno: izvedenih je bilo več kot { NUMBER($limit) } skokov, ponovitev in priklicev.
 diag-jump-target-missing = Oznake LBL { $label } ni.
 diag-jump-target-twice = Oznaka LBL { $label } je v programu dvakrat.
@@ -36,6 +39,7 @@ diag-move-limit = Izvajanje je bilo prekinjeno: izvedenih je bilo več kot { NUM
 diag-no-cycle-to-call = Cikel je priklican, definiran pa ni bil noben obdelovalni cikel.
 diag-no-such-parameter = Parametra { $q } ni.
 diag-number-too-large = Rezultat je prevelik za obliko števil.
+diag-orientation-missing = Popravek polmera pri struženju potrebuje usmeritev (TO) orodja { $tool }: ta pove, kje je konica glede na središče zaobljenja.
 diag-outside-domain = Funkcija { $function } za { NUMBER($value) } ni definirana.
 diag-parameter-missing = V ciklu { $cycle } manjka { $q }.
 diag-parameter-out-of-range = Parameter { $q } ne sprejme vrednosti { NUMBER($value) }.
@@ -65,6 +69,7 @@ diag-text-too-long = Besedilni parameter bi presegel { NUMBER($limit) } znakov.
 diag-tool-locked = Orodje { $tool } je blokirano.
 diag-tool-not-in-table = Orodja { $tool } ni v preglednici orodij.
 diag-turn-limit = Izvajanje je bilo prekinjeno: en premik ima več kot { NUMBER($limit) } obratov.
+diag-undercut-impossible = Za spodrez ni prostora ali pa ni med površino vzdolž rotacijske osi in nanjo pravokotno čelno površino.
 diag-unsupported-axis = Simulirani stroj nima osi { $axis }.
 diag-unsupported-block = { $word } ni mogoče simulirati.
 diag-unsupported-cycle = Priročnik za { $control } cikel { $cycle } omenja samo po imenu: ni ga mogoče simulirati.
@@ -94,8 +99,15 @@ diag-value-not-predefined = Programiran je PREDEF, vrednosti pa ni določil nobe
 diag-contour-crossing = Kontura oznake { $label } se križa ali dotika sama sebe v točki: glavna os { NUMBER($x) } mm, pomožna os { NUMBER($y) } mm.
 diag-contour-begin-incomplete = Kontura oznake { $label } se ne začne z obema koordinatama X in Y.
 diag-contour-data-undefined = Noben cikel še ni določil konturnih podatkov.
+diag-contour-count = Kontura je sestavljena iz več kot { NUMBER($limit) } delnih kontur.
+diag-contour-depth =
+    { $what ->
+        [first] Delna kontura je globlja od prve v stavku CONTOUR DEF, ki mora biti najgloblji žep.
+       *[cycle] Delna kontura ima globino { NUMBER($depth) } mm in je globlja od globine rezkanja iz konturnih podatkov.
+    }
 diag-contour-elements = Konture imajo skupaj več kot { NUMBER($limit) } konturnih elementov.
 diag-contour-empty = Podprogram oznake { $label } ne opisuje konture, ki bi omejevala površino.
+diag-contour-lead = Kontura, ki jo obdela cikel, ne sme vsebovati { $word }: cikel se ji sam približa in jo zapusti.
 diag-contour-not-defined = Noben cikel še ni navedel podprogramov konture.
 diag-contour-open = Kontura oznake { $label } je odprta: konča se { NUMBER($distance) } mm od začetne točke.
 diag-contour-side-missing = Kontura oznake { $label } nima popravka polmera RL ali RR, ki pove, ali gre za žep ali otok.

@@ -1,6 +1,8 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = Program se sam konča z napako { $number } (FN 14).
 explain-error-of-program = FN 14: ERROR konča program z lastno napako; številka izbere sporočilo, ki ga pokaže krmiljenje. Programi ga uporabljajo, kadar ne morejo nadaljevati, na primer ko vrednost parametra ni uporabna. Primer: »FN 14: ERROR = 1010«. Rešitev: preverite pogoj pred blokom in parametrom dodelite vrednosti, s katerimi lahko program dela.
+diag-tool-setter-collision = Trk: orodje zadene namizni tipalni sistem pri premiku iz X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
+explain-tool-setter-collision = Orodje zadene namizni tipalni sistem scene pri premiku, ki ni meritev: orodje, kakršno v resnici je, z najdaljšim in najširšim rezilom. Na stroju bi se lahko oboje poškodovalo. Pogosto je varna višina premajhna ali pa se dolžina in polmer v preglednici orodij od resnice razlikujeta bolj, kot dopušča varnostna razdalja tipalnega sistema. Pred prvo meritvijo vnesite približne vrednosti ali pa tipalni sistem obvozite.
 diag-tool-setter-missing = Scena nima namiznega tipalnega sistema.
 explain-tool-setter-missing = Cikel za merjenje orodja potrebuje v sceni namizni tipalni sistem: kje je njegova merilna površina in kako široka je. Primer: »tool_setter:« z »at: [300, 200, -50]« in »diameter: 40«. Rešitev: dodajte ga v sceno; docs/scene.md opisuje ključe.
 
@@ -19,3 +21,11 @@ diag-measuring-position-at-zero = Merilni položaj osi { $axis } je pri 0° ali 
 explain-measuring-position-at-zero = Referenčna meritev se izvede pri 0°, zato merilni položaj tam ne pove ničesar in ga iTNC 530 zavrne. Primer: od −90 do +90 s 3 točkami. Rešitev: drugo število točk ali drugi koti.
 diag-hirth-without-retraction = Os { $axis } ima Hirthovo ozobje in potrebuje višino odmika.
 explain-hirth-without-retraction = Os s Hirthovim ozobjem se za pozicioniranje premakne iz zobja, zato je ni mogoče izmeriti brez odmika. Primer: višina odmika 0 in »hirth: 3« v stroju. Rešitev: vnesite višino nad kroglo.
+diag-mask-missing = Maske { $name } ni.
+explain-mask-missing = FN 16 izpisuje po maski, besedilni datoteki ob programu ali v prizorišču pod »masks«, te pa ni na nobenem od obeh mest. Pogon in mape v imenu niso pomembni. Primer: »FN 16: F-PRINT TNC:\MASK.A / TNC:\LOG.TXT« brez datoteke MASK.A. Dodajte masko ali popravite njeno ime.
+diag-mask-unreadable = { $file }, vrstica { $line }: maske ni mogoče prebrati: { $found }
+explain-mask-unreadable = Maska je sestavljena iz besedil v narekovajih, ki imajo mesto za vsako vrednost za njimi, in iz ključnih besed; vsak del se konča s podpičjem. Primer: »"X = %9.3LF", Q31;«. Pogosti vzroki so manjkajoče podpičje, več mest kot vrednosti ali ključna beseda, ki je ni mogoče simulirati. Popravite vrstico.
+diag-output-path = Pot { $path } vodi iz mape z rezultati.
+explain-output-path = Kar zapiše FN 16, gre v mapo, navedeno z --out, pod imenom svoje datoteke, ne glede na mapo v krmiljenju. Pot, ki vodi navzgor ali na pogon oziroma v korensko mapo drugega sistema, bi lahko prepisala druge datoteke, zato je zavrnjena. Primer: »TNC:\LOG\..\PART.TXT«. Uporabite pot na TNC: brez »..«.
+diag-open-table-missing = Odprta ni nobena preglednica.
+explain-open-table-missing = FN 27 in FN 28 pišeta v preglednico in jo bereta, ko jo odpre FN 26: TABOPEN; pred tem stavkom ni bila odprta nobena. Primer: »FN 28: TABREAD Q10 = 6/"X,Y"« na začetku programa. Preglednico najprej odprite: »FN 26: TABOPEN TNC:\TAB1.TAB«.

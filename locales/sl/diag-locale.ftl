@@ -55,6 +55,7 @@ diag-locale-function-failed =
 diag-locale-too-long = Besedilo »{ $key }« ({ $language }) ima preveč mest za vstavljanje.
 diag-locale-lock-line = Vsako vrstico te datoteke sestavljata oznaka in osem šestnajstiških števk.
 diag-locale-missing-translation = »{ $key }« ni prevedeno v jezik »{ $language }«.
+diag-locale-unfinished = V jeziku »{ $language }« manjka toliko besedil: { $count }. »ciklo texts status --lang { $language }« jih prešteje po datotekah in navede naslednja.
 diag-locale-orphan = »{ $key }« ({ $language }) je odveč: angleškega besedila ni več.
 diag-locale-stale =
     { $change ->

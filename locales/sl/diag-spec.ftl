@@ -24,6 +24,8 @@ diag-spec-expected = Pričakovano: { $expected ->
         [one-verb] natanko en glagol
         [one-series] natanko eno zaporedje
         [cell] file, row, column in value
+        [column] at in is
+        [pair] dve števili
         [end-word] done, stopped, error, limit ali unsupported
        *[other] { $expected }
     }, najdeno: { $found }.

@@ -8,6 +8,7 @@ diag-texts-file-unreadable = Datoteke ni mogoče prebrati: { $reason ->
         [entity] vsebuje neznano entiteto
         [encoding] kodiranje ni UTF-8
         [depth] elementi so pregloboko gnezdeni
+        [columns] v tabeli manjkata stolpca concept in language
         [xliff] to ni ne XLIFF 1.2 ne XLIFF 2.0
        *[form] od tu naprej je oblika napačna
     }.
@@ -16,6 +17,7 @@ diag-texts-unit-twice = Enota »{ $key }« je v datoteki večkrat.
 diag-texts-unit-source-changed = Izvirno besedilo enote »{ $key }« ni današnje: besedilo znova izvozite.
 diag-texts-unit-not-read = Enota »{ $key }« nima prevoda ali pa so v njem neznani elementi.
 diag-texts-unit-codes = Kode enote »{ $key }« se ne ujemajo: manjka { $missing }, ni dovoljeno { $foreign }.
+diag-texts-unit-exchanged = V enoti »{ $key }« so kode med istimi besedami zamenjale mesta.
 diag-texts-unit-incomplete = Enota »{ $key }« je ena od različic novega besedila; druge manjkajo ali so zavrnjene.
 diag-texts-unit-refused = Enota »{ $key }« je zavrnjena ({ $code }): { $finding }
 diag-texts-unit-markup = Prevod enote »{ $key }« bi spremenil obliko strani: njene oznake ali bloke okoli nje.

@@ -13,7 +13,9 @@ diag-scene-expected =
         [unit] Merska enota mora biti mm ali inch, ne »{ $found }«.
         [clock] Tukaj bi morala biti datum in čas, na primer 2015-07-03T14:05:00, ne »{ $found }«.
         [datum-file] Ime preglednice ničelnih točk se mora končati z .D.
+        [table-file] Ime prosto določljive preglednice se mora končati z .TAB.
         [rotary-axis] Tukaj mora stati črka rotacijske osi (A, B ali C), ne »{ $found }«.
+        [parallel-axis] Tukaj mora stati črka vzporedne osi (U, V ali W), ne »{ $found }«.
         [carried] Rotacijska os nosi obdelovanec (workpiece) ali orodje (tool), ne »{ $found }«.
         [orientation] Usmeritev mora biti fixed, two ali any, ne »{ $found }«.
         [shaft] Steblo mora biti tanjše od tipalne krogle; njegov premer je { $found }.
@@ -31,11 +33,23 @@ diag-scene-one-solid = Tu je pričakovano natanko eno telo: { $known }.
 diag-scene-unknown-machine = Stroja z imenom { $name } ni; stroji so { $known }.
 diag-scene-no-axis = Stroj nima osi { $axis }.
 diag-scene-start-outside = Začetni položaj je zunaj območja premika osi { $axis }: { $found }{"\u00A0"}{ $unit } ni med { $min } in { $max }{"\u00A0"}{ $unit }.
+diag-scene-stl = { $file }: { $kind ->
+        [nowhere] Prizorišče znotraj druge datoteke ne more navajati datotek STL.
+        [large] Vse datoteke STL prizorišča skupaj imajo lahko največ { $most }{"\u00A0"}MB.
+        [number] V trikotniku { $triangle } koordinata ni število ali pa je večja od 1000000.
+        [length] Datoteka nima dolžine, ki jo zahteva navedeno število trikotnikov ({ $triangle }).
+       *[empty] Noben trikotnik nima ploščine.
+    }
+diag-scene-stl-word = Pričakovano je { $wanted ->
+        [number] število do 1000000
+       *[word] { $wanted }
+    }, najdeno pa »{ $found }«.
 
 diag-solid-not-finite = Ena od mer ni končno pozitivno število.
 diag-solid-too-many = Oblika ima preveč ploskev: iskanje njenih robov bi trajalo predolgo. Izpustite dele, ki se jim ne približa nobeno orodje ali tipalo.
 diag-solid-edge-unsupported = Tipalna krogla se lahko dotakne roba, ki ni ne premica ne krog; tega dotika ni mogoče natančno izračunati.
 diag-solid-cusp = Tipalna krogla se lahko dotakne mesta, kjer se ploskvi stikata tangencialno in med njima ni materiala; tega dotika ni mogoče natančno izračunati.
+diag-solid-mesh-cut = Ploskev iz trikotnikov ne more biti del razlike.
 diag-solid-helix-unsupported = Tipalna krogla se lahko obdelovanca dotakne pri gibu po vijačnici ali med gibanjem več osi; tega dotika ni mogoče natančno izračunati.
 
 diag-table-no-header = Preglednica se mora začeti z vrstico, v kateri so »BEGIN«, ime datoteke { $extension } in merska enota.

@@ -9,7 +9,7 @@ explain-texts-no-file =
 explain-texts-no-language =
     Besedila se iz angleščine prevajajo v jezik z oznako, kot je fi ali de-AT. Angleščina ne more biti ciljni jezik, ime z drugimi znaki kot črkami, števkami in vezaji pa ne more biti mapa pod locales. Jezik navedite z --to. V vrnjeni datoteki je običajno že naveden.
 explain-texts-file-unreadable =
-    Datoteka je v celoti zavrnjena in nič se ne spremeni. Berejo se XLIFF 1.2, XLIFF 2.0 in PO v kodiranju UTF-8. Tipi dokumentov in lastne entitete so zavrnjeni, ker lahko prinesejo druge datoteke ali rastejo brez konca; iz istega razloga je zavrnjeno pregloboko gnezdenje elementov. Preverite navedeno mesto ali besedila znova izvozite in jih v prevajalskem orodju shranite v isti obliki.
+    Datoteka je v celoti zavrnjena in nič se ne spremeni. Berejo se XLIFF 1.2, XLIFF 2.0 in PO ter izrazi v obliki TBX ali CSV, v kodiranju UTF-8. Če ene od več datotek ni mogoče prebrati, se ne prevzame nobena. Tipi dokumentov in lastne entitete so zavrnjeni, ker lahko prinesejo druge datoteke ali rastejo brez konca; iz istega razloga je zavrnjeno pregloboko gnezdenje elementov. Preverite navedeno mesto ali besedila znova izvozite in jih v prevajalskem orodju shranite v isti obliki.
 explain-texts-unit-unknown =
     Oznaka enote je ključ besedila, vendar nobeno besedilo jezika nima tega ključa. Po izvozu je bil preimenovan ali odstranjen ali pa je bila oznaka v datoteki spremenjena. Besedila znova izvozite; pomnilnik prevodov najde dokončan prevod po besedah.
 explain-texts-unit-twice =
@@ -20,6 +20,8 @@ explain-texts-unit-not-read =
     Dokončana enota potrebuje prevod, sestavljen iz besed in izvoženih kod. Ta nima besedila ali pa vsebuje elemente, ki jih v izvoženi datoteki ni bilo. Odstranite jih ali pa enoto do prevoda označite kot nedokončano.
 explain-texts-unit-codes =
     Kode nadomeščajo vrednosti, izraze in izbire, ki jih vstavi program. Prevod lahko spremeni njihov vrstni red in izbere sklon izraza, na primer { "{ -probe(case: \"genitive\") }" }, vendar potrebuje kode izvirnega besedila in nobenih drugih: z manjkajočo kodo bi se izgubil podatek, na primer globina ali parameter. Vrnite manjkajoče kode in odstranite nedovoljene.
+explain-texts-unit-exchanged =
+    Besede prevoda so enake kot danes, le kode so na drugih mestih, zato bi vsaka vrednost veljala za nekaj drugega. Kode vrnite na njihova mesta. Če je novi vrstni red pravilen, spremenite tudi besede ali uredite datoteko Fluent.
 explain-texts-unit-incomplete =
     Novo besedilo z različicami, na primer za eno in za več izvrtin, je popolno šele, ko so prisotne vse različice: manjkajoča bi pustila vrzel v stavku. Prevedite vse enote, katerih oznaka se začne z istim ključem, in jih označite kot dokončane.
 explain-texts-unit-refused =

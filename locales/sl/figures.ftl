@@ -95,3 +95,34 @@ figure-rotary-c = Vzdolž rotacijske osi C
 figure-backlash = Zračnost
 
 figure-sphere = Tipanje umeritvene krogle
+
+figure-basic-rotation = Osnovna rotacija
+
+figure-greatest-dimension = Največja mera
+
+figure-least-dimension = Najmanjša mera
+
+figure-centre-tolerance = Toleranca središča
+
+figure-spatial-angle-a = Prostorski kot A
+
+figure-spatial-angle-b = Prostorski kot B
+
+figure-spatial-angle-c = Prostorski kot C
+
+figure-counterbore = Grezenje
+
+figure-disengaging = Smer prostega premika
+
+figure-pre-drilled = Predhodno izvrtana vrtina
+
+figure-touch-points = Točke tipanja
+
+figure-measuring-axis = Merilna os
+
+figure-traverse-direction = Smer premika
+
+figure-straight-or-circle = Naravnost ali po krožnici
+figure-program = Program od zgoraj
+
+figure-wide-slot = Širok utor

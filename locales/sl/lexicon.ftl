@@ -9,3 +9,4 @@ lexicon-count = številk | števil | štev | navojev | lomov | tipanj | točk | 
 lexicon-factor = faktor | prekrivanj | pomnož
 lexicon-absolute = koor | središč | sredin | višin | referenčn | ničeln | položaj | želen | točk | kot | premer | začet | kon | rotac | polmer | številk
 lexicon-incremental = razdalj | globin | nadmer | primik | odmik | korak | razmik | pojemanj | dolžin | pot | posnet | ugrez | rezaln | debelin | iztek | širin | prekorač | velikost | globlj | premik | odpiral
+lexicon-negation = ne | ni | niso | nič | ničesar | nikoli | brez | nista | nima- | noben- | niti | nikjer | nihče | nedoloč- | netangencialn- | neznan- | nespremenjen- | neodvisn- | nemogoč- | neveljav- | manjka- | prepreč- | izključ-

@@ -107,3 +107,6 @@ log-measuring-circle = Polmer merilnega kroga:
 log-compensation = Popravki:
 log-rating = Ocena merilnih točk:
 log-uncertainty = Merilna nenatančnost (stopinj na µm):
+
+# --- masks of formatted output (FN 16): how the keywords of a control name this language ---
+log-mask-language = Slovenian

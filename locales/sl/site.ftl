@@ -5,6 +5,7 @@ site-skip = Preskočite na vsebino
 site-manual = Priročnik za cikle
 site-draft = Osnutek: besedila v oklepajih ⟦ ⟧ še niso prevedena.
 site-overview = Pregled
+site-contents = Vsebina
 site-languages = Jeziki
 site-controls = Krmiljenja
 site-control = Krmiljenje
@@ -68,7 +69,6 @@ site-choose = Izberite krmiljenje in jezik
 
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Cikli krmiljenja { $control }
-page-form = Oblika { $number }
 page-switched-off-by = Izklop je mogoč s parametrom { $datum }.
 
 # Lists, comparisons, topics, search.
@@ -107,12 +107,16 @@ site-filter = Pokaži cikle, ki vsebujejo
 site-order = Vrstni red
 site-copy = Kopiraj
 site-copied = Kopirano
+site-worked-programs = Primeri programov
+site-worked-intro = Celotni programi, ki pokažejo, kako cikli delujejo skupaj. Položaji, vrednosti in orodja so primeri.
+site-show-program = Prikaži program
 site-nc-software = Programska oprema NC od
 site-not-named = ni navedena
 site-home-intro = Cikli krmiljenj HEIDENHAIN: kaj naredijo, njihovi parametri, kaj krmiljenje preverja, rezultati in stavki NC za kopiranje. Vse strani je mogoče brati in preiskovati brez omrežja.
 site-home-safety = Strani opisujejo zgoraj navedeno programsko opremo; druga različica lahko deluje drugače. Prednost imajo priročniki za stroj in krmiljenje. Vsak program pred obdelavo preizkusite.
 site-page-missing = Ta stran ne obstaja.
 page-notes-title = Opombe za več ciklov: { $control }
+page-programs-title = Primeri programov: { $control }
 page-software = Programska oprema NC { $software }
 page-edition = Podatki z dne { $date }
 site-notes-before-the-call = Pred priklicem

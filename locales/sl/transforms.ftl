@@ -1,6 +1,8 @@
 # Coordinate transformations.
 
 # --- common ---
+form-coordinates = Koordinate ničelne točke
+form-table = Vrstica preglednice ničelnih točk
 note-transform-acts-until-reset = Preračunavanje koordinat deluje od definicije naprej in se ne prikliče. Veljavno ostane, dokler ga ne ponastavite ali znova definirate.
 note-transform-reset-ways = Preračunavanje koordinat ponastavite z novo definicijo cikla z vrednostmi osnovnega stanja (na primer s faktorjem merila 1,0), z dodatnima funkcijama M2 in M30 ali s stavkom END PGM (odvisno od strojnega parametra { $mp-clear-mode }) in z izbiro drugega programa.
 

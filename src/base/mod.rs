@@ -8,3 +8,4 @@ pub mod diag;
 pub mod expr;
 pub mod parallel;
 pub mod renamed;
+pub mod xml;

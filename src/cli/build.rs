@@ -28,13 +28,17 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::valued(ui, "out", "DIR", "cli-build-out"),
         arguments::several(ui, "control", "CONTROL", "cli-build-control"),
         arguments::several(ui, "lang", "LANG", "cli-build-lang"),
-        arguments::valued(ui, "format", "FORMAT", "cli-build-format").value_parser(["html", "epub"]),
+        arguments::valued(ui, "format", "FORMAT", "cli-build-format").value_parser(["html", "epub", "pdf"]),
         arguments::valued(ui, "base-url", "URL", "cli-build-base-url"),
         arguments::switch(ui, "draft", "cli-build-draft"),
     ]
 }
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
+    let format = matches.get_one::<String>("format").map_or("html", String::as_str);
+    if format == "pdf" && !cfg!(feature = "pdf") {
+        return Err(Diagnostic::global("pdf-not-built-in").into());
+    }
     let mut languages = arguments::all(matches, "lang");
     let is_draft = matches.get_flag("draft");
     if is_draft {
@@ -64,9 +68,13 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     if is_draft {
         site.mark_as_draft();
     }
-    if matches.get_one::<String>("format").is_some_and(|format| format == "epub") {
-        let books = site.books().map_err(session::in_texts(&locales))?;
-        return write_books(session, Path::new(out), &books);
+    if format != "html" {
+        let books = match format {
+            #[cfg(feature = "pdf")]
+            "pdf" => site.printed(),
+            _ => site.books(),
+        };
+        return write_books(session, Path::new(out), &books.map_err(session::in_texts(&locales))?);
     }
     let staged = Staged::new(Path::new(out))?;
     let progress = Progress::new(session.ui.text("cli-building", &Args::new()), site.pages());

@@ -17,8 +17,8 @@ use crate::base::diag::{Diagnostic, Severity, Source};
 use crate::engine::run::{
     Engine, Event, EventKind, Fault, Outcome as Ended, Programs as _, Status, Texts, program_key,
 };
-use crate::engine::scene::Scene;
-use crate::engine::scene::guess::{BALL, Guess, GuessedTool, Origin};
+use crate::engine::scene::guess::{BALL, Guess, GuessedTool, INSERT, Origin, RECESSING};
+use crate::engine::scene::{Beside, Scene};
 use crate::engine::stock::Blank;
 use crate::language::locale::{Args, Digits, Locales, Ui};
 use crate::language::text;
@@ -29,12 +29,14 @@ use crate::system;
 
 /// Digits of lengths in remarks.
 const SHOWN: Digits = Digits { minimum: 0, maximum: Some(4) };
+/// The extension of masks of formatted output.
+const MASKS: &str = "A";
 /// The scene before anything is known of it.
 const NOTHING: &str = "scene: 1\n";
 
 /// `--tool-table FILE`.
 pub(super) fn tool_table(ui: &Ui) -> clap::Arg {
-    arguments::valued(ui, "tool-table", "FILE", "cli-run-tool-table")
+    arguments::several(ui, "tool-table", "FILE", "cli-run-tool-table")
 }
 
 /// A program with everything that its run needs besides the scene.
@@ -64,13 +66,16 @@ impl<'c> Execution<'c> {
     /// the tables that the program selects.
     pub(super) fn scene(&self, session: &mut Session, matches: &ArgMatches) -> Result<Scene, Failure> {
         let given = matches.get_one::<String>("scene").map(|path| read_scene(path, &self.files)).transpose()?;
-        let table = tools(matches)?;
+        let tables = tools(matches)?;
         let mut scene = match given {
             Some(scene) => scene,
-            None => self.assumed(session, table.as_ref())?,
+            None => self.assumed(session, tool_table_of(&tables))?,
         };
-        if let Some(table) = table {
-            scene.tools = table;
+        for table in tables {
+            match table.kind() {
+                TableKind::Turning => scene.turning_tools = table,
+                _ => scene.tools = table,
+            }
         }
         selected(Path::new(&self.path), self.file.program.source().text(), &mut scene)?;
         Ok(scene)
@@ -128,7 +133,7 @@ impl<'c> Execution<'c> {
             }
             next += 1;
         }
-        Ok(Guess::of(self.on, &programs, blank, table))
+        Ok(Guess::of(self.on, &programs, blank, table, &self.files))
     }
 
     /// The scene of a program that has none. What is assumed is reported, once.
@@ -171,16 +176,37 @@ pub(super) fn failed(event: &Event) -> Option<CycleKey> {
     }
 }
 
-/// The tool table of `--tool-table`.
-pub(super) fn tools(matches: &ArgMatches) -> Result<Option<Table>, Failure> {
-    matches.get_one::<String>("tool-table").map(|path| table(Path::new(path), TableKind::Tool)).transpose()
+/// The tables of `--tool-table`: of tools or, by the name of the file, of turning tools.
+pub(super) fn tools(matches: &ArgMatches) -> Result<Vec<Table>, Failure> {
+    let kind = |path: &str| TableKind::of_file(path).filter(|kind| *kind == TableKind::Turning);
+    let read = |path: &String| table(Path::new(path), kind(path).unwrap_or(TableKind::Tool));
+    matches.get_many::<String>("tool-table").unwrap_or_default().map(read).collect()
+}
+
+/// The tool table among these.
+pub(super) fn tool_table_of(tables: &[Table]) -> Option<&Table> {
+    tables.iter().find(|table| table.kind() == TableKind::Tool)
 }
 
 /// The scene in a file.
 pub(super) fn read_scene(path: &str, files: &[(String, String)]) -> Result<Scene, Failure> {
     let bytes = system::read(Path::new(path))?;
     let text = String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", path))?;
-    Scene::parse(&Source::new(path, text), files).map_err(Failure::Data)
+    let beside = Folder(Path::new(path).parent().unwrap_or(Path::new("")));
+    Scene::parse_beside(&Source::new(path, text), files, Some(&beside)).map_err(Failure::Data)
+}
+
+/// The folder of a scene.
+struct Folder<'p>(&'p Path);
+
+impl Beside for Folder<'_> {
+    fn size(&self, name: &str) -> Option<u64> {
+        system::size(&self.0.join(name))
+    }
+
+    fn bytes(&self, name: &str) -> Result<Vec<u8>, Diagnostic> {
+        Ok(system::read_file(&self.0.join(name))?)
+    }
 }
 
 fn table(path: &Path, kind: TableKind) -> Result<Table, Failure> {
@@ -193,19 +219,37 @@ fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
     let bytes = text.as_bytes();
     // Long programs are not copied for this.
     let selects = |what: &str| {
-        let begins = memchr::memchr2_iter(b'S', b's', bytes);
+        let first = what.bytes().next().unwrap_or_default();
+        let begins = memchr::memchr2_iter(first, first.to_ascii_lowercase(), bytes);
         let mut same = begins.filter_map(|at| bytes.get(at..at + what.len()));
         same.any(|own| own.eq_ignore_ascii_case(what.as_bytes()))
     };
-    for (call, kind) in [("SEL TABLE", TableKind::Datum), ("SEL PATTERN", TableKind::Points)] {
-        if !selects(call) {
+    let kinds = [
+        (&["SEL TABLE"][..], TableKind::Datum),
+        (&["SEL PATTERN"][..], TableKind::Points),
+        (&["TABOPEN", "SQL"][..], TableKind::Free),
+    ];
+    for (calls, kind) in kinds {
+        if !calls.iter().any(|call| selects(call)) {
             continue;
         }
         for other in system::beside(path, kind.extension().trim_start_matches('.'))? {
-            let own = if kind == TableKind::Datum { &mut scene.datums } else { &mut scene.points };
+            let own = match kind {
+                TableKind::Datum => &mut scene.datums,
+                TableKind::Free => &mut scene.free_tables,
+                _ => &mut scene.points,
+            };
             let known = own.iter().any(|known| known.is_named(&other.to_string_lossy()));
             if !known && program::is_table(&program::source(&other)?) {
                 own.push(table(&other, kind)?);
+            }
+        }
+    }
+    if selects("F-PRINT") {
+        for other in system::beside(path, MASKS)? {
+            let name = other.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            if !scene.masks.iter().any(|(known, _)| known.eq_ignore_ascii_case(&name)) {
+                scene.masks.push((name, program::source(&other)?.source.text().to_owned()));
             }
         }
     }
@@ -223,6 +267,15 @@ fn assumption(tool: &GuessedTool, ui: &Ui) -> Option<String> {
     let args = Args::new().text("tool", of).text("length", length(long, ui));
     match (tool.origin, tool.probes) {
         (Origin::Assumed, true) => Some(ui.text("cli-scene-probing-tool", &args)),
+        (Origin::Assumed, false) if tool.recesses => {
+            let [width, nose] = RECESSING.map(|value| length(value, ui));
+            Some(ui.text("cli-scene-recessing-tool", &args.text("width", width).text("radius", nose)))
+        }
+        (Origin::Assumed, false) if tool.turns => {
+            let [nose, angle, point] = INSERT.map(|value| length(value, ui));
+            let args = args.text("radius", nose).text("angle", angle).text("point", point);
+            Some(ui.text("cli-scene-turning-tool", &args))
+        }
         (Origin::Assumed, false) => Some(ui.text("cli-scene-tool", &args.text("radius", length(radius, ui)))),
         _ => None,
     }

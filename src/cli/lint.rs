@@ -1,11 +1,11 @@
 //! `ciklo lint`: everything that can be wrong with specifications and languages.
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, conform as conform_cmd, consequences, session, texts as texts_cmd};
-use crate::base::diag::{Diagnostic, Severity, Source};
+use crate::base::diag::{Arg, Diagnostic, Severity, Source};
 use crate::check::{self, Against, LabelBook};
 use crate::engine::plan;
 use crate::language::consistency;
@@ -15,7 +15,7 @@ use crate::language::locale::{Args, Language, LocaleError, Locales, NO_FILE, Sco
 use crate::output::figure;
 use crate::output::manual;
 use crate::program::syntax;
-use crate::spec::{self, Catalogue, Keyword};
+use crate::spec::{self, Catalogue, Keyword, OnControl};
 use crate::tools::conform::{self, Selection, World};
 
 pub(super) const COMMAND: Command = Command {
@@ -28,6 +28,10 @@ pub(super) const COMMAND: Command = Command {
 /// So many findings follow the counts of a summary.
 const NEXT: usize = 20;
 const ACCEPT: &str = "accept-translations";
+/// What is found where a language lacks a text.
+const MISSING: [&str; 3] = ["locale-missing-translation", "locale-missing-text", "manual-topic-missing"];
+/// If more of them are missing in a language, they are counted and not named.
+const MOST_MISSING: usize = 100;
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
@@ -75,8 +79,26 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     if matches.get_flag("summary") {
         return summary(session, found).map(|()| if fails { Outcome::Errors } else { Outcome::Clean });
     }
-    session.report(found, arguments::chosen_format(matches))?;
+    let format = arguments::chosen_format(matches);
+    session.report(if format == "json" { found } else { folded(found) }, format)?;
     Ok(if fails { Outcome::Errors } else { Outcome::Clean })
+}
+
+/// One finding for all that is missing in a language in which hardly anything is there yet.
+fn folded(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let language = |one: &Diagnostic| match one.get("language") {
+        Some(Arg::Text(tag)) if MISSING.contains(&one.code) => Some(tag.to_string()),
+        _ => None,
+    };
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    found.iter().filter_map(language).for_each(|tag| *counts.entry(tag).or_default() += 1);
+    counts.retain(|_, count| *count > MOST_MISSING);
+    found.retain(|one| language(one).is_none_or(|tag| !counts.contains_key(&tag)));
+    let all = counts
+        .into_iter()
+        .map(|(tag, count)| Diagnostic::global("locale-unfinished").arg("language", tag).arg("count", count as f64));
+    found.extend(all);
+    found
 }
 
 /// Counts by file, then the first findings.
@@ -138,7 +160,7 @@ fn texts(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
 }
 
 /// What the messages of the specifications begin with.
-const OF_SPECS: [&str; 12] = [
+const OF_SPECS: [&str; 14] = [
     "cycle-",
     "parameter-",
     "step-",
@@ -151,6 +173,8 @@ const OF_SPECS: [&str; 12] = [
     "title-",
     "message-",
     "figure-",
+    "program-",
+    "comment-",
 ];
 /// Messages that begin like those of the specifications and are not theirs.
 const NOT_OF_SPECS: [&str; 1] = ["cycle-group-"];
@@ -187,6 +211,7 @@ fn printed(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     for on in catalogue.controls.values() {
         let labels = LabelBook::new(on, locales);
         let against = Against { catalogue, on, labels: &labels, language: None, software: None, readers: &[source] };
+        worked(on, &against, &mut found);
         for cycle in on.cycles.values() {
             for example in &cycle.file.nc_examples {
                 let Ok(block) = label::example(on, cycle, source, example) else { continue };
@@ -206,6 +231,19 @@ fn printed(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     found
 }
 
+/// Worked programs that the checker would warn of.
+fn worked(on: &OnControl, against: &Against<'_>, found: &mut Vec<Diagnostic>) {
+    for worked in on.worked.iter() {
+        let program = syntax::parse(&Source::new("program", worked.text().to_owned()));
+        let checked = check::check(&program, against).into_iter().filter(|one| one.severity >= Severity::Warning);
+        found.extend(checked.map(|one| {
+            let place = worked.example.name.place.clone();
+            let diagnostic = Diagnostic::error("spec-example-guarded", place).arg("code", one.code);
+            diagnostic.arg("cycle", worked.key.to_string())
+        }));
+    }
+}
+
 /// Examples for the engine that do not come out as they say.
 fn examples(
     catalogue: &Catalogue,
@@ -217,10 +255,10 @@ fn examples(
     let (report, mut found) = conform::run(&World { catalogue, locales, files }, &chosen);
     for case in &report.cases {
         let mismatches = consequences::causes(case);
-        let cycle = catalogue.on(&case.control).and_then(|on| on.by_name(&case.cycle));
-        let place =
-            cycle.and_then(|cycle| cycle.file.examples.iter().find(|example| example.name.as_str() == case.case));
-        let Some(place) = place.map(|example| example.place.clone()) else { continue };
+        let Some(on) = catalogue.on(&case.control) else { continue };
+        let example =
+            on.by_name(&case.cycle).and_then(|cycle| on.cases_of(cycle).find(|own| own.name.as_str() == case.case));
+        let Some(place) = example.map(|example| example.place.clone()) else { continue };
         for mismatch in mismatches {
             found.push(
                 Diagnostic::error("spec-example-fails", place.clone())

@@ -143,7 +143,12 @@ pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
     let asked = usage::interface_language(&words).or_else(|| pseudo.map(|kind| kind.tag().to_owned()));
     let environment = ["LC_ALL", "LC_MESSAGES", "LANG"].map(system::variable);
     let environment: Vec<Option<&str>> = environment.iter().map(Option::as_deref).collect();
-    let ui = match Ui::new(&locales, asked.as_deref(), &environment) {
+    let copy = usage::data(&words).and_then(|root| session::interface_of(&root, pseudo));
+    let ui = match &copy {
+        Some(copy) => Ui::of_copy(copy, &locales, asked.as_deref(), &environment),
+        None => Ui::new(&locales, asked.as_deref(), &environment),
+    };
+    let ui = match ui {
         Ok(ui) => ui,
         Err(error) => {
             let ui = Ui::new(&locales, None, &environment).unwrap_or_else(|_| Ui::source(&locales));

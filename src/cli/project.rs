@@ -371,9 +371,9 @@ impl<'s> CheckedProgram<'s> {
         !self.tables.is_empty()
     }
 
-    /// The tool table, where there is one only, and the row of a tool.
-    fn tool_row(&self, tool: ToolName<'_>) -> Option<(&'s Table, f64)> {
-        let mut tables = self.tables(TableKind::Tool);
+    /// The table of tools of a kind, where there is one only, and the row of a tool.
+    fn tool_row(&self, kind: TableKind, tool: ToolName<'_>) -> Option<(&'s Table, f64)> {
+        let mut tables = self.tables(kind);
         let (table, None) = (tables.next()?, tables.next()) else { return None };
         let row = match tool {
             ToolName::Number(number) => number,
@@ -410,6 +410,7 @@ impl Project for CheckedProgram<'_> {
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {
         let mut tables = self.tables(TableKind::Tool).peekable();
         tables.peek()?;
+        let mut tables = tables.chain(self.tables(TableKind::Turning));
         Some(tables.any(|table| match tool {
             ToolName::Number(number) => table.has_row(number) || table.has_row(number.trunc()),
             // A table that cannot be asked is not blamed.
@@ -422,13 +423,18 @@ impl Project for CheckedProgram<'_> {
     }
 
     fn tool_value(&self, tool: ToolName<'_>, column: &str) -> Option<f64> {
-        let (table, row) = self.tool_row(tool)?;
+        let (table, row) = self.tool_row(TableKind::Tool, tool)?;
         table.number(row, column).ok()?
     }
 
     fn tool_word(&self, tool: ToolName<'_>, column: &str) -> Option<&str> {
-        let (table, row) = self.tool_row(tool)?;
+        let (table, row) = self.tool_row(TableKind::Tool, tool)?;
         table.text(row, column).ok().map(str::trim).filter(|word| !word.is_empty())
+    }
+
+    fn turning_type(&self, tool: ToolName<'_>) -> Option<&str> {
+        let (table, row) = self.tool_row(TableKind::Turning, tool)?;
+        table.text(row, "TYPE").ok().map(str::trim).filter(|word| !word.is_empty())
     }
 
     fn machine(&self) -> Option<&Machine> {

@@ -3,7 +3,7 @@ use std::path::Path;
 
 use clap::ArgMatches;
 
-use super::execution::{Execution, tool_table, tools};
+use super::execution::{Execution, tool_table, tool_table_of, tools};
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments};
 use crate::base::diag::visible;
@@ -26,7 +26,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let catalogue = session.catalogue()?;
     let execution = Execution::new(session, &catalogue, matches)?;
-    let guess = execution.guess(tools(matches)?.as_ref())?;
+    let guess = execution.guess(tool_table_of(&tools(matches)?))?;
     let ui = session.ui;
     let text = guess.to_yaml(&|line| remark(line, &execution.path, &ui));
     match matches.get_one::<String>("out") {

@@ -17,7 +17,9 @@ use crate::system;
 use crate::tools::exchange::{self, Pseudo};
 
 /// The directories of a working copy that hold data.
-const TOPS: [&str; 3] = ["cycle-specs", "locales", "templates"];
+const TOPS: [&str; 3] = ["cycle-specs", LOCALES, "templates"];
+/// The folder of the languages.
+const LOCALES: &str = "locales";
 /// Where the files are that the engine needs.
 const OF_ENGINE: [&str; 2] = ["cycle-specs/machines/", "templates/logs/"];
 /// Files of a language that the program's own texts are in.
@@ -29,12 +31,34 @@ pub(super) fn interface(pseudo: Option<Pseudo>) -> Locales {
         return Locales::open(data);
     }
     let mut files = data::embedded();
-    files.retain(|(path, _)| {
-        path.rsplit('/').next().is_some_and(|name| INTERFACE.iter().any(|prefix| name.starts_with(prefix)))
-    });
+    files.retain(|(path, _)| is_interface(path));
     let more = pseudo.map_or_else(Vec::new, |kind| exchange::pseudo(&files, kind));
     files.extend(more);
     Locales::load(files.iter().map(|(path, text)| (path, text))).0
+}
+
+/// The program's own texts as a working copy has them, in all languages that have a folder there; nothing if they cannot
+/// be read, which the command itself reports.
+pub(super) fn interface_of(root: &Path, pseudo: Option<Pseudo>) -> Option<Locales> {
+    let mut files = system::read_tree(root, &[LOCALES]).ok()?;
+    files.retain(|(path, _)| is_interface(path));
+    let mut files: Files =
+        files.into_iter().filter_map(|(path, bytes)| Some((path, String::from_utf8(bytes).ok()?))).collect();
+    files.extend(languages_of(root, &Files::new()).ok()?);
+    let more = pseudo.map_or_else(Vec::new, |kind| exchange::pseudo(&files, kind));
+    files.extend(more);
+    Some(Locales::load(files.iter().map(|(path, text)| (path, text))).0)
+}
+
+fn is_interface(path: &str) -> bool {
+    path.rsplit('/').next().is_some_and(|name| INTERFACE.iter().any(|prefix| name.starts_with(prefix)))
+}
+
+/// An entry without a text for each folder of a language in which there is none of the files.
+fn languages_of(root: &Path, files: &Files) -> Result<Files, Failure> {
+    let tags = system::folders(&root.join(LOCALES))?.into_iter().map(|tag| format!("{LOCALES}/{tag}/"));
+    let is_empty = |folder: &String| !files.iter().any(|(path, _)| path.starts_with(folder.as_str()));
+    Ok(tags.filter(is_empty).map(|folder| (folder, String::new())).collect())
 }
 
 /// Standard output, buffered, and standard error.
@@ -307,5 +331,6 @@ pub(super) fn working_copy(root: &Path) -> Result<Files, Failure> {
             Err(_) => found.push(Diagnostic::global("data-encoding").arg("path", path.as_str())),
         }
     }
+    files.extend(languages_of(root, &files)?);
     if found.is_empty() { Ok(files) } else { Err(Failure::Data(found)) }
 }

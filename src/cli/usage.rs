@@ -3,11 +3,12 @@
 //! `clap` speaks English only, so its headings are replaced and its errors are reported in our words.
 //! Invariant: nothing that a user reads comes from `clap` except what they typed.
 use std::ffi::OsString;
+use std::path::PathBuf;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction};
 
-use super::arguments::{self, PSEUDO, UI_LANGUAGE};
+use super::arguments::{self, DATA, PSEUDO, UI_LANGUAGE};
 use super::session::Output;
 use super::{COMMANDS, Command, Failure, Outcome};
 use crate::base::diag::Diagnostic;
@@ -19,15 +20,22 @@ const WIDTH: usize = 100;
 
 /// The language asked for by `--ui-lang`, looked for before anything can be reported in a language.
 pub(super) fn interface_language(words: &[OsString]) -> Option<String> {
-    let mut words = words.iter().map(|word| word.to_string_lossy());
+    value_of(words, UI_LANGUAGE)
+}
+
+/// The working copy asked for by `--data`, looked for in the same way.
+pub(super) fn data(words: &[OsString]) -> Option<PathBuf> {
+    value_of(words, DATA).map(PathBuf::from)
+}
+
+/// The first value of an option among the words of a command line.
+fn value_of(words: &[OsString], option: &str) -> Option<String> {
+    let mut words = words.iter().map(|word| word.to_string_lossy()).take_while(|word| word != "--");
     while let Some(word) = words.next() {
-        match word.strip_prefix("--").and_then(|rest| rest.strip_prefix(UI_LANGUAGE)) {
+        match word.strip_prefix("--").and_then(|rest| rest.strip_prefix(option)) {
             Some("") => return words.next().map(|value| value.into_owned()),
             Some(rest) if rest.starts_with('=') => return rest.strip_prefix('=').map(str::to_owned),
             _ => {}
-        }
-        if word == "--" {
-            break;
         }
     }
     None

@@ -267,6 +267,17 @@ impl Frame {
         ]
     }
 
+    /// The transform of such rows.
+    pub fn of_rows(rows: [[f64; 4]; 3]) -> Self {
+        let [x, y, z] = rows;
+        Self(DAffine3::from_cols(
+            DVec3::new(x[0], y[0], z[0]),
+            DVec3::new(x[1], y[1], z[1]),
+            DVec3::new(x[2], y[2], z[2]),
+            DVec3::new(x[3], y[3], z[3]),
+        ))
+    }
+
     /// The way back. Of a rigid transform the transpose is the inverse to the last bit.
     pub fn inverse(&self) -> Self {
         let back = if self.is_rigid() { self.0.matrix3.transpose() } else { self.0.matrix3.inverse() };

@@ -1,4 +1,4 @@
-//! The Q parameters of a run: their values.
+//! The Q parameters of a run: their values, of which each program has local ones of its own.
 //!
 //! Invariant: a parameter that was never given a value has none; reading it is an error, not 0.
 use std::sync::Arc;
@@ -22,6 +22,8 @@ pub enum Content {
 pub struct Params {
     numbers: [Vec<Option<f64>>; 3],
     texts: Vec<Option<Arc<str>>>,
+    /// The local parameters of the programs that wait for a called one to end, with the call that left each.
+    callers: Vec<(u64, Vec<Option<f64>>)>,
     /// How often a value was given or taken.
     changes: u64,
 }
@@ -37,7 +39,38 @@ const fn family(kind: QKind) -> usize {
 impl Params {
     pub(crate) fn new() -> Self {
         let none = || vec![None; COUNT];
-        Self { numbers: [none(), none(), none()], texts: vec![None; COUNT], changes: 0 }
+        Self { numbers: [none(), none(), none()], texts: vec![None; COUNT], callers: Vec::new(), changes: 0 }
+    }
+
+    /// The program that runs was called by these calls, the outermost first: it has local parameters of its own, and those
+    /// of its callers are what they were when it returns.
+    pub(crate) fn inside_of(&mut self, calls: &[u64]) {
+        let same = self.callers.iter().zip(calls).take_while(|((known, _), call)| known == *call).count();
+        if same == calls.len() && same == self.callers.len() {
+            return;
+        }
+        self.changes += 1;
+        let Self { numbers: [_, locals, _], callers, .. } = self;
+        while callers.len() > same {
+            *locals = callers.pop().map(|(_, own)| own).unwrap_or_default();
+        }
+        for call in calls.iter().skip(same) {
+            callers.push((*call, std::mem::replace(locals, vec![None; COUNT])));
+        }
+    }
+
+    /// Hands the value of a local parameter to the program that called this one. Whether there is one, and it had another
+    /// value.
+    ///
+    /// # Errors
+    /// The parameter has no value, or there is none of that number.
+    pub(crate) fn export(&mut self, q: QRef) -> Result<bool, EvalError> {
+        let value = self.number(q)?;
+        let own = self.callers.last_mut().and_then(|(_, locals)| locals.get_mut(usize::from(q.number)));
+        let Some(cell) = own.filter(|cell| **cell != Some(value)) else { return Ok(false) };
+        *cell = Some(value);
+        self.changes += 1;
+        Ok(true)
     }
 
     /// The value of a number parameter.

@@ -10,6 +10,7 @@ use super::language::{BlockWords, Global, OldCycle};
 use super::pages::Pages;
 use super::profile::{Control, Erratum, Named, Topic};
 use super::vocabulary::{Doubtful, Keyword, ParameterKind, Quantity, Reference, Shape};
+use super::worked::Worked;
 use crate::base::demand::{Deferred, OnDemand};
 use crate::base::diag::{Mistakes, Place};
 use crate::base::expr::{QKind, QRef};
@@ -235,6 +236,8 @@ pub struct OnControl {
     pub fragments: OnDemand<String, Fragment>,
     /// The dictionary.
     pub meanings: Arc<OnDemand<String, Meaning>>,
+    /// Its worked programs, in the order of their files.
+    pub worked: Deferred<Vec<Worked>>,
 }
 
 impl OnControl {

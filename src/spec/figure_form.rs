@@ -25,6 +25,8 @@ words! {
         RotaryB = "rotary-b",
         /// Against the tool axis, about which a table turns with its axis C.
         RotaryC = "rotary-c",
+        /// In three dimensions: the workpiece below the tilted working plane, and the axes before and after.
+        ThreeD = "three-d",
     }
 }
 
@@ -51,7 +53,8 @@ words! {
         Radius = "radius",
         /// An angle from one direction to another about a centre, counter-clockwise positive.
         Angle = "angle",
-        /// A turn of the rotary axis along which the view is seen, from one of its angles to another one.
+        /// A turn of the rotary axis along which the view is seen, from one of its angles to another one; in three
+        /// dimensions, by which the working plane is turned about the axis `along`.
         Turn = "turn",
     }
 }
@@ -138,6 +141,20 @@ record! {
 }
 
 record! {
+    /// A boring bar whose edge is on one side above its tip and cuts upwards, and the bore that it goes through.
+    pub struct FigureBar {
+        /// A point on the axis of the bore.
+        at: Formula,
+        /// The diameter of the bore.
+        bore: Formula,
+        /// The diameter of the bar.
+        neck: Formula,
+        /// The height of the edge above the tip.
+        edge: Formula,
+    }
+}
+
+record! {
     /// The range of a scan, drawn as an outline.
     pub struct FigureScan {
         /// Its least corner, a point.
@@ -180,6 +197,8 @@ record! {
         blank: Option<FigureBlank>,
         /// The insert of a turned figure.
         insert: Option<FigureInsert>,
+        /// The boring bar of a tool that cuts upwards.
+        bar: Option<FigureBar>,
         /// The range that is scanned.
         scan: Option<FigureScan>,
         /// The parameters that it shows.

@@ -133,7 +133,9 @@ pub(crate) fn write(files: &[(String, Node)]) -> Option<String> {
     let dictionary: Vec<&Node> = below("parameters").map(|(_, node)| node).collect();
     let cycles = files.iter().filter(|(path, _)| {
         let folder = path.strip_prefix("cycle-specs/").and_then(|rest| rest.split_once('/'));
-        folder.is_some_and(|(folder, _)| !["controls", "fragments", "machines", "parameters"].contains(&folder))
+        folder.is_some_and(|(folder, _)| {
+            !["controls", "fragments", "machines", "parameters", "programs"].contains(&folder)
+        })
     });
     let cycles: Vec<&(String, Node)> = cycles.collect();
     let mut ranges = Ranges::default();

@@ -12,10 +12,14 @@ use super::form::{CycleFile, Dictionary, Fragment, Meaning, Parameter};
 use super::language::LanguageFile;
 use super::profile::{Control, Errata, Erratum, Topic, Topics};
 use super::vocabulary::{ParameterKind, Quantity};
+use super::worked::Worked;
 use super::yaml::{self, Node};
 use crate::base::demand::OnDemand;
 use crate::base::diag::{Diagnostic, Source, dedupe};
 use crate::base::expr::QRef;
+
+/// The folder of worked programs, below that of the specifications.
+const PROGRAMS: &str = "programs";
 
 /// A file as a tree.
 pub(super) struct File {
@@ -29,6 +33,7 @@ struct Files {
     controls: Vec<File>,
     dictionary: Vec<File>,
     fragments: Vec<File>,
+    worked: Vec<File>,
     cycles: Vec<File>,
     errata: Vec<File>,
     topics: Vec<File>,
@@ -53,6 +58,7 @@ fn sort_files(files: &[(String, String)], found: &mut Vec<Diagnostic>) -> Files 
             Some(("controls", _)) => &mut sorted.controls,
             Some(("parameters", _)) => &mut sorted.dictionary,
             Some(("fragments", _)) => &mut sorted.fragments,
+            Some((PROGRAMS, _)) => &mut sorted.worked,
             Some(_) => &mut sorted.cycles,
         };
         list.push(File { source, node });
@@ -85,6 +91,11 @@ pub(super) fn topics(file: &File, found: &mut Vec<Diagnostic>) -> Vec<Topic> {
     file.decode::<Topics>(found).and_then(|topics| topics.topics).unwrap_or_default()
 }
 
+/// The program of a file, if the control can execute it.
+pub(super) fn worked(file: &File, control: &str, found: &mut Vec<Diagnostic>) -> Option<Worked> {
+    Worked::new(file.decode_for(control, found)?, control)
+}
+
 /// The meanings of dictionary files on a control.
 fn meanings(files: &[File], control: &str, found: &mut Vec<Diagnostic>) -> OnDemand<String, Meaning> {
     let mut meanings = OnDemand::default();
@@ -107,7 +118,8 @@ impl Catalogue {
         let files = sort_files(files, &mut found);
         let profiles: Vec<Control> = files.controls.iter().filter_map(|file| file.decode(&mut found)).collect();
         let ids: Vec<&str> = profiles.iter().map(|profile| profile.control.as_str()).collect();
-        for file in files.dictionary.iter().chain(&files.fragments).chain(&files.cycles) {
+        let filtered = files.dictionary.iter().chain(&files.fragments).chain(&files.worked).chain(&files.cycles);
+        for file in filtered {
             filter::check(&file.node, &ids, &file.source, &mut found);
         }
         let mut catalogue = Self::default();
@@ -147,6 +159,7 @@ fn load_control(profile: &Control, files: &Files, found: &mut Vec<Diagnostic>) -
         outlines: BTreeMap::new(),
         fragments: OnDemand::default(),
         meanings: Arc::new(meanings(&files.dictionary, id, found)),
+        worked: files.worked.iter().filter_map(|file| worked(file, id, found)).collect::<Vec<_>>().into(),
     };
     for file in &files.fragments {
         let Some(fragment) = file.decode_for::<Fragment>(id, found) else { continue };

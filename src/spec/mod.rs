@@ -20,6 +20,7 @@ mod texts;
 mod tree;
 mod value;
 mod vocabulary;
+mod worked;
 mod yaml;
 
 pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Outline, Param, PrintedRange};
@@ -39,4 +40,5 @@ pub use schema::schema;
 pub use texts::{Text, texts};
 pub use value::{MM_PER_INCH, Refusal, number_refusal_in, refusal};
 pub use vocabulary::*;
+pub use worked::{Worked, WorkedFile, WorkedOn};
 pub use yaml::{Key, Kind, Node, read as read_yaml};

@@ -48,6 +48,9 @@ impl Catalogue {
     }
 }
 
+/// The folder of worked programs.
+const PROGRAMS: &str = "cycle-specs/programs/";
+
 /// Reads prepared files.
 #[derive(Clone)]
 struct Reader {
@@ -129,7 +132,15 @@ fn control(id: &str, files: &Reader, index: &Arc<Index<'static>>) -> Option<OnCo
             files.read(path, |file, found| file.decode_for(&id, found))?
         })
     };
-    Some(OnControl { control: profile, cycles, outlines, fragments, meanings })
+    let worked = {
+        let (files, id) = (files.clone(), id.to_owned());
+        Deferred::new(move || {
+            let paths = files.data.below(PROGRAMS).map(|(path, _)| path);
+            let own = |path| files.read(path, |file, found| load::worked(file, &id, found))?;
+            paths.filter_map(own).collect()
+        })
+    };
+    Some(OnControl { control: profile, cycles, outlines, fragments, meanings, worked })
 }
 
 fn key(line: &CycleLine<'_>) -> Option<CycleKey> {

@@ -6,6 +6,7 @@ use super::form::{CycleFile, Dictionary, Fragment};
 use super::language::LanguageFile;
 use super::pages::Pages;
 use super::profile::{Control, Errata, Topics};
+use super::worked::WorkedFile;
 
 /// One schema for every kind of file below `cycle-specs/`.
 pub fn schema() -> Value {
@@ -19,12 +20,13 @@ pub fn schema() -> Value {
         Topics::schema(&mut defs),
         Pages::schema(&mut defs),
         LanguageFile::schema(&mut defs),
+        WorkedFile::schema(&mut defs),
     ];
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "ciklo specification",
         "description": "A cycle, a fragment, a dictionary of meanings, a control, the errata, the topics, the \
-                        pages or the language.",
+                        pages, the language or a worked program.",
         "anyOf": kinds,
         "$defs": defs,
     })

@@ -4,6 +4,7 @@ use super::form::Fragment;
 use super::lint::walk;
 use super::run_form::{Action, Argument, Case, Item};
 use super::vocabulary::Verb;
+use super::worked::Worked;
 
 /// A text that must exist: a message id and, if it is not the message's value, an attribute.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -42,6 +43,7 @@ pub fn texts(cycle: &Cycle, on: &OnControl) -> Vec<Text> {
         }
     }
     cycle.file.doubts.iter().for_each(|doubt| all.value("guard", doubt.code.as_str()));
+    on.worked_of(cycle.key).for_each(|worked| all.worked(worked));
     all.found.sort();
     all.found.dedup();
     all.found
@@ -74,12 +76,22 @@ impl Collector<'_> {
             param.choices.iter().for_each(|choice| self.value("choice", choice.choice.as_str()));
             param.effective.iter().for_each(|condition| self.value("condition", condition.as_str()));
         }
+        if cycle.file.forms.len() > 1 {
+            cycle.file.forms.iter().for_each(|form| self.value("form", form.form.as_str()));
+        }
         cycle.file.results.iter().for_each(|result| self.value("result", result.is.as_str()));
         cycle.file.notes.iter().for_each(|note| self.value("note", note.note.as_str()));
         cycle.file.figures.iter().for_each(|figure| self.value("figure", figure.name.as_str()));
         cycle.file.tables.iter().for_each(|table| self.value("table", table.table.as_str()));
         let titles = cycle.file.nc_examples.iter().filter_map(|example| example.title.as_ref());
         titles.for_each(|title| self.value("title", title.as_str()));
+    }
+
+    fn worked(&mut self, worked: &Worked) {
+        self.value("program", worked.name());
+        self.attribute("program", worked.name(), "shows");
+        worked.comments().for_each(|id| self.value("comment", id));
+        worked.figures.iter().for_each(|figure| self.value("figure", figure.name.as_str()));
     }
 
     fn item(&mut self, item: &Item) {

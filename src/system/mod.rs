@@ -188,6 +188,24 @@ fn collect(directory: &Path, name: &str, depth: usize, files: &mut Vec<(String, 
     Ok(())
 }
 
+/// The names of the folders in this one, sorted; those that begin with a dot are not looked at.
+///
+/// # Errors
+/// `io-read` if it cannot be read.
+pub fn folders(path: &Path) -> Result<Vec<String>, Trouble> {
+    let trouble = |error: io::Error| Trouble::new("io-read", path, &error);
+    let mut names = Vec::new();
+    for entry in fs::read_dir(path).map_err(trouble)? {
+        let entry = entry.map_err(trouble)?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if !name.starts_with('.') && entry.file_type().map_err(trouble)?.is_dir() {
+            names.push(name);
+        }
+    }
+    names.sort();
+    Ok(names)
+}
+
 /// Where this program may keep what it can find out again: the place that the platform names for that.
 pub fn cache_directory() -> Option<PathBuf> {
     let named = |name: &str| env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);

@@ -71,6 +71,39 @@ fn a_scene_of_too_many_surfaces_is_refused() {
     }
 }
 
+/// A triangulated surface is a file beside its scene, wherever the command is called.
+#[test]
+fn a_scene_names_a_surface_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("shop")).unwrap();
+    // A tetrahedron whose tip is at Z 10; the probe comes down 1 beside it.
+    let corners = [[-10.0, -10.0, 0.0], [10.0, -10.0, 0.0], [0.0, 10.0, 0.0], [0.0, 0.0, 10.0_f32]];
+    let mut bytes = vec![0; 80];
+    bytes.extend(4_u32.to_le_bytes());
+    for face in [[0, 1, 2], [0, 1, 3], [1, 2, 3], [2, 0, 3]] {
+        bytes.extend([0; 12]);
+        bytes.extend(face.iter().flat_map(|at: &usize| corners[*at]).flat_map(f32::to_le_bytes));
+        bytes.extend([0; 2]);
+    }
+    std::fs::write(folder.path().join("shop/tip.stl"), &bytes).unwrap();
+    let scene =
+        "scene: 1\ntools: [{T: 1, L: 80, R: 2, TP_NO: 1}]\nprobe: {ball_radius: 2}\nparts: [{solid: {stl: tip.stl}}]\n";
+    write(&folder.path().join("shop"), "s.yaml", scene);
+    let program = "BEGIN PGM P MM\nTOOL CALL 1 Z\nL X+0 Y+0 Z+20 R0 FMAX\nTCH PROBE 0.0 REF. PLANE Q1 Z-\nTCH PROBE 0.1 X+0 Y+0 Z+13\nEND PGM P MM\n";
+    write(folder.path(), "p.h", program);
+    let words = ["run", "p.h", "--control", "tnc640", "--scene", "shop/s.yaml"];
+    let (code, out, errors) = ciklo(folder.path(), &words);
+    assert_eq!(code, Some(0), "{errors}");
+    assert!(out.contains("Q1 = 10\n"), "{out}");
+    for (name, length, wanted) in [("gone.stl", 0, "error[io-read]"), ("tip.stl", 200, "error[scene-stl]")] {
+        std::fs::write(folder.path().join("shop/tip.stl"), &bytes[..length]).unwrap();
+        write(&folder.path().join("shop"), "s.yaml", &scene.replace("tip.stl", name));
+        let (code, _, errors) = ciklo(folder.path(), &words);
+        assert_eq!(code, Some(1), "{errors}");
+        assert!(errors.contains(wanted) && errors.contains("s.yaml:4"), "{errors}");
+    }
+}
+
 #[test]
 #[cfg(target_os = "linux")]
 fn labels_with_many_parameters_take_bounded_memory() {

@@ -133,6 +133,18 @@ fn a_signal_waits_for_threads_that_write() {
     }
 }
 
+#[cfg(not(feature = "pdf"))]
+#[test]
+fn a_program_without_pdf_says_how_to_get_it() {
+    for lang in ["en", "fi", "it", "pt", "sl"] {
+        let mut command = ciklo(&["build", "--format", "pdf"]);
+        let output = command.env("LANG", format!("{lang}.UTF-8")).output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains("[pdf-not-built-in]") && said.contains("--features pdf"), "{said}");
+    }
+}
+
 /// A case file has lines `$ arguments`, each followed by what the command gave: `exit N`, lines of
 /// standard output, and lines of standard error behind `! `. `| N` at the end of the arguments keeps
 /// the first N lines of each stream. Words in double quotes are one argument.

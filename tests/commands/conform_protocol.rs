@@ -30,7 +30,7 @@ impl Data {
     fn example(&self, case: &conform::CaseReport) -> &Example {
         let on = self.catalogue.on(&case.control).unwrap();
         let cycle = on.cycles.values().find(|cycle| cycle.name() == case.cycle && cycle.key.number == case.number);
-        cycle.unwrap().file.examples.iter().find(|example| example.name.as_str() == case.case).unwrap()
+        on.cases_of(cycle.unwrap()).find(|example| example.name.as_str() == case.case).unwrap()
     }
 }
 

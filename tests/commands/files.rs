@@ -301,3 +301,28 @@ fn files_behind_one_that_is_missing_are_written() {
     let output = Folder::new().run(&["convert", "-", "--from", "itnc530", "--to", "tnc640", "--in-place"]);
     assert!(code(&output) == 2 && told(&output).contains("name a file"), "{}", told(&output));
 }
+
+/// Tables and masks beside a program are found; what it prints and writes goes into the folder of `--out`, and nothing goes
+/// anywhere else.
+#[test]
+fn tables_and_masks_are_beside_the_program_and_outputs_below_the_folder() {
+    let folder = Folder::new();
+    let table = "BEGIN TAB1.TAB MM\nNR   X       DOC\n0    1.5     left\n[END]\n";
+    folder.put("part/tab1.tab", table);
+    folder.put("part/mask.a", "\"X%6.2LF\",Q10;\nM_CLOSE;\n");
+    let body = "2 FN 26: TABOPEN TNC:\\TAB1.TAB\n3 FN 28: TABREAD Q10 = 0/\"X\"\n\
+                4 FN 27: TABWRITE 0/\"X\" = Q10\n5 FN 16: F-PRINT TNC:\\MASK.A / TNC:\\LOG\\OUT.TXT\n";
+    folder.put("part/a.h", &program("a", body));
+    let output = folder.run(&["run", "part/a.h", "--control", "tnc640"]);
+    assert_eq!(code(&output), 0, "{}", told(&output));
+    assert!(!folder.path("part/OUT.TXT").exists() && !folder.path("OUT.TXT").exists());
+    let output = folder.run(&["run", "part/a.h", "--control", "tnc640", "--out", "results"]);
+    assert_eq!(code(&output), 0, "{}", told(&output));
+    assert_eq!(folder.text("results/OUT.TXT"), "X  1.50\n");
+    assert_eq!((folder.text("results/tab1.tab"), folder.text("part/tab1.tab")), (table.to_owned(), table.to_owned()));
+    folder.put("part/b.h", &program("b", "2 Q10 = 1\n3 FN 16: F-PRINT MASK.A / ..\\OUT.TXT\n"));
+    let output = folder.run(&["run", "part/b.h", "--control", "tnc640", "--out", "results"]);
+    assert!(code(&output) == 1 && told(&output).contains("output-path"), "{}", told(&output));
+    let written = ["OUT.TXT", "part/OUT.TXT", "results/LOG/OUT.TXT"];
+    assert!(written.iter().all(|name| !folder.path(name).exists()));
+}

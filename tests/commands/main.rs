@@ -7,3 +7,4 @@ mod conform_protocol;
 mod files;
 mod hostile;
 mod processes;
+mod texts;

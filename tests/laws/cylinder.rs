@@ -189,23 +189,73 @@ impl Contour {
         self.points.windows(2).map(near).fold(f64::INFINITY, f64::min)
     }
 
-    /// The subprogram; `degree` is how long one is where X is in degrees.
-    fn program(&self, side: &str, degree: Option<f64>) -> String {
+    /// The subprogram, of which the view makes the contour; `degree` is how long one is where X is in degrees.
+    fn program(&self, side: &str, degree: Option<f64>, view: &View) -> String {
         let mut text = "LBL 1\n".to_owned();
         for (n, at) in self.corners.iter().enumerate() {
-            let x = degree.map_or(at.x, |degree| at.x / degree);
+            let at = view.before(*at);
+            let x = degree.map_or(at.x, |degree| at.x * view.scale / degree);
             let _ = writeln!(text, "L X{x:+.12} Y{:+.12} {}", at.y, if n == 0 { side } else { "" });
             if self.rounding > 0.0 && n > 0 && n + 1 < self.corners.len() {
-                let _ = writeln!(text, "RND R{}", self.rounding);
+                let _ = writeln!(text, "RND R{}", self.rounding / view.scale);
             }
         }
         text + "LBL 0\n"
     }
 }
 
+/// Mirroring in X and Y, then a rotation, of the development, and scaling of everything but the tool.
+#[derive(Clone, Copy, Debug)]
+struct View {
+    mirror: [bool; 2],
+    turn: f64,
+    scale: f64,
+}
+
+impl View {
+    /// The point of the program of which it makes a point.
+    fn before(&self, at: DVec2) -> DVec2 {
+        let at = DVec2::from_angle(-self.turn.to_radians()).rotate(at) / self.scale;
+        let flip = |yes: bool, value: f64| if yes { -value } else { value };
+        DVec2::new(flip(self.mirror[0], at.x), flip(self.mirror[1], at.y))
+    }
+
+    fn flips(&self) -> bool {
+        self.mirror[0] != self.mirror[1]
+    }
+
+    /// Blocks: what is defined later acts on what is defined before.
+    fn blocks(&self) -> String {
+        let mut text = String::new();
+        if self.turn != 0.0 {
+            let _ = writeln!(text, "CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT{:+}", self.turn);
+        }
+        if self.mirror != [false; 2] {
+            let letters = [("X", self.mirror[0]), ("Y", self.mirror[1])].into_iter().filter(|(_, yes)| *yes);
+            let letters: Vec<&str> = letters.map(|(letter, _)| letter).collect();
+            let _ = writeln!(text, "CYCL DEF 8.0 MIRROR IMAGE\nCYCL DEF 8.1 {}", letters.join(" "));
+        }
+        if self.scale != 1.0 {
+            let _ = writeln!(text, "CYCL DEF 11.0 SCALING\nCYCL DEF 11.1 SCL {}", self.scale);
+        }
+        text
+    }
+}
+
+fn views() -> impl Strategy<Value = View> {
+    let turn = prop_oneof![2 => Just(0.0), 1 => (-180.0..180.0_f64).prop_map(f64::round)];
+    let scale = prop_oneof![2 => Just(1.0), 1 => Just(0.5), 1 => Just(1.25)];
+    (any::<[bool; 2]>(), any::<bool>(), turn, scale).prop_map(|(mirror, plain, turn, scale)| View {
+        mirror: mirror.map(|yes| yes && !plain),
+        turn,
+        scale,
+    })
+}
+
 /// What a case is about.
 #[derive(Clone, Debug)]
 struct Case {
+    view: View,
     kind: usize,
     centre: DVec3,
     radius: f64,
@@ -231,14 +281,15 @@ impl Case {
         );
         let parsed = Scene::parse(&Source::new("scene.yaml", scene.clone()), files);
         let scene = parsed.unwrap_or_else(|found| panic!("{found:?}\n{scene}"));
-        let side = if self.left { "RL" } else { "RR" };
+        let side = if self.left != self.view.flips() { "RL" } else { "RR" };
         let degree = self.degrees.then_some(self.radius * PI / 180.0);
         let tilt = if machine.tilts { "L X+250 Y+0 R0 FMAX\nPLANE SPATIAL SPA+0 SPB+90 SPC+0 TURN FMAX\n" } else { "" };
         let program = format!(
             "BEGIN PGM LAW MM\nTOOL CALL 1 Z S2000\n{tilt}L {}+0 R0 FMAX M3\nCYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL 1\n\
-             {cycle}CYCL CALL\nM30\n{}END PGM LAW MM\n",
+             {}{cycle}CYCL CALL\nM30\n{}END PGM LAW MM\n",
             machine.letter,
-            self.contour.program(side, degree)
+            self.view.blocks(),
+            self.contour.program(side, degree, &self.view)
         );
         let tree = syntax::parse(&Source::new("LAW.H", program));
         let mut events = Vec::new();
@@ -256,11 +307,11 @@ impl Case {
     fn common(&self) -> String {
         format!(
             "Q1={} Q3={} Q6={} Q10={} Q11=100 Q12=250 Q16={} Q17={}",
-            -self.depth,
-            self.allowance,
-            self.clearance(),
-            self.infeed,
-            self.radius,
+            -self.depth / self.view.scale,
+            self.allowance / self.view.scale,
+            self.clearance() / self.view.scale,
+            self.infeed / self.view.scale,
+            self.radius / self.view.scale,
             i32::from(!self.degrees)
         )
     }
@@ -322,7 +373,13 @@ fn contours(rounded: bool) -> impl Strategy<Value = Contour> {
     (-40.0..40.0_f64, -60.0..60.0_f64, (first, 22.0..40.0_f64), legs, rounding).prop_map(
         |(x, y, first, rest, rounding)| {
             let legs: Vec<(f64, f64)> = std::iter::once(first).chain(rest).collect();
-            Contour::new(DVec2::new(x, y), &legs, (rounding * 100.0_f64).round() / 100.0)
+            // A corner takes its share of both legs: half of one that has a corner at either end.
+            let room = |n: usize| legs[n].1 / if n == 0 || n + 1 == legs.len() { 1.0 } else { 2.0 };
+            let fits =
+                |n: usize| room(n - 1).min(room(n)) / ((legs[n].0 - legs[n - 1].0).to_radians().abs() / 2.0).tan();
+            let widest = (1..legs.len()).map(fits).fold(f64::INFINITY, f64::min);
+            let rounding = (rounding.min(0.9 * widest) * 100.0_f64).floor() / 100.0;
+            Contour::new(DVec2::new(x, y), &legs, rounding)
         },
     )
 }
@@ -332,23 +389,26 @@ fn cases(rounded: bool) -> impl Strategy<Value = Case> {
     let depth = (1.0..9.0_f64, 0.8..5.0_f64);
     (
         (0..3usize, centre, 35.0..70.0_f64, depth, 1.5..4.0_f64, 0.0..0.6_f64),
-        (contours(rounded), any::<bool>(), any::<bool>()),
+        (contours(rounded), any::<bool>(), any::<bool>(), views()),
     )
-        .prop_map(|((kind, (x, y, z), radius, (depth, infeed), tool, allowance), (contour, left, degrees))| {
-            let rounded = |value: f64| (value * 1e3).round() / 1e3;
-            Case {
-                kind,
-                centre: DVec3::new(rounded(x), rounded(y), rounded(z)),
-                radius: rounded(radius),
-                depth: rounded(depth),
-                infeed: rounded(infeed),
-                tool: rounded(tool),
-                allowance: rounded(allowance),
-                contour,
-                left,
-                degrees,
-            }
-        })
+        .prop_map(
+            |((kind, (x, y, z), radius, (depth, infeed), tool, allowance), (contour, left, degrees, view))| {
+                let rounded = |value: f64| (value * 1e3).round() / 1e3;
+                Case {
+                    view,
+                    kind,
+                    centre: DVec3::new(rounded(x), rounded(y), rounded(z)),
+                    radius: rounded(radius),
+                    depth: rounded(depth),
+                    infeed: rounded(infeed),
+                    tool: rounded(tool),
+                    allowance: rounded(allowance),
+                    contour,
+                    left,
+                    degrees,
+                }
+            },
+        )
 }
 
 proptest! {
@@ -410,7 +470,7 @@ proptest! {
         let width = 2.0 * (case.tool * (1.0 + wider / 2.0) + case.allowance);
         let width = (width * 1e3).ceil() / 1e3;
         let (outcome, events) =
-            case.run(&format!("CYCL DEF 28 CYLINDER SURFACE {} Q20={width} Q21={tolerance}\n", case.common()));
+            case.run(&format!("CYCL DEF 28 CYLINDER SURFACE {} Q20={} Q21={}\n", case.common(), width / case.view.scale, tolerance / case.view.scale));
         prop_assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
         let half = width / 2.0 - case.allowance;
         for pose in case.moves(&events).into_iter().flatten().filter(|pose| !pose.rapid) {
@@ -459,7 +519,7 @@ proptest! {
         prop_assume!(legs.iter().all(|leg| legs[0].angle_to(*leg).abs() < 75.0_f64.to_radians()));
         let width = (width * 1e3).round() / 1e3;
         let (outcome, events) =
-            case.run(&format!("CYCL DEF 29 CYLINDER SURFACE RIDGE {} Q20={width}\n", case.common()));
+            case.run(&format!("CYCL DEF 29 CYLINDER SURFACE RIDGE {} Q20={}\n", case.common(), width / case.view.scale));
         prop_assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
         let half = width / 2.0 + case.allowance;
         let floor = case.on_floor(&events);

@@ -5,9 +5,9 @@
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::fmt::Write as _;
 
-use ciklo::base::diag::Source;
+use ciklo::base::diag::{Diagnostic, Source};
 use ciklo::engine::run::{Engine, Event, EventKind, NoTexts, Outcome, Status};
-use ciklo::engine::scene::Scene;
+use ciklo::engine::scene::{Beside, Scene};
 use ciklo::program::syntax;
 use proptest::prelude::*;
 
@@ -42,6 +42,108 @@ enum Part {
     Stud { radius: f64, top: f64 },
     /// Along X: radius, half its length, and how far its axis is below Z 0.
     Roll { radius: f64, half: f64, below: f64 },
+    /// Triangles over a grid, down to Z -20: the heights of its crossings, line after line.
+    Hill { heights: [f64; CROSSINGS * CROSSINGS] },
+}
+
+/// Crossings along a side of the grid of a hill.
+const CROSSINGS: usize = 4;
+/// From one crossing to the next, mm.
+const CELL: f64 = 4.0;
+/// Half the width of a hill.
+const HALF: f64 = CELL * (CROSSINGS - 1) as f64 / 2.0;
+/// Its lower end.
+const FOOT: f64 = -20.0;
+
+/// The triangles of the upper side of a hill.
+fn slopes(heights: &[f64; CROSSINGS * CROSSINGS]) -> Vec<[Point; 3]> {
+    let at = |i: usize, j: usize| [i as f64 * CELL - HALF, j as f64 * CELL - HALF, heights[j * CROSSINGS + i]];
+    let cells = (0..CROSSINGS - 1).flat_map(|j| (0..CROSSINGS - 1).map(move |i| (i, j)));
+    cells
+        .flat_map(|(i, j)| {
+            let (a, b, c, d) = (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+            // The diagonals go both ways.
+            if (i + j) % 2 == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] }
+        })
+        .collect()
+}
+
+/// All triangles of a hill.
+fn hill(heights: &[f64; CROSSINGS * CROSSINGS]) -> Vec<[Point; 3]> {
+    let mut all = slopes(heights);
+    let foot = |p: Point| [p[0], p[1], FOOT];
+    let below: Vec<_> = all.iter().map(|three| three.map(foot)).collect();
+    let last = CROSSINGS - 1;
+    let at = |i: usize, j: usize| [i as f64 * CELL - HALF, j as f64 * CELL - HALF, heights[j * CROSSINGS + i]];
+    for k in 0..last {
+        for [a, b] in [
+            [at(k, 0), at(k + 1, 0)],
+            [at(k, last), at(k + 1, last)],
+            [at(0, k), at(0, k + 1)],
+            [at(last, k), at(last, k + 1)],
+        ] {
+            all.extend([[a, b, foot(b)], [a, foot(b), foot(a)]]);
+        }
+    }
+    all.extend(below);
+    all
+}
+
+/// STL files of hills, whose names are their heights.
+struct Hills;
+
+impl Beside for Hills {
+    fn size(&self, _: &str) -> Option<u64> {
+        None
+    }
+
+    fn bytes(&self, name: &str) -> Result<Vec<u8>, Diagnostic> {
+        let heights: Vec<f64> =
+            name.trim_end_matches(".stl").split('_').map(|word| word.parse().expect("a height")).collect();
+        let mut text = "solid hill\n".to_owned();
+        for three in hill(&heights.try_into().expect("all heights")) {
+            text.push_str("facet normal 0 0 1 outer loop\n");
+            for [x, y, z] in three {
+                let _ = writeln!(text, "vertex {x} {y} {z}");
+            }
+            text.push_str("endloop endfacet\n");
+        }
+        Ok((text + "endsolid hill\n").into_bytes())
+    }
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// How far a point is from a triangle: the square of the distance is least where its weights are, none of them below 0.
+fn from_triangle(p: Point, [a, b, c]: [Point; 3]) -> f64 {
+    let on_side = |a: Point, b: Point| {
+        let way = minus(b, a);
+        let share = (dot(minus(p, a), way) / dot(way, way)).clamp(0.0, 1.0);
+        length(minus(p, [0, 1, 2].map(|axis| a[axis] + way[axis] * share)))
+    };
+    let (u, v, w) = (minus(b, a), minus(c, a), minus(p, a));
+    let (uu, uv, vv, wu, wv) = (dot(u, u), dot(u, v), dot(v, v), dot(w, u), dot(w, v));
+    let whole = uu * vv - uv * uv;
+    let (s, t) = ((vv * wu - uv * wv) / whole, (uu * wv - uv * wu) / whole);
+    if s >= 0.0 && t >= 0.0 && s + t <= 1.0 {
+        return length([0, 1, 2].map(|axis| w[axis] - s * u[axis] - t * v[axis]));
+    }
+    on_side(a, b).min(on_side(b, c)).min(on_side(c, a))
+}
+
+/// How far a point is from a hill; 0 inside of it.
+fn from_hill(p: Point, heights: &[f64; CROSSINGS * CROSSINGS]) -> f64 {
+    let side = |[ax, ay, _]: Point, [bx, by, _]: Point| (bx - ax) * (p[1] - ay) - (by - ay) * (p[0] - ax);
+    let under = |[a, b, c]: &[Point; 3]| {
+        let (u, v, w) = (side(*b, *c), side(*c, *a), side(*a, *b));
+        u >= 0.0 && v >= 0.0 && w >= 0.0 && p[2] <= (u * a[2] + v * b[2] + w * c[2]) / (u + v + w) && p[2] >= FOOT
+    };
+    if slopes(heights).iter().any(under) {
+        return 0.0;
+    }
+    hill(heights).into_iter().map(|triangle| from_triangle(p, triangle)).fold(f64::INFINITY, f64::min)
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -61,6 +163,15 @@ fn part() -> impl Strategy<Value = Part> {
         (mm(1.0..7.0), mm(0.5..6.0)).prop_map(|(radius, top)| Part::Stud { radius, top }),
         (mm(3.0..8.0), mm(2.0..8.0), mm(0.0..2.0)).prop_map(|(radius, half, below)| Part::Roll { radius, half, below }),
     ]
+}
+
+/// One hill.
+fn hills() -> impl Strategy<Value = Shop> {
+    let heights = prop::array::uniform16(mm(-2.0..6.0));
+    (mm(1.0..4.0), heights, mm(-3.0..3.0), mm(-3.0..3.0)).prop_map(|(radius, heights, x, y)| Shop {
+        radius,
+        parts: vec![Placed { part: Part::Hill { heights }, at: [x, y] }],
+    })
 }
 
 prop_compose! {
@@ -83,6 +194,7 @@ impl Placed {
             Part::Ball { radius, below } => (length([x, y, z + below]) - radius).max(0.0),
             Part::Stud { radius, top } => ((x.hypot(y) - radius).max(0.0)).hypot((z - top).max(0.0)),
             Part::Roll { radius, half, below } => ((y.hypot(z + below) - radius).max(0.0)).hypot(over(x, half)),
+            Part::Hill { heights } => from_hill([x, y, z], &heights),
         }
     }
 
@@ -103,6 +215,7 @@ impl Placed {
                 // Across X the order is Y, Z.
                 format!("cylinder: {{axis: X, centre: [0, {}], radius: {radius}, from: {}, to: {half}}}", -below, -half)
             }
+            Part::Hill { heights } => format!("stl: {}.stl", heights.map(|height| height.to_string()).join("_")),
         };
         format!("{{place: {{shift: [{x}, {y}, 0]}}, solid: {{{shape}}}}}")
     }
@@ -146,7 +259,7 @@ impl Shop {
 fn execute(scene: &str, program: &str, with: Option<(&str, &str)>) -> (Outcome, Vec<Event>) {
     let Built { files, catalogue, .. } = built();
     let on = catalogue.on("tnc426-430").expect("a control");
-    let parsed = Scene::parse(&Source::new("scene.yaml", scene), files);
+    let parsed = Scene::parse_beside(&Source::new("scene.yaml", scene), files, Some(&Hills));
     let scene = parsed.unwrap_or_else(|found| panic!("{found:?}\n{scene}"));
     let tree = syntax::parse(&Source::new("LAW.H", program));
     let other = with.map(|(name, text)| (name, syntax::parse(&Source::new(format!("{name}.H"), text))));
@@ -377,6 +490,16 @@ proptest! {
     }
 
     #[test]
+    fn meanders_lie_on_triangles(shop in hills(), asked in asked()) {
+        lines_hold(&shop, &asked, true)?;
+    }
+
+    #[test]
+    fn lines_lie_on_triangles(shop in hills(), asked in asked()) {
+        lines_hold(&shop, &asked, false)?;
+    }
+
+    #[test]
     fn contour_lines_go_once_around_the_part(
         shop in shop(1), analog in any::<bool>(), points in mm(0.8..4.9), step in mm(0.8..3.0), travel in mm(0.0..2.0),
         to_the_right in any::<bool>(), down in any::<bool>(),
@@ -386,6 +509,7 @@ proptest! {
         let top = match part {
             Part::Block { top, .. } | Part::Stud { top, .. } => top - 0.1,
             Part::Ball { radius, below } | Part::Roll { radius, below, .. } => radius - below - 1.5,
+            Part::Hill { .. } => return Ok(()),
         };
         prop_assume!(top > 0.2);
         let (number, sign) = (if analog { 17 } else { 7 }, if to_the_right { '+' } else { '-' });

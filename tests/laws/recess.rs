@@ -7,17 +7,14 @@
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::fmt::Write as _;
 
-use ciklo::base::diag::Source;
 use ciklo::engine::region::groove::CuttingEdge;
 use ciklo::engine::region::profile::{Allowance, Envelope};
 use ciklo::engine::region::{Edge, Way};
-use ciklo::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Status};
-use ciklo::engine::scene::Scene;
-use ciklo::program::syntax;
+use ciklo::engine::run::{Event, EventKind, MoveKind};
 use glam::DVec2;
 use proptest::prelude::*;
 
-use crate::built::{Built, built};
+use crate::turned_body::{self, Left, Ring};
 
 /// How near the contour must be reached, and how far it may be missed, mm.
 const EXACT: f64 = 1e-6;
@@ -255,7 +252,9 @@ impl Job {
             values.extend([(507, f64::from(u8::from(self.one_way))), (508, self.shorter), (509, self.compensation)]);
         }
         let (x, z) = self.start();
-        let mut text = format!("TOOL CALL 1 Z\nFUNCTION MODE TURN\nL X{x:+} Z{z:+} R0 FMAX\n");
+        let mut text = format!(
+            "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\nL X{x:+} Z{z:+} R0 FMAX M303\n"
+        );
         if self.form == Form::Contour {
             text += "CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL 2\n";
         }
@@ -291,8 +290,7 @@ impl Job {
         self.programmed(DVec2::new(before, self.above))
     }
 
-    fn run(&self) -> Result<Vec<Event>, TestCaseError> {
-        let Built { files, catalogue, .. } = built();
+    fn run(&self) -> Result<(Vec<Event>, Option<Left>), TestCaseError> {
         let (x, z) = self.start();
         let text = format!(
             "scene: 1\ntools: [{{T: 1, L: 80, R: 0, RS: {}, CUTWIDTH: {}}}]\nstart: [{}, 0, {z}]\n",
@@ -300,15 +298,46 @@ impl Job {
             self.width,
             x / 2.0,
         );
-        let scene = Scene::parse(&Source::new("scene.yaml", text.clone()), files);
-        let scene = scene.unwrap_or_else(|found| panic!("{found:?}\n{text}"));
-        let program = self.program();
-        let tree = syntax::parse(&Source::new("LAW.H", program.clone()));
-        let mut events = Vec::new();
-        let engine = Engine::new(&tree, catalogue.on("tnc640").expect("a control"), &scene, &NoTexts);
-        let outcome = engine.with_catalogue(catalogue).run(&mut |event| events.push(event.clone()));
-        prop_assert_eq!(outcome.status, Status::Done, "{:?}\n{}{}", outcome.fault, text, program);
-        Ok(events)
+        turned_body::run(&self.program(), &text, Some(self.ring()))
+    }
+
+    /// A point as cuts see it, as the place on the rotary axis and the radius.
+    fn in_half_plane(&self, at: DVec2) -> DVec2 {
+        let (diameter, z) = self.programmed(at);
+        DVec2::new(z, diameter / 2.0)
+    }
+
+    /// The blank: the groove is cut into a surface.
+    fn ring(&self) -> Ring {
+        let ends = [DVec2::new(-10.0, 0.0), DVec2::new(self.corners()[3].0.x + 10.0, -self.height - 4.0)];
+        let [a, b] = ends.map(|at| self.in_half_plane(at));
+        let (least, most) = (a.min(b), a.max(b));
+        let hollow = if self.axial { self.signs.0 > 0.0 } else { self.signs.1 < 0.0 };
+        Ring { z: [least.x, most.x], radii: [if hollow { least.y } else { 0.0 }, most.y] }
+    }
+
+    /// Nothing of the insert was below the contour with its allowance, and finishing has left nothing where it came.
+    fn leaves(&self, body: &Left, contour: &[(DVec2, bool)]) -> Result<(), TestCaseError> {
+        body.is_sound(self.operation < 2, &self.program())?;
+        let by = if self.operation == 1 || self.operation == 3 { self.allowance() } else { DVec2::ZERO };
+        let chord = self.size.max(self.corner) * (1.0 - (std::f64::consts::FRAC_PI_2 / 80.0).cos());
+        for pair in contour.windows(2) {
+            let ((from, first), (to, second)) = (pair[0], pair[1]);
+            if from.distance(to) < 1e-3 || from.y.min(to.y) > -1e-3 {
+                continue;
+            }
+            let (at, out) = (from.midpoint(to), (to - from).normalize().perp());
+            let wanted = self.with(at, by);
+            let below = self.in_half_plane(wanted - out * (chord + EXACT));
+            if self.ring().has(below, 1e-3) {
+                prop_assert!(body.has(below), "nothing is left at {} seen {}\n{}", below, at, self.program());
+            }
+            if first && second && self.operation != 1 {
+                let above = self.in_half_plane(wanted + out * (chord + EXACT));
+                prop_assert!(!body.has(above), "{} is left over, seen {}\n{}", above, at, self.program());
+            }
+        }
+        Ok(())
     }
 
     /// Allowances across the groove and away from the part.
@@ -394,12 +423,12 @@ impl Job {
 }
 
 /// What is left over a grid: the blank is as high as the contour begins.
-struct Left {
+struct Grid {
     heights: Vec<f64>,
     from: f64,
 }
 
-impl Left {
+impl Grid {
     fn new(job: &Job) -> Self {
         let to = job.corners()[3].0.x + 15.0;
         Self { heights: vec![0.0; ((to + 15.0) / STEP) as usize], from: -15.0 }
@@ -436,10 +465,13 @@ proptest! {
 
     #[test]
     fn grooves_keep_their_profile(job in job()) {
-        let events = job.run()?;
+        let (events, body) = job.run()?;
         let (moves, contour) = (job.moves(&events), job.contour());
         let reported = events.iter().any(|event| matches!(&event.kind, EventKind::Message { .. }));
         prop_assert!(!reported, "it fits\n{}", job.program());
+        if let Some(body) = &body {
+            job.leaves(body, &contour)?;
+        }
         // Nothing of the insert is below the contour with its allowance.
         for moved in &moves {
             let by = if moved.finishing && job.operation < 3 || job.operation == 2 { DVec2::ZERO } else { job.allowance() };
@@ -477,7 +509,7 @@ proptest! {
             }
         }
         // Rapid traverse goes where nothing is left, and no cut is deeper than wanted.
-        let mut left = Left::new(&job);
+        let mut left = Grid::new(&job);
         for moved in moves.iter().filter(|_| job.operation < 2) {
             for tip in &moved.places {
                 let deep = left.meets(&job, *tip, !moved.rapid);

@@ -1,6 +1,7 @@
 //! Laws of regions: what belongs to a union, a difference, an intersection, a shrunk and a grown region is asked point
 //! by point, of the contours themselves, which are given as functions here and not as lines.
-use ciklo::engine::region::{Boundary, Edge, Flaw, Region, Way, clearing};
+use ciklo::engine::region::relief::Relief;
+use ciklo::engine::region::{Boundary, Edge, Flaw, Region, Way, clearing, formula};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -96,8 +97,96 @@ fn others() -> impl Strategy<Value = Vec<(char, Star)>> {
     prop::collection::vec((how, star()), 0..7)
 }
 
+/// The milling depth of contours without one of their own.
+const WHOLE: f64 = 20.0;
+
+/// What contours with depths are at a point: how deep it is machined, and from where on it stays where they are islands.
+#[derive(Clone, Copy, Debug)]
+struct There {
+    pocket: f64,
+    island: f64,
+}
+
+impl There {
+    fn of(star: &Star, depth: Option<f64>, at: DVec2) -> Self {
+        if star.depth(at) > 0.0 {
+            Self { pocket: depth.unwrap_or(f64::INFINITY), island: depth.unwrap_or(0.0) }
+        } else {
+            Self { pocket: 0.0, island: f64::INFINITY }
+        }
+    }
+
+    fn joined(self, operator: char, other: Self) -> Self {
+        let covers = |own: Self| own.pocket > 0.0 || own.island.is_finite();
+        match operator {
+            '|' => Self { pocket: self.pocket.max(other.pocket), island: self.island.min(other.island) },
+            '&' => Self { pocket: self.pocket.min(other.pocket), island: self.island.max(other.island) },
+            '^' if covers(self) && covers(other) => Self { pocket: 0.0, island: f64::INFINITY },
+            '^' => self.joined('|', other),
+            _ => Self { pocket: self.pocket.min(other.island), island: self.island.max(other.pocket) },
+        }
+    }
+}
+
+/// Two groups of contours, each with an own depth or none and with the sign before it, and the sign between the groups.
+#[derive(Clone, Debug)]
+struct Formula {
+    groups: [Vec<(char, Star, Option<f64>)>; 2],
+    between: char,
+}
+
+impl Formula {
+    fn text(&self) -> String {
+        let mut number = 0;
+        let mut groups = self.groups.iter().map(|group| {
+            group.iter().fold(String::new(), |text, (sign, ..)| {
+                number += 1;
+                if text.is_empty() { format!("QC{number}") } else { format!("{text} {sign} QC{number}") }
+            })
+        });
+        let (first, second) = (groups.next().unwrap_or_default(), groups.next().unwrap_or_default());
+        format!("( {first} ) {} ( {second} )", self.between)
+    }
+
+    fn relief(&self, number: u32) -> Option<Relief> {
+        let (_, star, depth) = self.groups.iter().flatten().nth(number as usize - 1)?;
+        Some(Relief::new(Region::within(&star.boundary()), star.radii.len(), *depth))
+    }
+
+    fn at(&self, at: DVec2) -> f64 {
+        let of = |group: &[(char, Star, Option<f64>)]| {
+            let there = group.iter().map(|(sign, star, depth)| (*sign, There::of(star, *depth, at)));
+            there.reduce(|(_, before), (sign, own)| (sign, before.joined(sign, own))).expect("a contour").1
+        };
+        of(&self.groups[0]).joined(self.between, of(&self.groups[1])).pocket.min(WHOLE)
+    }
+}
+
+fn formulas() -> impl Strategy<Value = Formula> {
+    let sign = || prop_oneof![4 => Just('|'), 4 => Just('\\'), 1 => Just('&'), 1 => Just('^')];
+    let depth = prop_oneof![2 => Just(None), 3 => (1..7u32).prop_map(|third| Some(f64::from(third) * 3.0))];
+    let group = move || prop::collection::vec((sign(), star(), depth.clone()), 1..4);
+    (group(), sign(), group()).prop_map(|(first, between, second)| Formula { groups: [first, second], between })
+}
+
 proptest! {
     #![proptest_config(cases::config(150))]
+
+    #[test]
+    fn contours_with_depths_are_machined_as_deep_as_their_formula_says(own in formulas()) {
+        let relief = formula::evaluate(&own.text(), |number| own.relief(number)).expect("a formula");
+        let bands = relief.bands(WHOLE);
+        prop_assert!(bands.first().is_none_or(|band| band.from == 0.0));
+        prop_assert!(bands.windows(2).all(|two| two[0].to == two[1].from));
+        let stars = || own.groups.iter().flatten().map(|(_, star, _)| star);
+        for at in points().filter(|at| !stars().any(|star| star.depth(*at).abs() < RIM)) {
+            let inside: Vec<bool> = bands.iter().map(|band| band.region.contains(at)).collect();
+            let count = inside.iter().take_while(|inside| **inside).count();
+            prop_assert!(inside[count..].iter().all(|inside| !inside), "{} at {}", own.text(), at);
+            let depth = count.checked_sub(1).map_or(0.0, |last| bands[last].to);
+            prop_assert_eq!(depth, own.at(at), "{} at {}", own.text(), at);
+        }
+    }
 
     #[test]
     fn regions_hold_what_their_contours_say(first in star(), rest in others()) {

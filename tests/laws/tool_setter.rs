@@ -170,3 +170,137 @@ proptest! {
         near(written(&events, "R"), shop.radius + greatest(shop.edges.iter().map(|edge| edge.1)))?;
     }
 }
+
+/// Speed and feed while the tool turns, by the formulas of the manual (001:14853-14897): the form, the radius, and the
+/// tolerance in multiples of the least one.
+#[test]
+fn the_feed_keeps_the_tolerance_that_each_form_allows() {
+    let forms: [(&str, &str, fn(f64) -> f64); 3] = [
+        ("ConstantTolerance", "0", |_| 1.0),
+        ("VariableTolreance", "1", |radius| {
+            if radius <= 30.0 {
+                1.0
+            } else if radius <= 60.0 {
+                2.0
+            } else if radius <= 90.0 {
+                3.0
+            } else {
+                4.0
+            }
+        }),
+        ("ConstantFeed", "2", |radius| radius / 5.0),
+    ];
+    let Built { files, catalogue, .. } = built();
+    let (greatest, least) = (120.0, 0.004);
+    for (word, number, multiple) in forms {
+        for radius in [4.0, 29.0, 30.0, 31.0, 60.0, 61.0, 90.0, 91.0, 118.0] {
+            let of_control = [
+                (
+                    "tnc640",
+                    format!(
+                        "probingFeed: 100, maxPeriphSpeedMeas: {greatest}, measureTolerance1: {least}, offsetToolAxis: 3, safetyDistStylus: 5, probingFeedCalc: {word}"
+                    ),
+                ),
+                (
+                    "itnc530",
+                    format!("MP6520: 100, MP6570: {greatest}, MP6510: {least}, MP6530: 3, MP6540: 5, MP6507: {number}"),
+                ),
+            ];
+            for (control, parameters) in of_control {
+                let scene = format!(
+                    "scene: 1\nmachine_parameters: {{{parameters}}}\ntool_setter: {{at: [0, 0, -50], diameter: 2}}\n\
+                     tools: [{{T: 1, L: 80, R: {radius}, CUT: 2, LTOL: 0.1, RTOL: 0.1}}]\nstart: [0, 0, 100]\n"
+                );
+                let scene = Scene::parse(&Source::new("scene.yaml", scene), files).expect("a scene");
+                let tree = syntax::parse(&Source::new("LAW.H", measure(482, 1, 0)));
+                let (mut speeds, mut feeds) = (Vec::new(), Vec::new());
+                let on = catalogue.on(control).expect("a control");
+                let outcome = Engine::new(&tree, on, &scene, &NoTexts).run(&mut |event| match event.kind {
+                    EventKind::Spindle { direction: -1, speed, .. } => speeds.push(speed),
+                    EventKind::Probe(probing) => feeds.push(probing.feed),
+                    _ => {}
+                });
+                assert_eq!(outcome.status, Status::Done, "{control} {word} {radius}: {:?}", outcome.fault);
+                let speed = greatest / (radius * 0.0063);
+                let feed = multiple(radius) * least * speed;
+                assert!(!feeds.is_empty() && !speeds.is_empty(), "{control} {word} {radius}");
+                assert!(
+                    speeds.iter().all(|found| (found - speed).abs() < 1e-9),
+                    "{control} {word} {radius}: {speeds:?}, not {speed}"
+                );
+                assert!(
+                    feeds.iter().all(|found| (found - feed).abs() < 1e-9),
+                    "{control} {word} {radius}: {feeds:?}, not {feed}"
+                );
+            }
+        }
+    }
+}
+
+/// The form of a tool: how wide it is at a height above its lowest point.
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    Flat,
+    Corner(f64),
+    Point(f64),
+}
+
+fn width(form: Form, radius: f64, height: f64) -> f64 {
+    match form {
+        Form::Corner(corner) if height < corner => {
+            radius - corner + (corner * corner - (corner - height) * (corner - height)).sqrt()
+        }
+        Form::Point(angle) => radius.min(height * (angle / 2.0).to_radians().tan()),
+        _ => radius,
+    }
+}
+
+proptest! {
+    #![proptest_config(config(400))]
+
+    /// Against samples of the way: a tool that gets into the setter is a collision, whatever its form, and no other one.
+    #[test]
+    fn a_tool_that_gets_into_the_setter_collides(
+        from in (mm(-80.0..80.0), mm(-80.0..80.0), mm(-40.0..40.0)), to in (mm(-80.0..80.0), mm(-80.0..80.0), mm(-40.0..40.0)),
+        radius in mm(2.0..25.0), which in 0..3_u8, share in 0.1..1.0_f64, longer in mm(-2.0..2.0), half in mm(5.0..30.0),
+        cube in any::<bool>(), feed in any::<bool>(),
+    ) {
+        let form = match which {
+            0 => Form::Flat,
+            1 => Form::Corner((radius * share * 1000.0).round() / 1000.0),
+            _ => Form::Point((30.0 + 140.0 * share).round()),
+        };
+        let column = match form {
+            Form::Flat => String::new(),
+            Form::Corner(corner) => format!(", R2: {corner}"),
+            Form::Point(angle) => format!(", T-ANGLE: {angle}"),
+        };
+        let face = if cube { "cube" } else { "diameter" };
+        let scene = format!(
+            "scene: 1\ntool_setter: {{at: [0, 0, 0], {face}: {}}}\ntools: [{{T: 1, L: 80, R: {radius}{column}, edges: [{{length: {}, radius: {radius}}}]}}]\n\
+             start: [{}, {}, {}]\n",
+            2.0 * half, 80.0 + longer, from.0, from.1, from.2
+        );
+        let speed = if feed { "F500" } else { "FMAX" };
+        let program = format!("TOOL CALL 1 Z S100\nL X{:+} Y{:+} Z{:+} R0 {speed}\n", to.0, to.1, to.2);
+        let depth = |share: f64| {
+            let at = |a: f64, b: f64| a + (b - a) * share;
+            let (x, y, above) = (at(from.0, to.0), at(from.1, to.1), at(from.2, to.2) - longer);
+            let beside = if cube { (x.abs() - half).max(0.0).hypot((y.abs() - half).max(0.0)) } else { (x.hypot(y) - half).max(0.0) };
+            // Its lowest point is so far below the face.
+            let below = -above;
+            (beside - width(form, radius, below.max(0.0))).max(-below)
+        };
+        let least = (0..=4000).map(|k| depth(f64::from(k) / 4000.0)).fold(f64::INFINITY, f64::min);
+        // Samples lie up to 0.05 apart.
+        prop_assume!(least.abs() > 0.2);
+        let Built { files, catalogue, .. } = built();
+        let on = catalogue.on("tnc640").expect("a control");
+        let scene = Scene::parse(&Source::new("scene.yaml", scene), files).expect("a scene");
+        let tree = syntax::parse(&Source::new("LAW.H", program));
+        let outcome = Engine::new(&tree, on, &scene, &NoTexts).run(&mut |_| {});
+        let code = outcome.fault.as_ref().map(|fault| fault.code.to_string());
+        let wanted = (least < 0.0).then(|| "tool-setter-collision".to_owned());
+        prop_assert_eq!(code, wanted, "{} mm", least);
+    }
+}

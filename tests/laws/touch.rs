@@ -357,7 +357,9 @@ impl Partner for Failing {
         if request["cycle"]["keyword"] != "TCH PROBE" || request["scene"]["probe"].is_null() || scans(&request) {
             return Ok(answer);
         }
-        if !self.seen.insert((request["cycle"]["number"].to_string(), request["case"].to_string())) {
+        if is_worked(&request)
+            || !self.seen.insert((request["cycle"]["number"].to_string(), request["case"].to_string()))
+        {
             return Ok(answer);
         }
         let control = request["control"].as_str().expect("a control");
@@ -378,6 +380,12 @@ impl Partner for Failing {
         }
         Ok(answer)
     }
+}
+
+/// Whether it is a worked program: its other cycles write what they have to before one fails.
+fn is_worked(request: &Value) -> bool {
+    let on = built().catalogue.on(request["control"].as_str().expect("a control")).expect("a known one");
+    on.worked.iter().any(|worked| Some(worked.name()) == request["case"].as_str())
 }
 
 /// Whether it is of a cycle whose probe follows the workpiece: losing it there is no touch that fails.

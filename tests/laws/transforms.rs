@@ -451,6 +451,35 @@ proptest! {
         prop_assert!(found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-4), "{points}: {found:?} is not {wanted:?}");
     }
 
+    /// By projected angles: the plane cuts the plane ZX in a line that falls by the first angle along X, and the plane YZ in
+    /// one that rises by the second along Y. Its X axis is the first line, turned about the normal.
+    #[test]
+    fn a_plane_by_projected_angles(a in -80.0..80.0f64, b in -80.0..80.0f64, by in -180.0..180.0f64) {
+        let (a, b) = ((a * 1e4).round() / 1e4, (b * 1e4).round() / 1e4);
+        let ((sa, ca), (sb, cb)) = (a.to_radians().sin_cos(), b.to_radians().sin_cos());
+        let unit = |v: [f64; 3]| {
+            let length = v.iter().map(|value| value * value).sum::<f64>().sqrt();
+            v.map(|value| value / length)
+        };
+        let cross = |a: [f64; 3], b: [f64; 3]| {
+            [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+        };
+        let first = [ca, 0.0, -sa];
+        let normal = unit(cross(first, [0.0, cb, sb]));
+        let across = cross(normal, first);
+        let (s, c) = by.to_radians().sin_cos();
+        let x: [f64; 3] = std::array::from_fn(|k| first[k] * c + across[k] * s);
+        let y = cross(normal, x);
+        let wanted: [f64; 3] = std::array::from_fn(|k| 10.0 * x[k] + 20.0 * y[k] + 30.0 * normal[k]);
+        let found = placed_by(&format!("PLANE PROJECTED PROPR{a:+.4} PROMIN{b:+.4} ROT{by:+} STAY"));
+        prop_assert!(meets(found, wanted), "{found:?} is not {wanted:?}");
+        // Without a turn it is the plane of two spatial angles, the first of which is seen shorter in its projection.
+        let about_x = (b.to_radians().tan() * ca).atan().to_degrees();
+        let spatial = placed_by(&format!("PLANE SPATIAL SPA{about_x:+} SPB{a:+.4} SPC+0 STAY"));
+        let found = placed_by(&format!("PLANE PROJECTED PROPR{a:+.4} PROMIN{b:+.4} ROT+0 STAY"));
+        prop_assert!(meets(found, spatial), "{found:?} is not {spatial:?}");
+    }
+
     /// A further angle turns about an axis of the plane that is active.
     #[test]
     fn a_plane_relative_to_the_one_before(a in -40.0..40.0f64, b in -40.0..40.0f64, by in -40.0..40.0f64, axis in 0..3usize) {

@@ -5,14 +5,11 @@
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::fmt::Write as _;
 
-use ciklo::base::diag::Source;
-use ciklo::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Status};
-use ciklo::engine::scene::Scene;
-use ciklo::program::syntax;
+use ciklo::engine::run::{Event, EventKind, MoveKind};
 use glam::DVec2;
 use proptest::prelude::*;
 
-use crate::built::{Built, built};
+use crate::turned_body::{self, Left, Ring};
 
 /// How near the contour must be reached, and how far it may be missed, mm.
 const EXACT: f64 = 1e-6;
@@ -219,15 +216,17 @@ impl Job {
             (506, f64::from(self.smoothing)),
         ];
         let (x, z) = self.programmed(DVec2::new(-2.0, self.above));
-        let mut text = format!("TOOL CALL 1 Z\nFUNCTION MODE TURN\nL X{x:+} Z{z:+} R0 FMAX\nCYCL DEF {number}\n");
+        let mut text = format!(
+            "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\nL X{x:+} Z{z:+} R0 FMAX M303\n\
+             CYCL DEF {number}\n"
+        );
         for (q, value) in values {
             let _ = writeln!(text, "Q{q}={value:+}");
         }
         text + "CYCL CALL\n"
     }
 
-    fn run(&self) -> Result<Vec<Event>, TestCaseError> {
-        let Built { files, catalogue, .. } = built();
+    fn run(&self) -> Result<(Vec<Event>, Option<Left>), TestCaseError> {
         let (angle, tip) = self.edges.unwrap_or_default();
         let (x, z) = self.programmed(DVec2::new(-2.0, self.above));
         let text = format!(
@@ -235,15 +234,67 @@ impl Job {
             self.radius,
             x / 2.0,
         );
-        let scene = Scene::parse(&Source::new("scene.yaml", text.clone()), files);
-        let scene = scene.unwrap_or_else(|found| panic!("{found:?}\n{text}"));
-        let program = self.program();
-        let tree = syntax::parse(&Source::new("LAW.H", program.clone()));
-        let mut events = Vec::new();
-        let engine = Engine::new(&tree, catalogue.on("tnc640").expect("a control"), &scene, &NoTexts);
-        let outcome = engine.with_catalogue(catalogue).run(&mut |event| events.push(event.clone()));
-        prop_assert_eq!(outcome.status, Status::Done, "{:?}\n{}", outcome.fault, program);
-        Ok(events)
+        turned_body::run(&self.program(), &text, Some(self.ring()))
+    }
+
+    /// Where the blank begins as cuts see it: in front of the contour only where that goes down into it.
+    fn begins(&self) -> f64 {
+        if self.plunges { -10.0 } else { 0.0 }
+    }
+
+    /// The blank: up to where the contour begins.
+    fn ring(&self) -> Ring {
+        let ends = [DVec2::new(self.begins(), 0.0), DVec2::new(self.length + 40.0, -self.height - 4.0)];
+        let [a, b] = ends.map(|at| {
+            let (diameter, z) = self.programmed(at);
+            DVec2::new(z, diameter / 2.0)
+        });
+        let (low, high) = (a.min(b), a.max(b));
+        // Towards the axis it goes on to it.
+        let outwards = if self.face { self.signs().0 > 0.0 } else { self.inside };
+        Ring { z: [low.x, high.x], radii: [if outwards { low.y } else { 0.0 }, high.y] }
+    }
+
+    /// A point as cuts see it, as the place on the rotary axis and the radius.
+    fn in_half_plane(&self, at: DVec2) -> DVec2 {
+        let (diameter, z) = self.programmed(at);
+        DVec2::new(z, diameter / 2.0)
+    }
+
+    /// What is left is never below the contour with its allowance, and above it there is only what roughing leaves.
+    fn leaves(&self, body: &Left, left: bool, contour: &[(DVec2, bool)]) -> Result<(), TestCaseError> {
+        body.is_sound(self.operation == 1, &self.program())?;
+        let by = if self.operation == 1 { self.allowance() } else { DVec2::ZERO };
+        // Points of roundings are up to so much inside of them.
+        let chord = 1.5 * (1.0 - (std::f64::consts::FRAC_PI_2 / 80.0).cos());
+        for pair in contour.windows(2) {
+            let ((from, first), (to, second)) = (pair[0], pair[1]);
+            let way = (to - from).normalize_or_zero();
+            if from.distance(to) < 1e-3 || from.x < self.begins() + 0.01 {
+                continue;
+            }
+            let (at, out) = (from.midpoint(to), way.perp());
+            let side = DVec2::new(if out.x.abs() > 1e-9 { by.x * out.x.signum() } else { 0.0 }, by.y);
+            let below = self.in_half_plane(at + side - out * (chord + EXACT));
+            if self.ring().has(below, 0.01) && at.x > self.begins() + 0.01 {
+                prop_assert!(body.has(below), "nothing is left at {} seen {}\n{}", below, at, self.program());
+            }
+            if left || !(first && second) {
+                continue;
+            }
+            let most = match self.operation {
+                1 if self.smoothing != 1 || by != DVec2::ZERO => {
+                    // What a level leaves that ends a little above, with the rounding of the nose.
+                    let over = contour.iter().filter(|(other, _)| (other.x - at.x).abs() < by.x + STEP);
+                    let highest = over.map(|(other, _)| other.y).fold(at.y, f64::max);
+                    DVec2::new(at.x, highest + by.y + self.depth + self.radius + EXACT)
+                }
+                _ => at + side + out * (chord + if self.edges.is_some() { REPORTED } else { EXACT }),
+            };
+            let above = self.in_half_plane(most);
+            prop_assert!(!body.has(above), "{} is left over, seen {}\n{}", above, at, self.program());
+        }
+        Ok(())
     }
 
     /// Allowances along the feed and away from the part.
@@ -345,7 +396,7 @@ proptest! {
 
     #[test]
     fn shoulders_keep_their_profile(job in job()) {
-        let events = job.run()?;
+        let (events, body) = job.run()?;
         let (moves, contour) = (job.moves(&events), job.contour());
         let by = if job.operation == 1 { job.allowance() } else { DVec2::ZERO };
         // Nothing of the insert is below the contour with its allowance.
@@ -364,6 +415,15 @@ proptest! {
         }
         // Where the insert can come it comes, whatever is said not to be reached.
         let left = events.iter().any(|event| matches!(&event.kind, EventKind::Message { .. }));
+        // Across the axis some inserts are beside their nose in what is not turned yet, and one that leans forward comes
+        // to the blank in front of which it is with its edge.
+        let fits = job.edges.is_none_or(|(angle, tip)| {
+            let (front, back) = if job.face { (270.0 - angle - tip, 270.0 - angle) } else { (angle, angle + tip) };
+            back <= 180.0 && (front >= 90.0 || job.depth < 2.0 * front.to_radians().tan())
+        });
+        if let (Some(body), true) = (&body, fits) {
+            job.leaves(body, left, &contour)?;
+        }
         let along = |moved: &&Moved| moved.step.contains("finish") || moved.step.contains("smooth");
         let whole: Vec<&Moved> = moves.iter().filter(|moved| !moved.rapid).filter(along).collect();
         if !left && (job.operation == 2 || job.smoothing == 1 && by == DVec2::ZERO) {

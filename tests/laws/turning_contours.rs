@@ -6,14 +6,11 @@
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::fmt::Write as _;
 
-use ciklo::base::diag::Source;
-use ciklo::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Status};
-use ciklo::engine::scene::Scene;
-use ciklo::program::syntax;
+use ciklo::engine::run::{Event, EventKind, MoveKind};
 use glam::DVec2;
 use proptest::prelude::*;
 
-use crate::built::{Built, built};
+use crate::turned_body::{self, Left, Ring};
 
 /// How near the contour must be reached, and how far it may be missed, mm.
 const EXACT: f64 = 1e-6;
@@ -231,8 +228,8 @@ impl Job {
         };
         let (x, z) = self.programmed(self.start());
         let mut text = format!(
-            "TOOL CALL 1 Z\nFUNCTION MODE TURN\nL X{x:+} Z{z:+} R0 FMAX\nCYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR \
-             LABEL 2\nCYCL DEF {number}\n"
+            "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\nL X{x:+} Z{z:+} R0 FMAX M303\n\
+             CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL 2\nCYCL DEF {number}\n"
         );
         let mut q = |number: u16, value: f64| {
             let _ = writeln!(text, "Q{number}={value:+}");
@@ -284,8 +281,7 @@ impl Job {
         text + "LBL 0\n"
     }
 
-    fn run(&self) -> Result<Vec<Event>, TestCaseError> {
-        let Built { files, catalogue, .. } = built();
+    fn run(&self) -> Result<(Vec<Event>, Option<Left>), TestCaseError> {
         let (angle, tip) = self.edges.unwrap_or_default();
         let (x, z) = self.programmed(self.start());
         let text = format!(
@@ -293,15 +289,56 @@ impl Job {
             self.radius,
             x / 2.0,
         );
-        let scene = Scene::parse(&Source::new("scene.yaml", text.clone()), files);
-        let scene = scene.unwrap_or_else(|found| panic!("{found:?}\n{text}"));
-        let program = self.program();
-        let tree = syntax::parse(&Source::new("LAW.H", program.clone()));
-        let mut events = Vec::new();
-        let engine = Engine::new(&tree, catalogue.on("tnc640").expect("a control"), &scene, &NoTexts);
-        let outcome = engine.with_catalogue(catalogue).run(&mut |event| events.push(event.clone()));
-        prop_assert_eq!(outcome.status, Status::Done, "{:?}\n{}", outcome.fault, program);
-        Ok(events)
+        turned_body::run(&self.program(), &text, self.ring())
+    }
+
+    /// A point as cuts see it, as the place on the rotary axis and the radius.
+    fn in_half_plane(&self, at: DVec2) -> DVec2 {
+        let (diameter, z) = self.programmed(at);
+        DVec2::new(z, diameter / 2.0)
+    }
+
+    /// The blank: from where the contour begins, as high as the tool begins; what is cut parallel to a contour begins as
+    /// no ring.
+    fn ring(&self) -> Option<Ring> {
+        if self.parallel {
+            return None;
+        }
+        let corners = self.corners();
+        let low = corners.iter().map(|(at, _)| at.y).fold(0.0, f64::min);
+        let end = corners.iter().map(|(at, _)| at.x).fold(0.0, f64::max);
+        let ends = [DVec2::new(0.0, self.start().y), DVec2::new(end + 20.0, low - 4.0)];
+        let [a, b] = ends.map(|at| self.in_half_plane(at));
+        let (least, most) = (a.min(b), a.max(b));
+        let hollow = self.inside || self.face && self.signs().0 > 0.0;
+        Some(Ring { z: [least.x, most.x], radii: [if hollow { least.y } else { 0.0 }, most.y] })
+    }
+
+    /// Nothing of the insert was below the contour with its allowance, and finishing has left nothing where it came.
+    fn leaves(&self, body: &Left, left: bool, contour: &[(DVec2, bool)]) -> Result<(), TestCaseError> {
+        body.is_sound(self.operation == 1, &self.program())?;
+        let Some(ring) = self.ring() else { return Ok(()) };
+        let by = if self.operation == 1 { self.allowance() } else { DVec2::ZERO };
+        let chord = 1.0 - (std::f64::consts::FRAC_PI_2 / 80.0).cos();
+        for pair in contour.windows(2) {
+            let ((from, first), (to, second)) = (pair[0], pair[1]);
+            if from.distance(to) < 1e-3 {
+                continue;
+            }
+            let (at, out) = (from.midpoint(to), (to - from).normalize().perp());
+            let side = DVec2::new(if out.x.abs() > 1e-9 { by.x * out.x.signum() } else { 0.0 }, by.y);
+            let below = self.in_half_plane(at + side - out * (chord + EXACT));
+            if ring.has(below, 0.01) {
+                prop_assert!(body.has(below), "nothing is left at {} seen {}\n{}", below, at, self.program());
+            }
+            let all = first && second && !left && self.undercuts && self.limit().is_none();
+            if all && (self.operation == 2 || by == DVec2::ZERO && self.smoothing == 1) {
+                let most = chord + if self.edges.is_some() { 2e-3 } else { EXACT };
+                let above = self.in_half_plane(at + side + out * most);
+                prop_assert!(!body.has(above), "{} is left over, seen {}\n{}", above, at, self.program());
+            }
+        }
+        Ok(())
     }
 
     fn allowance(&self) -> DVec2 {
@@ -416,7 +453,7 @@ proptest! {
 
     #[test]
     fn contours_keep_their_profile(job in job()) {
-        let events = job.run()?;
+        let (events, body) = job.run()?;
         let (moves, contour) = (job.moves(&events), job.contour());
         let by = if job.operation == 1 { job.allowance() } else { DVec2::ZERO };
         // Nothing of the insert is below the contour with its allowance.
@@ -442,6 +479,11 @@ proptest! {
         }
         // Where the insert can come it comes, whatever is said not to be reached.
         let left = events.iter().any(|event| matches!(&event.kind, EventKind::Message { .. }));
+        // Across the axis such an insert is beside its nose in what is not turned yet.
+        let fits = job.edges.is_none_or(|(angle, _)| !job.face || angle >= 90.0);
+        if let (Some(body), true) = (&body, fits) {
+            job.leaves(body, left, &contour)?;
+        }
         let along = |moved: &&Moved| match job.parallel && job.operation == 1 {
             true => moved.step == "cut-parallel-to-contour" && by == DVec2::ZERO,
             false => moved.step.contains("finish") || moved.step.contains("smooth"),

@@ -380,7 +380,6 @@ fn contours_of_formulas_leave_the_part_that_labels_leave() {
     assert_eq!(fault("SEL CONTOUR \"NOWHERE\""), "program-missing");
     assert_eq!(fault("SEL CONTOUR \"SQUARE\""), "contour-not-defined");
     assert_eq!(fault("QC10 = QC7"), "contour-undeclared");
-    assert_eq!(fault("DECLARE CONTOUR QC1 = \"SQUARE\" DEPTH5"), "unsupported-block");
     assert_eq!(fault("DECLARE CONTOUR QC1 = \"SQUARE\"\nQC2 = QC1 \\ QC1"), "contour-not-defined");
 }
 

@@ -91,8 +91,8 @@ fn found_in(data: &Data, path: &Path) -> Vec<Diagnostic> {
     })
 }
 
-/// The programs of `tests/check/beside`, a tool table with the tools 1, MILL, TAP, PROBE, CENTRE, and WORN and TWIN, which are
-/// locked; tables with the rows 0 to 3.
+/// The programs of `tests/check/beside`, a tool table with the tools 1, MILL, TAP, PROBE, CENTRE, RECESSER for turned
+/// recesses, and WORN and TWIN, which are locked; tables with the rows 0 to 3.
 struct Beside<'a> {
     against: &'a Against<'a>,
     own: String,
@@ -127,7 +127,7 @@ impl Project for Beside<'_> {
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {
         Some(matches!(
             tool,
-            ToolName::Number(1.0) | ToolName::Name("MILL" | "TAP" | "PROBE" | "CENTRE" | "WORN" | "TWIN")
+            ToolName::Number(1.0) | ToolName::Name("MILL" | "TAP" | "PROBE" | "CENTRE" | "WORN" | "TWIN" | "RECESSER")
         ))
     }
 
@@ -161,6 +161,10 @@ impl Project for Beside<'_> {
             (ToolName::Name("TWIN"), "RT") => Some("7"),
             _ => None,
         }
+    }
+
+    fn turning_type(&self, tool: ToolName<'_>) -> Option<&str> {
+        (tool == ToolName::Name("RECESSER")).then_some("RECESS")
     }
 
     fn has_row(&self, rows: Rows<'_>, row: f64) -> Option<bool> {

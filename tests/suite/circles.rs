@@ -43,7 +43,7 @@ const ENGINE: &[(&str, &[&str])] = &[
             "cycle",
         ],
     ),
-    ("stock", &["geometry", "machine", "solid", "scene", "report"]),
+    ("stock", &["geometry", "region", "machine", "solid", "scene", "report"]),
     ("draw", &["geometry", "solid", "scene", "report", "stock"]),
 ];
 

@@ -64,6 +64,14 @@ fn every_altered_fact_is_found() {
             "return-to-set-up",
         ),
         ("pt/measuring.ftl", "Q182=1", "Q181=1", "consistency-code", "say-hole-is-scrap"),
+        // A sentence that denies what it said.
+        (
+            "it/machining-common.ftl",
+            "il controllo non esegue",
+            "il controllo esegue",
+            "consistency-negation",
+            "guard-depth-zero",
+        ),
         // The label of another parameter of the same cycle, and texts of choices that changed places.
         (
             "it/parameters-machining.ftl",

@@ -14,6 +14,7 @@ fn machines() -> Vec<Machine> {
     let made = |rotary: Vec<RotaryMachineAxis>, pivot| Machine {
         name: String::new(),
         spindle: Axis::Z,
+        parallel: Vec::new(),
         axes: axes.to_vec(),
         rotary,
         pivot,

@@ -146,6 +146,26 @@ fn the_parameter_without_a_value_is_named_and_not_the_one_that_should_get_it() {
     assert_eq!((&*fault.code, named), ("parameter-undefined", vec!["Q60".into()]));
 }
 
+/// A called program has local parameters of its own each time; the one that called it has its own again, and what was
+/// exported to it.
+#[test]
+fn local_parameters_belong_to_a_call() {
+    let world = World::new();
+    let on = world.catalogue.on("tnc640").expect("a control");
+    let scene = Scene::parse(&Source::new("scene.yaml", "scene: 1\n"), &world.files).expect("a scene");
+    let texts = LogTexts::new(world.locales.language("en").expect("the source language"), on.id(), &world.files);
+    let main = "BEGIN PGM MAIN MM\nQ20 = 0\nQL1 = 1\nQL2 = 2\nCALL PGM PART\nCALL PGM PART\nQ10 = QL1\nQ11 = QL2\nEND PGM MAIN MM\n";
+    // It counts calls that find a value in QL1: there are none.
+    let part = "BEGIN PGM PART MM\nFN 9: IF QL1 IS UNDEFINED GOTO LBL 1\nQ20 = Q20 + 1\nLBL 1\nQL1 = 5\nQL2 = 7\n\
+                FN 37: EXPORT QL2\nEND PGM PART MM\n";
+    let (main, part) = (syntax::parse(&Source::new("MAIN.H", main)), syntax::parse(&Source::new("PART.H", part)));
+    let engine = Engine::new(&main, on, &scene, &texts).with_program("PART.H", &part);
+    let outcome = engine.run(&mut |_| {});
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let value = |number| outcome.params.numbers().find(|(own, _)| *own == number).map(|(_, value)| value);
+    assert_eq!((value(10), value(11), value(20)), (Some(1.0), Some(7.0), Some(0.0)));
+}
+
 #[test]
 fn names_labels_and_axes_are_read_as_they_are_checked() {
     let world = World::new();

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use ciklo::base::demand::OnDemand;
+use ciklo::base::demand::{Deferred, OnDemand};
 use ciklo::engine::plan;
 use ciklo::spec::{Catalogue, OnControl, Quantity};
 
@@ -39,6 +39,7 @@ fn with_meaning(catalogue: &Catalogue, meaning: &str) -> Catalogue {
                 fragments: on.fragments.clone(),
                 outlines: BTreeMap::new(),
                 meanings: Arc::default(),
+                worked: Deferred::default(),
             };
             reduced.controls.insert(id.clone(), own);
         }

@@ -109,6 +109,10 @@ fn units_that_are_not_sound_are_refused_and_the_others_are_taken() {
     );
     let foreign = why(&good.replace(code, "<ph id=\"2\">{ $feed }</ph><ph id=\"9\">{ $other }</ph></target>"));
     assert!(matches!(&foreign[..], [(_, Why::Codes { foreign, .. })] if foreign == "{ $other }"), "{foreign:?}");
+    let swapped = why(&good
+        .replace("{ $depth }</ph> <ph", "{ $feed }</ph> <ph")
+        .replace(code, "<ph id=\"1\">{ $depth }</ph>.</target>"));
+    assert!(matches!(&swapped[..], [(id, Why::Exchanged)] if id == "a"), "{swapped:?}");
     let changed = why(&good.replace("<source>Move to", "<source>Drive to"));
     assert!(matches!(&changed[..], [(_, Why::SourceChanged)]), "{changed:?}");
     let unknown = why(&good.replace("id=\"a\" approved", "id=\"z\" approved"));
@@ -223,9 +227,15 @@ fn facts_and_marks_of_a_page_are_kept() {
     };
     let numbers = why("12 mm:iin", "10 mm:iin");
     assert!(
-        matches!(&numbers, Some(Why::Numbers { missing, foreign }) if missing == "12" && foreign == "10"),
+        matches!(&numbers, Some(Why::Numbers { missing, foreign }) if missing == "12 mm" && foreign == "10 mm"),
         "{numbers:?}"
     );
+    let minus = why("12 mm:iin", "−12 mm:iin");
+    assert!(matches!(&minus, Some(Why::Numbers { foreign, .. }) if foreign == "\u{2212}12 mm"), "{minus:?}");
+    let unit = why("12 mm:iin", "12 %:iin");
+    assert!(matches!(&unit, Some(Why::Numbers { missing, .. }) if missing == "12 mm"), "{unit:?}");
+    let reference = why("kierteille", "inkrementaalisille kierteille");
+    assert!(matches!(&reference, Some(Why::Numbers { foreign, .. }) if foreign == "incremental"), "{reference:?}");
     let code = "<ph id=\"1\" equiv-text=\"[\">[</ph>työkiertoa";
     assert!(matches!(why(code, "työkiertoa"), Some(Why::Codes { .. })), "a mark is missing");
     // A sign that would be a mark is written so that it is none.
@@ -368,6 +378,33 @@ fn a_draft_has_every_text_and_marks_those_that_are_missing() {
     assert_eq!(all.len(), files.len());
 }
 
+#[test]
+fn a_wider_text_with_other_facts_leaves_a_gap() {
+    let file = |path: &str, text: &str| (path.to_owned(), text.to_owned());
+    let english = "step-a = Drill 5 holes.\nstep-a__odd = Drill 7 holes.\nstep-b = Wait.\nstep-b__odd = Wait here.\n";
+    let files = vec![
+        file("locales/en/a.ftl", english),
+        file("locales/fi/a.ftl", "step-a = Poraa 5 reikää.\nstep-b = Odota.\n"),
+    ];
+    let (locales, _) = ciklo::language::locale::Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let found = ciklo::language::consistency::check(&Catalogue::load(&files).0, &locales);
+    assert_eq!(found.iter().map(|found| found.code).collect::<Vec<_>>(), ["consistency-variant"], "{found:?}");
+    let text = export(&files, "fi", Form::Po);
+    assert!(text.contains("msgctxt \"step-a__odd\"\nmsgid \"Drill 7 holes.\"\nmsgstr \"\"\n"), "{text}");
+    assert!(!text.contains("step-b__odd"), "a text with the same facts serves\n{text}");
+    let filled = text.replace("holes.\"\nmsgstr \"\"", "holes.\"\nmsgstr \"Poraa 7 reikää.\"");
+    let imported = import(&files, "fi", &filled);
+    assert!(
+        imported.refused.is_empty() && imported.files[0].1.contains("step-a__odd = Poraa 7 reikää.\n"),
+        "{imported:?}"
+    );
+    // An edit of the wider text is no fault of the missing one.
+    assert_eq!(import(&files, "fi", &text.replace("Poraa 5", "Tee 5")).taken, ["step-a"]);
+    let (draft, missing) = exchange::draft(&files, "fi").unwrap();
+    assert_eq!(missing, 1);
+    assert!(draft.iter().any(|(_, text)| text.contains("step-a__odd = ⟦Drill 7 holes.⟧\n")), "{draft:?}");
+}
+
 fn said(page: &str) -> Vec<(String, String, usize)> {
     let codes =
         |pieces: &[exchange::Piece]| pieces.iter().filter(|piece| matches!(piece, exchange::Piece::Code(_))).count();
@@ -402,4 +439,97 @@ fn words_change_and_everything_else_stays() {
     let expected = expected.replace("íín", "ííñ").replace("möřéé", "mööřéé");
     let made = exchange::pseudo(&[("locales/en/a.ftl".to_owned(), file.to_owned())], exchange::Pseudo::Accents);
     assert_eq!(made, [(format!("locales/{}/a.ftl", exchange::Pseudo::Accents.tag()), expected)]);
+}
+
+const TERMS: &str = "-probe = probe\nterm-depth = Depth\n    .definition = How deep, in all.\n    .forms = depth\nterm-feed = Feed rate\n    .definition = Speed of the { -probe }.\nparameter-depth = Depth\n    .label = DEPTH\n    .help = How deep.\nstep-go = Go to the depth.\n";
+const FINNISH_TERMS: &str = "# Sanasto.\n-probe = anturi\nterm-depth =   Syvyys\n    .definition = Kuinka syvä,\n        kaikkiaan.\n    .forms = syvyy\n    .source = 12\nterm-feed = Syöttö\n    .definition = Nopeus ({ -probe }).\nparameter-depth = Syvyys\n    .label = SYVYYS\n    .help = Kuinka syvä.\nstep-go = Aja syvyyteen, pohjalle.\n";
+
+fn with_terms(finnish: &str) -> Vec<(String, String)> {
+    let file = |path: &str, text: &str| (path.to_owned(), text.to_owned());
+    vec![file("locales/en/a.ftl", TERMS), file("locales/fi/a.ftl", finnish)]
+}
+
+/// The files as terms, in both forms.
+fn exported_terms(files: &[(String, String)]) -> [String; 2] {
+    let (locales, found) = ciklo::language::locale::Locales::load(files.iter().map(|(path, text)| (path, text)));
+    assert!(found.is_empty(), "{found:?}");
+    let concepts = exchange::concepts(&locales, &["fi".to_owned()]);
+    [exchange::csv(&concepts), exchange::tbx(&concepts)]
+}
+
+fn import_terms(files: &[(String, String)], text: &str) -> Imported {
+    assert!(exchange::is_terms(text), "{text}");
+    let rows = exchange::read_terms(text).unwrap_or_else(|refused| panic!("{refused:?}\n{text}"));
+    exchange::import_terms(&Catalogue::load(files).0, files, "fi", &rows).unwrap()
+}
+
+#[test]
+fn terms_that_come_back_change_what_was_changed_and_no_other_byte() {
+    let files = with_terms(FINNISH_TERMS);
+    for text in exported_terms(&files) {
+        let same = import_terms(&files, &text);
+        assert!(same.files.is_empty() && same.refused.is_empty() && same.confirmed.is_empty(), "{same:?}");
+        assert_eq!(same.unchanged, 3 + 2 + 3, "terms, definitions, forms and the label");
+        for (old, new, in_file) in [
+            ("SYVYYS", "SYV. & UU", ("SYVYYS", "SYV. & UU")),
+            ("syvyy", "syvyy | syvä", ("syvyy\n", "syvyy | syvä\n")),
+            ("Kuinka syvä.", "Miten syvä <se> on.", ("Kuinka syvä.", "Miten syvä <se> on.")),
+            ("Kuinka syvä, kaikkiaan.", "Miten syvä.", ("Kuinka syvä,\n        kaikkiaan.", "Miten syvä.")),
+        ] {
+            let new =
+                if text.starts_with('<') { new.replace('&', "&amp;").replace('<', "&lt;") } else { new.to_owned() };
+            let imported = import_terms(&files, &text.replace(old, &new));
+            assert!(imported.refused.is_empty(), "{old}: {:?}", imported.refused);
+            let expected = FINNISH_TERMS.replace(in_file.0, in_file.1);
+            assert_eq!(imported.files, [("locales/fi/a.ftl".to_owned(), expected)], "{text}");
+        }
+    }
+}
+
+#[test]
+fn terms_of_a_language_that_lacks_them_are_added_whole() {
+    let files = with_terms("step-go = Aja syvyyteen.\n");
+    let head = "concept,language,term,label,forms,forbidden,definition,context\r\n";
+    let english =
+        "term-depth,en,Depth,,depth,,\"How deep, in all.\",\r\nparameter-depth,en,Depth,DEPTH,,,How deep.,\r\n";
+    let rows = "parameter-depth,fi,Syvyys,SYVYYS,,,,\r\nterm-depth,fi,Syvyys,,syvyy,pohja,Määrä.,\r\n";
+    let imported = import_terms(&files, &format!("{head}{english}{rows}"));
+    assert!(imported.refused.is_empty(), "{:?}", imported.refused);
+    let added = "term-depth = Syvyys\n    .definition = Määrä.\n    .forms = syvyy\n    .forbidden = pohja\nparameter-depth = Syvyys\n    .label = SYVYYS\n";
+    assert_eq!(imported.files[0].1, format!("step-go = Aja syvyyteen.\n{added}"));
+    assert_eq!(imported.confirmed, ["parameter-depth", "parameter-depth.label", "term-depth", "term-depth.definition"]);
+}
+
+#[test]
+fn terms_that_are_not_sound_are_refused_and_the_others_are_taken() {
+    let files = with_terms(FINNISH_TERMS);
+    let [table, base] = exported_terms(&files);
+    let why = |text: &str| {
+        let imported = import_terms(&files, &text.replace("SYVYYS", "SYV."));
+        assert_eq!(imported.taken, ["parameter-depth.label"], "the sound half is taken: {imported:?}");
+        imported.refused.into_iter().map(|refusal| (refusal.id, refusal.why)).collect::<Vec<_>>()
+    };
+    for text in [&table, &base] {
+        let codes = why(&text.replace("Nopeus (", "Vauhti ("));
+        assert!(matches!(&codes[..], [(id, Why::Codes { .. })] if id == "term-feed.definition"), "{codes:?}");
+        let changed = why(&text.replace("How deep, in all.", "How high.").replace("kaikkiaan", "yhteensä"));
+        assert!(matches!(&changed[..], [(id, Why::SourceChanged)] if id == "term-depth.definition"), "{changed:?}");
+        let unknown = why(&text.replace("term-feed", "../term-feed"));
+        assert!(matches!(&unknown[..], [(id, Why::Unknown)] if id == "../term-feed"), "{unknown:?}");
+        let twice = why(&text.replace("term-feed", "term-depth"));
+        assert!(twice.len() == 2 && twice.iter().all(|(_, why)| matches!(why, Why::Twice)), "{twice:?}");
+    }
+    // A word that other texts use cannot be forbidden.
+    let forbidden = why(&table.replace(",syvyy,,", ",syvyy,pohja,"));
+    assert!(
+        matches!(&forbidden[..], [(id, Why::Found(found))] if id == "term-depth.forbidden" && found.code == "consistency-forbidden"),
+        "{forbidden:?}"
+    );
+    let what = |text: &str| exchange::read_terms(text).map(|_| ()).unwrap_err().what;
+    assert_eq!(what(&table.replace("language", "tongue")), "columns");
+    assert_eq!(what(&table.replace("Depth,", "Depth,,")), "form");
+    assert_eq!(what(&base.replacen("<martif", "<!DOCTYPE martif SYSTEM \"a.dtd\">\n<martif", 1)), "document-type");
+    assert_eq!(what(&base.replace("Kuinka", "&a;")), "entity");
+    let refused = exchange::read_terms(&table.replace("fi,Syöttö,", "fi,Syöttö,,")).unwrap_err();
+    assert_eq!(table.get(refused.at..).map(|rest| rest.starts_with("term-feed,fi")), Some(true), "{refused:?}");
 }

@@ -136,3 +136,32 @@ fn a_transformation_is_measured_in_what_it_makes_of_the_program() {
     assert_eq!(altered(10, turned, "ROT+45"), Vec::<&str>::new());
     assert_eq!(altered(10, "from: 0, to: angle}", "from: 0, to: angle + 1}"), ["figure-measured-otherwise"]);
 }
+
+#[test]
+fn the_angle_of_a_plane_is_that_of_its_axes() {
+    let about = "along: main, from: 0, to: angles.main}";
+    assert_eq!(altered(19, about, about), Vec::<&str>::new());
+    assert_eq!(altered(19, about, "along: main, from: 0, to: angles.main + 1}"), ["figure-place-not-reached"]);
+    // The plane is not turned about the other axis.
+    assert_eq!(altered(19, about, "along: minor, from: 0, to: angles.main}"), ["figure-place-not-reached"]);
+    assert_eq!(altered(19, "A+30 B+0", "A+30 B+10"), ["figure-place-not-reached"]);
+}
+
+#[test]
+fn a_boring_bar_cuts_where_its_edge_is() {
+    let edge = "from: underside + Q249, to: underside + Q249 + Q252}";
+    assert_eq!(altered(204, edge, edge), Vec::<&str>::new());
+    assert_eq!(
+        altered(204, edge, "from: underside + Q249 + 1, to: underside + Q249 + Q252 + 1}"),
+        ["figure-place-not-reached"]
+    );
+}
+
+#[test]
+fn the_middle_of_a_hole_is_a_place_of_the_workpiece() {
+    let middle = "to: circle.centre}";
+    assert_eq!(altered(421, middle, middle), Vec::<&str>::new());
+    assert_eq!(altered(421, middle, "to: \"circle.centre + POINT(0.5, 0, 0)\"}"), ["figure-measured-otherwise"]);
+    let place = "{cylinder: {centre: [52, 55], diameter: 50";
+    assert_eq!(altered(421, place, "{cylinder: {centre: [51, 55], diameter: 50").len(), 1);
+}

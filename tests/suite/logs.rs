@@ -71,6 +71,11 @@ impl Partner for Writing {
         }
         let text = |name: &str| request[name].as_str().unwrap_or_default().to_owned();
         let (control, case, scene) = (text("control"), text("case"), request["scene"].to_string());
+        // Worked programs have logs of several cycles.
+        let on = data().catalogue.on(&control).expect("a control");
+        if on.worked.iter().any(|worked| worked.name() == case) {
+            return Ok(answer);
+        }
         let in_language = |language| logs(&control, language, &text("program"), &scene);
         let first = in_language(LANGUAGES[0]);
         for (index, (to, english)) in first.into_iter().enumerate() {

@@ -24,6 +24,7 @@ mod export;
 mod expr;
 mod figures;
 mod files;
+mod german;
 mod habits;
 #[path = "../support/html.rs"]
 mod html;
@@ -40,6 +41,9 @@ mod on_demand;
 mod page_parts;
 mod plain_lines;
 mod presets;
+#[cfg(feature = "pdf")]
+mod printed;
+mod programs;
 mod settings;
 #[path = "../support/small.rs"]
 mod small;
@@ -49,4 +53,5 @@ mod strategies;
 mod syntax;
 mod tidy;
 mod translate;
+mod turning_tools;
 mod world;

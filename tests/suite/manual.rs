@@ -10,7 +10,7 @@ use std::sync::{Mutex, OnceLock};
 
 use ciklo::base::data::{self, Files};
 use ciklo::base::diag::Diagnostic;
-use ciklo::language::locale::Locales;
+use ciklo::language::locale::{Locales, Scope};
 use ciklo::language::text::with_texts;
 use ciklo::output::manual::{self, Request};
 use ciklo::spec::Catalogue;
@@ -202,6 +202,39 @@ fn no_note_is_lost() {
         }
     }
     assert!(folded > 500, "notes for many cycles are on one page: {folded}");
+}
+
+#[test]
+fn worked_programs_are_on_the_pages_of_their_cycles_with_comments_of_the_language() {
+    let built = crate::built::built();
+    let site = whole_site();
+    let language = built.locales.language("fi").expect("the language");
+    let mut shown = 0;
+    for on in built.catalogue.controls.values() {
+        let read = |file: &str| html::read(&String::from_utf8_lossy(&site[&format!("{}/fi/{file}", on.id())]));
+        let all = read("programs.html");
+        for worked in on.worked.iter() {
+            assert!(all.ids.iter().any(|id| id == worked.name()), "{} {}", on.id(), worked.name());
+            for id in worked.comments() {
+                let words = language.plain(&format!("comment-{id}"), &Scope::NONE).expect("a comment");
+                assert!(all.text.contains(&format!("; {words}")), "{} {id}: {words}", on.id());
+            }
+        }
+        for cycle in on.cycles.values() {
+            let key = cycle.key.to_string();
+            let page = read(&format!("{}.html", key.to_lowercase().replace(' ', "-")));
+            for worked in on.worked.iter() {
+                let defines = worked.text().lines().any(|line| {
+                    let head = line.split_once(&key).map(|(_, rest)| rest);
+                    head.is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '.']))
+                });
+                let link = format!("programs.html#{}", worked.name());
+                assert_eq!(page.links.contains(&link), defines, "{} {key}: {link}", on.id());
+                shown += usize::from(defines);
+            }
+        }
+    }
+    assert!(shown > 40, "programs on pages of cycles: {shown}");
 }
 
 #[test]

@@ -446,7 +446,7 @@ impl Kept for Notebook {
         Some(name.len() as f64)
     }
 
-    fn read_contours(&mut self) -> Done {
+    fn read_contours(&mut self, _: f64) -> Done {
         self.contours = pocket();
         Ok(())
     }
@@ -470,9 +470,15 @@ impl Kept for Notebook {
         &self.contours
     }
 
+    fn note_left(&mut self, area: f64, at: DVec3) {
+        self.done.push(format!("{area:.3} mm² left at {at:.3}"));
+    }
+
     fn keep_thread(&mut self, thread: ciklo::engine::strategy::turning_thread::TurnedThread) {
         self.contours.thread = Some(thread);
     }
+
+    fn hold_insert(&mut self, _: ciklo::engine::machine::Insert) {}
 
     fn keep_turned(&mut self, turned: ciklo::engine::strategy::turned::Turned) {
         self.contours.turned = Some(turned);
@@ -492,7 +498,7 @@ fn pocket() -> Contours {
     let corners = [(0.0, 20.0), (40.0, 20.0), (40.0, 0.0), (0.0, 0.0)];
     let edges = corners.map(|(x, y)| Edge::Line(DVec2::new(x, y))).to_vec();
     let contour = Contour { way: Way { start: DVec2::ZERO, edges }, side: -1 };
-    Contours::new(vec![contour.closed().expect("a pocket")], DVec2::new(20.0, 40.0))
+    Contours::new(vec![contour.closed().expect("a pocket")], DVec2::new(20.0, 40.0), 10.0)
 }
 
 /// An open contour along X to 50, then along Y to 30, with the tool on its left.
@@ -572,9 +578,22 @@ fn strategies_over_contours_work_on_what_was_read() {
     let mut control = Notebook::default();
     let data = contour::RecallContourData {}.act(&mut control).expect("data");
     assert_eq!((data.depth, data.direction), (5.0, 9.0));
-    let find = contour::FindInfeedPoints { overlap: 0.8, allowance: 0.0, rounding: 0.0, tool: None, coarse: None };
+    let find = contour::FindInfeedPoints {
+        overlap: 0.8,
+        allowance: 0.0,
+        rounding: 0.0,
+        tool: None,
+        coarse: None,
+        floors: None,
+    };
     let points = find.act(&mut control).expect("points");
     assert_eq!((points.count, points.radius, points.stepover), (1.0, 5.0, 4.0));
+    // In each corner a square without a quarter of a circle, 25 - 25 pi / 4, but for what a micrometre more reaches.
+    let left = contour::FindMaterialLeft { allowance: 0.0, rounding: 0.0, surface: 1.0, depth: -10.0 };
+    assert_eq!(left.act(&mut control).expect("corners").places, 4.0);
+    let mut places = control.done.clone();
+    places.sort();
+    assert!(places.iter().all(|place| place.starts_with("5.35") && place.ends_with("-9.000]")), "{places:?}");
     let tool = Cutter { radius: 5.0 };
     let clear = contour::ClearRegionAtLevel {
         part: 1.0,
@@ -584,6 +603,7 @@ fn strategies_over_contours_work_on_what_was_read() {
         climb: 1.0,
         radius: None,
         coarse: None,
+        floors: None,
         level: -3.0,
         at: 200.0,
     };
@@ -630,6 +650,15 @@ impl System for Notebook {
         self.basic = degrees;
     }
 
+    fn align_turning(&mut self, precession: Option<f64>, _: Option<bool>) -> Done {
+        self.basic = precession.unwrap_or(self.basic);
+        Ok(())
+    }
+
+    fn end_turning_alignment(&mut self) {
+        self.basic = 0.0;
+    }
+
     fn zero_of(&self, _: RotaryAxis) -> (f64, f64) {
         self.zero
     }
@@ -661,6 +690,12 @@ impl Tables for Notebook {
 
     fn tool(&self) -> Option<f64> {
         Some(1.0)
+    }
+
+    fn insert(&self) -> Result<ciklo::engine::machine::TurningInsert, Fault> {
+        let number = |column| Ok::<_, Fault>(self.number(TableKind::Tool, 1.0, column)?.unwrap_or_default());
+        let (radius, width) = (number("RS")?, number("CUTWIDTH")?);
+        Ok(ciklo::engine::machine::TurningInsert { tool: 1.0, radius, width, ..Default::default() })
     }
 }
 

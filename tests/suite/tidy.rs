@@ -12,6 +12,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("base::diag", &[]),
     ("base::parallel", &[]),
     ("base::renamed", &[]),
+    ("base::xml", &[]),
     ("base::expr", &["base::diag"]),
     ("spec", &["base::data", "base::demand", "base::diag", "base::expr"]),
     ("language::locale", &["base::data", "base::demand", "base::diag"]),
@@ -64,7 +65,15 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("tools::coverage", &["base::diag", "base::expr", "spec", "language::locale", "engine"]),
     (
         "tools::exchange",
-        &["base::diag", "spec", "language::locale", "language::text", "language::label", "language::consistency"],
+        &[
+            "base::diag",
+            "base::xml",
+            "spec",
+            "language::locale",
+            "language::text",
+            "language::label",
+            "language::consistency",
+        ],
     ),
     ("output::export", &["base::diag", "spec", "language::locale", "language::text"]),
     ("output::dialog", &["base::diag", "spec", "language::locale", "language::text", "output::export"]),
@@ -77,6 +86,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &[
             "base::diag",
             "base::parallel",
+            "base::xml",
             "base::expr",
             "spec",
             "language::locale",

@@ -1,6 +1,6 @@
 //! Specifications with mistakes beside what must be said of them.
 //!
-//! `<folder>/bad/*.yaml` begin with lines `# expect: CODE LINE:COLUMN`, in the order of places; what is said of
+//! `<folder>/bad/*.yaml` (or `<folder>__*.yaml`) begin with lines `# expect: CODE LINE:COLUMN`, in the order of places; what is said of
 //! another file has its name before the line. The files of `<folder>/base/` are loaded with each of them;
 //! `UPDATE=1 cargo test` rewrites the lines.
 use std::path::Path;
@@ -61,7 +61,11 @@ pub(crate) fn compare(
     let mut failures = Vec::new();
     for (name, text) in files_of(&root.join("bad")) {
         let body: String = text.lines().filter(|l| !l.starts_with("# expect:")).map(|l| format!("{l}\n")).collect();
-        let path = format!("cycle-specs/drilling/{name}");
+        // Without a folder in its name it is a file of the first group.
+        let path = match name.split_once("__") {
+            Some((folder, file)) => format!("cycle-specs/{folder}/{file}"),
+            None => format!("cycle-specs/drilling/{name}"),
+        };
         let mut files = base.clone();
         files.push((path.clone(), body.clone()));
         let (catalogue, mut found) = Catalogue::load(&files);
@@ -70,7 +74,7 @@ pub(crate) fn compare(
         found.sort_by_key(|d| (source(d).to_owned(), d.place.as_ref().map(|place| place.span), d.code));
         let said = found.iter().map(|d| {
             let file = source(d).rsplit('/').next().unwrap_or_default();
-            let file = if file == name { String::new() } else { format!("{file}:") };
+            let file = if path.ends_with(&format!("/{file}")) { String::new() } else { format!("{file}:") };
             format!("# expect: {} {file}{}\n", d.code, place(d))
         });
         let said: String = said.collect();

@@ -33,6 +33,10 @@ pub trait Project: Sync {
     fn tool_word(&self, _tool: ToolName<'_>, _column: &str) -> Option<&str> {
         None
     }
+    /// The type of a turning tool, as the table of turning tools has it; nothing if none is known.
+    fn turning_type(&self, _tool: ToolName<'_>) -> Option<&str> {
+        None
+    }
     /// What the machine can do, as far as anything is known of that.
     fn machine(&self) -> Option<&Machine> {
         None

@@ -1,6 +1,6 @@
 //! A tool that is used otherwise than the tool table says: faster than its greatest speed (NMAX), although it is locked
-//! (TL) and no replacement tool is named (RT), for something that a tool of its type (TYP) is not there for, or for
-//! centring to a diameter without a point angle (T-ANGLE).
+//! (TL) and no replacement tool is named (RT), for something that a tool of its type (TYP, of turning tools TYPE) is not
+//! there for, or for centring to a diameter without a point angle (T-ANGLE).
 //!
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`) and has the columns. Of the types those are judged
 //! whose name leaves no doubt; each is reported once for a tool call.
@@ -27,6 +27,11 @@ const DRILLS: [&str; 4] = ["DRILL", "CENT", "REAM", "CSINK"];
 /// The meaning of a value that only cycles for milling have.
 const MILLED: &str = "milling-type";
 
+/// The meaning of the pitch that only turned threads have.
+const THREADED: &str = "turned-thread-pitch";
+/// The meaning of the set-up clearance that only recesses have.
+const RECESSED: &str = "recess-clearance";
+
 /// The word in the column TL of a tool that is locked.
 const LOCKED: &str = "L";
 /// The meaning of the choice between a depth and a diameter, and its value for the diameter.
@@ -43,7 +48,11 @@ enum Use {
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let Some(project) = facts.project.filter(|project| project.knows_tools()) else { return };
+    let Some(project) = facts.project else { return };
+    turned(rule, facts, project, found);
+    if !project.knows_tools() {
+        return;
+    }
     for (_, block) in facts.marked() {
         let BlockKind::ToolCall(call) = &block.kind else { continue };
         let Some(tool) = call.tool else { continue };
@@ -74,6 +83,34 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if !fits(own, kind) && reported.insert(loaded) {
             let finding = rule.at(facts, span).arg("what", "type").arg("tool", shown(facts, tool));
             found.push(finding.arg("value", word).arg("other", kind));
+        }
+    }
+}
+
+/// Turning cycles that are called with a turning tool of another type: threads are turned with one for threads only, and
+/// nothing else is; recesses with one for recesses or recess turning. Reported once for a tool call.
+fn turned(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<Diagnostic>) {
+    let mut reported = HashSet::new();
+    for call in &facts.run.calls {
+        let (Pending::Definition(index), Loaded::By(block)) = (call.modal.pending, call.modal.loaded) else { continue };
+        let Some(own) = facts.definitions.get(index as usize) else { continue };
+        let Some(cycle) = own.related_cycle().filter(|cycle| cycle.file.group == Group::Turning) else { continue };
+        let Some(BlockKind::ToolCall(tool)) = facts.program.blocks().get(block as usize).map(|own| &own.kind) else {
+            continue;
+        };
+        let Some(tool) = tool.tool else { continue };
+        let Some(kind) = named(facts, tool).and_then(|name| project.turning_type(name)) else { continue };
+        let threads = with_meaning(cycle, THREADED).is_some();
+        let recesses = with_meaning(cycle, RECESSED).is_some();
+        let fits = match kind {
+            "THREAD" => threads,
+            "RECESS" | "RECTURN" => recesses,
+            "ROUGH" | "FINISH" | "BUTTON" => !threads && !recesses,
+            _ => true,
+        };
+        if !fits && reported.insert(block) {
+            let finding = rule.at(facts, call.span).arg("what", "turning").arg("tool", shown(facts, tool));
+            found.push(finding.arg("value", own.key.to_string()).arg("other", kind));
         }
     }
 }

@@ -92,21 +92,24 @@ struct Chosen {
     files: Vec<String>,
     /// Messages and pages; nothing if all are asked for.
     used: Option<BTreeSet<String>>,
+    /// Names of cycles that are not asked for: no variant for them is.
+    others: BTreeSet<String>,
 }
 
 impl Chosen {
     fn of(texts: &Texts, matches: &ArgMatches) -> Result<Self, Failure> {
         let cycles = arguments::all(matches, "cycle");
         let topics = topics(texts, &arguments::all(matches, "topic"))?;
-        let mut all = if cycles.is_empty() { BTreeSet::new() } else { used(texts, &cycles)? };
+        let (mut all, others) = if cycles.is_empty() { Default::default() } else { used(texts, &cycles)? };
         let used = !cycles.is_empty() || !topics.is_empty();
         all.extend(topics);
-        Ok(Self { files: arguments::all(matches, "file"), used: used.then_some(all) })
+        Ok(Self { files: arguments::all(matches, "file"), used: used.then_some(all), others })
     }
 
     fn has(&self, unit: &Unit) -> bool {
         (self.files.is_empty() || self.files.contains(&unit.file))
             && self.used.as_ref().is_none_or(|used| used.contains(&unit.message))
+            && !suffixes(&unit.key).any(|suffix| self.others.contains(suffix))
     }
 }
 
@@ -156,15 +159,25 @@ fn topics(texts: &Texts, names: &[String]) -> Result<Vec<String>, Failure> {
     names.iter().map(key).collect()
 }
 
-/// The messages that cycles need on any control.
-fn used(texts: &Texts, cycles: &[String]) -> Result<BTreeSet<String>, Failure> {
+/// What a key names as cycle and control.
+fn suffixes(key: &str) -> impl Iterator<Item = &str> {
+    key.split('.').next().unwrap_or_default().split("__").skip(1)
+}
+
+/// The messages that cycles need on any control, and the names of all other cycles.
+fn used(texts: &Texts, cycles: &[String]) -> Result<(BTreeSet<String>, BTreeSet<String>), Failure> {
     let only = conform::cycles(cycles)?;
     let chosen = Selection { cycles: &only, ..Selection::default() };
-    let mut ids = BTreeSet::new();
-    for (_, on) in texts.catalogue.controls.iter() {
-        for cycle in on.cycles.values().filter(|cycle| chosen.has_cycle(cycle)) {
+    let (mut ids, mut own, mut others) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+    let all = texts.catalogue.controls.values().flat_map(|on| on.cycles.values().map(move |cycle| (on, cycle)));
+    for (on, cycle) in all {
+        if chosen.has_cycle(cycle) {
             ids.extend(spec::texts(cycle, on).into_iter().map(|text| text.id));
+            own.insert(cycle.name());
+        } else {
+            others.insert(cycle.name());
         }
     }
-    Ok(ids)
+    let others = others.difference(&own).map(|name| (*name).to_owned()).collect();
+    Ok((ids, others))
 }

@@ -1,72 +1,147 @@
-//! `ciklo texts import`: a file from a translator, checked unit by unit.
+//! `ciklo texts import`: files from translators, checked unit by unit. They are taken over together: each is checked on top
+//! of those before it, and all that changes is written at the end.
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
 
 use clap::ArgMatches;
 
-use super::accept;
+use super::accept::{self, Locks};
 use super::shared::{Texts, language, writable};
+use crate::base::data::Files;
 use crate::base::diag::{Diagnostic, Place, Source};
 use crate::cli::session::{self, Session};
 use crate::cli::{Failure, Outcome, arguments};
-use crate::language::locale::{Accept, Args};
+use crate::language::locale::{Accept, Args, SOURCE_LANGUAGE};
 use crate::spec::Catalogue;
 use crate::system;
-use crate::tools::exchange::{self, Refusal, Why};
+use crate::tools::exchange::{self, Imported, Received, Refusal, Row, Why};
 
 /// Largest file that is read, in bytes.
 const LARGEST: usize = 64 << 20;
 
+/// A file with what is to be taken over into a language.
+struct Part {
+    source: Arc<Source>,
+    tag: String,
+    content: Content,
+}
+
+enum Content {
+    Units(Vec<Received>),
+    Terms(Vec<Row>),
+}
+
 pub(super) fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let root = writable(session, "texts import")?;
-    let Some(path) = matches.get_one::<String>("input") else {
+    let paths = arguments::all(matches, "input");
+    if paths.is_empty() {
         return Err(Diagnostic::global("texts-no-file").into());
-    };
+    }
+    let to = matches.get_one::<String>("to").map(String::as_str);
+    let mut parts = Vec::new();
+    for path in &paths {
+        parts.extend(read(path, to)?);
+    }
+    let dry = matches.get_flag("dry-run");
+    let mut work = Work { files: session::working_copy(&root)?, ..Work::default() };
+    let (catalogue, _) = Catalogue::load(&work.files);
+    let (mut found, mut lines) = (Vec::new(), Vec::new());
+    for part in parts {
+        let imported = match part.content {
+            Content::Units(units) => exchange::import(&catalogue, &work.files, &part.tag, units)?,
+            Content::Terms(rows) => exchange::import_terms(&catalogue, &work.files, &part.tag, &rows)?,
+        };
+        found.extend(imported.refused.iter().map(|refusal| diagnostic(session, &part.source, refusal)));
+        lines.push(summary(session, &part.tag, dry, &imported));
+        work.take(&part.tag, imported);
+    }
+    let is_sound = found.is_empty();
+    let mut locks = Vec::new();
+    if !dry {
+        locks = work.accept()?;
+        let changed: Vec<(String, String)> = work.changed.into_iter().collect();
+        accept::put(&root, &changed)?;
+    }
+    session.report(found, arguments::chosen_format(matches))?;
+    lines.iter().for_each(|line| session.output.remark(line));
+    locks.iter().for_each(|locks| locks.report(session));
+    Ok(if is_sound { Outcome::Clean } else { Outcome::Errors })
+}
+
+/// The texts as they are after what was taken over so far.
+#[derive(Default)]
+struct Work {
+    files: Files,
+    changed: BTreeMap<String, String>,
+    /// The keys of texts that are final, by language.
+    confirmed: BTreeMap<String, BTreeSet<String>>,
+}
+
+impl Work {
+    fn take(&mut self, tag: &str, imported: Imported) {
+        self.confirmed.entry(tag.to_owned()).or_default().extend(imported.confirmed);
+        self.put(imported.files);
+    }
+
+    fn put(&mut self, files: Files) {
+        for (path, text) in files {
+            match self.files.iter_mut().find(|(own, _)| *own == path) {
+                Some((_, own)) => own.clone_from(&text),
+                None => self.files.push((path.clone(), text.clone())),
+            }
+            self.changed.insert(path, text);
+        }
+    }
+
+    /// Records what is final as accepted.
+    fn accept(&mut self) -> Result<Vec<Locks>, Failure> {
+        let mut all = Vec::new();
+        for (tag, keys) in std::mem::take(&mut self.confirmed).into_iter().filter(|(_, keys)| !keys.is_empty()) {
+            let keys: Vec<String> = keys.into_iter().collect();
+            let locks = Locks::of(&Texts::of(&self.files), &[tag], Accept::Named(&keys))?;
+            self.put(locks.files.clone());
+            all.push(locks);
+        }
+        Ok(all)
+    }
+}
+
+/// What a file has for each language.
+fn read(path: &str, to: Option<&str>) -> Result<Vec<Part>, Failure> {
     let bytes = system::read(Path::new(path))?;
     let text = std::str::from_utf8(&bytes).ok().filter(|text| text.len() <= LARGEST);
-    let source = Source::new(path.as_str(), text.unwrap_or_default());
+    let source = Source::new(path, text.unwrap_or_default());
     let unreadable = |at: usize, what: &str| {
         Failure::from(Diagnostic::error("texts-file-unreadable", Place::new(&source, at..at)).arg("reason", what))
     };
     let text = text.ok_or_else(|| unreadable(0, "encoding"))?;
-    let returned = exchange::read(text).map_err(|refused| unreadable(refused.at, refused.what))?;
-    let tag = language(&match matches.get_one::<String>("to") {
-        Some(tag) => tag.clone(),
-        None => returned.language.unwrap_or_default(),
-    })?;
-    let files = session::working_copy(&root)?;
-    let (catalogue, _) = Catalogue::load(&files);
-    let imported = exchange::import(&catalogue, &files, &tag, returned.units)?;
-    let found: Vec<Diagnostic> = imported.refused.iter().map(|refusal| diagnostic(session, &source, refusal)).collect();
-    let is_sound = found.is_empty();
-    let dry = matches.get_flag("dry-run");
-    let mut locks = None;
-    if !dry {
-        let mut changed = imported.files.clone();
-        if !imported.confirmed.is_empty() {
-            let kept = files.into_iter().filter(|(path, _)| !imported.files.iter().any(|(own, _)| own == path));
-            let after: Vec<(String, String)> = kept.chain(imported.files.iter().cloned()).collect();
-            let named = Accept::Named(&imported.confirmed);
-            let accepted = accept::Locks::of(&Texts::of(&after), std::slice::from_ref(&tag), named)?;
-            changed.extend(accepted.files.iter().cloned());
-            locks = Some(accepted);
-        }
-        accept::put(&root, &changed)?;
+    if !exchange::is_terms(text) {
+        let returned = exchange::read(text).map_err(|refused| unreadable(refused.at, refused.what))?;
+        let tag = language(&to.map(str::to_owned).or(returned.language).unwrap_or_default())?;
+        return Ok(vec![Part { source, tag, content: Content::Units(returned.units) }]);
     }
-    session.report(found, arguments::chosen_format(matches))?;
+    let rows = exchange::read_terms(text).map_err(|refused| unreadable(refused.at, refused.what))?;
+    let named: BTreeSet<&str> = rows.iter().map(|row| row.words.language.as_str()).collect();
+    let named = named.into_iter().filter(|tag| *tag != SOURCE_LANGUAGE && to.is_none_or(|to| to == *tag));
+    let tags = named.map(language).collect::<Result<Vec<_>, _>>()?;
+    let part = |tag: String| {
+        let is_own = |row: &&Row| [SOURCE_LANGUAGE, &tag].contains(&row.words.language.as_str());
+        let rows = rows.iter().filter(is_own).cloned().collect();
+        Part { source: Arc::clone(&source), content: Content::Terms(rows), tag }
+    };
+    Ok(tags.into_iter().map(part).collect())
+}
+
+fn summary(session: &Session, tag: &str, dry: bool, imported: &Imported) -> String {
     let args = Args::new()
-        .text("language", tag.as_str())
+        .text("language", tag)
         .text("dry", if dry { "yes" } else { "no" })
         .number("taken", imported.taken.len() as f64)
         .number("unchanged", imported.unchanged as f64)
         .number("open", imported.passed_over as f64)
         .number("refused", imported.refused.len() as f64);
-    let line = session.ui.text("cli-texts-imported", &args);
-    session.output.remark(&line);
-    if let Some(locks) = locks {
-        locks.report(session);
-    }
-    Ok(if is_sound { Outcome::Clean } else { Outcome::Errors })
+    session.ui.text("cli-texts-imported", &args)
 }
 
 fn diagnostic(session: &Session, source: &Arc<Source>, refusal: &Refusal) -> Diagnostic {
@@ -76,6 +151,7 @@ fn diagnostic(session: &Session, source: &Arc<Source>, refusal: &Refusal) -> Dia
         Why::SourceChanged => "texts-unit-source-changed",
         Why::NotRead => "texts-unit-not-read",
         Why::Codes { .. } => "texts-unit-codes",
+        Why::Exchanged => "texts-unit-exchanged",
         Why::Markup => "texts-unit-markup",
         Why::Numbers { .. } => "texts-unit-numbers",
         Why::Incomplete => "texts-unit-incomplete",

@@ -17,7 +17,7 @@ use crate::language::locale::Ui;
 
 pub(super) const COMMAND: Command = Command {
     name: "texts",
-    usage: "status|accept|export|import [FILE] [--data DIR] [--lang LANG]… [--file FILE]… [--text KEY]… [--changed] [--all] [--to LANG] [--stale] [--missing] [--cycle CYCLE]… [--topic TOPIC]… [--base-url URL] [--out FILE] [--dry-run] [--format FORMAT]",
+    usage: "status|accept|export|import [FILE]… [--data DIR] [--lang LANG]… [--file FILE]… [--text KEY]… [--changed] [--all] [--to LANG] [--stale] [--missing] [--cycle CYCLE]… [--topic TOPIC]… [--base-url URL] [--out FILE] [--dry-run] [--format FORMAT]",
     arguments: own,
     run,
 };
@@ -32,7 +32,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
     let action = arguments::argument(ui, "action", "cli-texts-action").value_name("ACTION").required(true);
     vec![
         action.value_parser(PossibleValuesParser::new(ACTIONS)).hide_possible_values(true),
-        arguments::argument(ui, "input", "cli-texts-input").value_name("FILE"),
+        arguments::argument(ui, "input", "cli-texts-input").value_name("FILE").num_args(0..),
         arguments::several(ui, "lang", "LANG", "cli-texts-lang"),
         arguments::several(ui, "file", "FILE", "cli-texts-file"),
         arguments::several(ui, "text", "KEY", "cli-texts-text"),

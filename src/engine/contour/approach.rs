@@ -16,6 +16,16 @@ pub(crate) enum Leg {
     Arc { centre: DVec2, to: DVec2, sweep: f64 },
 }
 
+impl Leg {
+    /// The same leg so far beside.
+    pub(crate) fn moved(&self, by: DVec2) -> Self {
+        match *self {
+            Self::Line(to) => Self::Line(to + by),
+            Self::Arc { centre, to, sweep } => Self::Arc { centre: centre + by, to: to + by, sweep },
+        }
+    }
+}
+
 /// The form of a way to a contour or away from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Form {

@@ -7,3 +7,4 @@ pub(crate) mod approach;
 pub(crate) mod element;
 pub(crate) mod free;
 pub(crate) mod path;
+pub(crate) mod undercut;

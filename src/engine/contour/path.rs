@@ -10,9 +10,10 @@ use glam::{DVec2, DVec3};
 
 use crate::engine::contour::approach::{Form, Lead, Leg};
 use crate::engine::contour::element::{Corner, Element, Manner, Shape, broken, corner, direction, rounded};
+use crate::engine::contour::undercut::Undercut;
 use crate::engine::motion::drives::Drives;
 use crate::engine::motion::functions::ArcFeed;
-use crate::engine::motion::moves::Speed;
+use crate::engine::motion::moves::{Speed, Turn};
 use crate::engine::report::ending::{Done, Leave};
 use crate::engine::report::event::{At, Event};
 use crate::engine::report::fault::{Class, Fault};
@@ -30,6 +31,7 @@ const NO_RADIUS: f64 = 1e-9;
 pub(crate) enum Break {
     Rounding(f64),
     Chamfer(f64),
+    Undercut(Undercut),
 }
 
 /// A rounding or chamfer between the element that waits and the next one.
@@ -104,6 +106,8 @@ pub(crate) struct Contour {
     side: i8,
     /// The programmed position, while the tool is somewhere else.
     nominal: Option<DVec3>,
+    /// Where the tool is from the centre of what runs next to the contour: the tip of a turning tool.
+    tip: DVec2,
     /// The programmed position and where the tool is after a block with `R+` or `R-`.
     beside: Option<(DVec3, DVec3)>,
     /// + blocks along one axis are longer by the tool radius, - shorter.
@@ -233,6 +237,9 @@ impl Contour {
         if side == 0 {
             return Ok(0.0);
         }
+        if world.insert_runs_beside() {
+            return Ok(world.turning_insert()?.radius * f64::from(side));
+        }
         let scale = world.system.plane_scale().ok_or_else(|| Fault::program("arc-scaled-unequally"))?;
         let radius = world.tool().map_or(0.0, |tool| tool.radius) / scale;
         Ok(if radius.abs() < NO_RADIUS { 0.0 } else { radius * f64::from(side) })
@@ -248,7 +255,7 @@ impl Contour {
         speed: Result<Speed, Fault>,
     ) -> Done {
         let side = self.side_of(motion);
-        let plane = drives.world.system.plane;
+        let plane = drives.world.system.contour_plane();
         match (self.side, side) {
             (0, 0) => {}
             (0, _) => {
@@ -281,14 +288,14 @@ impl Contour {
         if self.side_of(motion) != self.side {
             return Err(Fault::program("compensation-begin").into());
         }
-        let plane = drives.world.system.plane;
+        let plane = drives.world.system.contour_plane();
         let from = plane.flat(self.programmed(&drives.world));
         self.element(drives, Element::arc(from, plane.flat(to), plane.flat(centre), sweep), to, motion, place, speed)
     }
 
     /// A block that moves only along the tool axis, or not at all.
     fn plunge(&mut self, drives: &mut Drives<'_, '_>, from: f64, to: DVec3, speed: Result<Speed, Fault>) -> Done {
-        let height = drives.world.system.plane.tool.of(to);
+        let height = drives.world.system.contour_plane().tool.of(to);
         if from == height {
             return Ok(());
         }
@@ -325,8 +332,14 @@ impl Contour {
         speed: Result<Speed, Fault>,
     ) -> Done {
         let offset = self.offset(&drives.world, side)?;
-        let piece =
-            self.piece_of(&drives.report, Kind::Lead(lead), offset, drives.world.system.plane.tool.of(to), place);
+        self.tip = drives.world.tip_of_nose(offset)?;
+        let piece = self.piece_of(
+            &drives.report,
+            Kind::Lead(lead),
+            offset,
+            drives.world.system.contour_plane().tool.of(to),
+            place,
+        );
         self.side = side;
         self.nominal = Some(to);
         self.last = None;
@@ -346,13 +359,13 @@ impl Contour {
         speed: Result<Speed, Fault>,
     ) -> Done {
         let offset = self.offset(&drives.world, self.side)?;
-        let plane = drives.world.system.plane;
+        let plane = drives.world.system.contour_plane();
         self.nominal = Some(to);
         self.last = Some(Last::Heading(element.heading_at_end(), element.to));
         let mut next = self.piece_of(&drives.report, Kind::Element(element), offset, plane.tool.of(to), place);
         (next.manner, next.speed) = (manner(motion), speed);
         if self.piece.is_none() {
-            next.start = plane.flat(drives.world.here);
+            next.start = plane.flat(drives.world.here) - self.tip;
         }
         match self.between.take() {
             Some(between) => self.broken_corner(drives, *between, element, next, place)?,
@@ -377,22 +390,24 @@ impl Contour {
             return Err(Fault::program("rounding-misplaced").into());
         };
         let Kind::Element(first) = before.kind else { return Err(Fault::program("rounding-misplaced").into()) };
-        let (found, size) = match between.what {
-            Break::Rounding(radius) => (rounded(&first, &element, radius), radius),
-            Break::Chamfer(leg) => (broken(&first, &element, leg), leg),
-        };
-        let Some((first, corner, last)) = found else {
-            return Err(Fault::program("rounding-impossible").arg("size", size).into());
+        let alone = |(first, corner, last): (Element, Option<Element>, Element)| (first, Vec::from_iter(corner), last);
+        let too_small = |size: f64| Fault::program("rounding-impossible").arg("size", size);
+        let (first, corner, last) = match between.what {
+            Break::Rounding(radius) => rounded(&first, &element, radius).map(alone).ok_or_else(|| too_small(radius))?,
+            Break::Chamfer(leg) => broken(&first, &element, leg).map(alone).ok_or_else(|| too_small(leg))?,
+            Break::Undercut(undercut) => {
+                undercut.between(&first, &element).ok_or_else(|| Fault::program("undercut-impossible"))?
+            }
         };
         before.kind = Kind::Element(first);
         let height = before.height;
         self.piece = Some(before);
         self.gather(drives);
         let later = self.waiting.split_off(between.waiting.min(self.waiting.len()));
-        if let Some(corner) = corner {
-            let at = between.at;
+        for corner in corner {
+            let (at, speed) = (between.at.clone(), between.speed.clone());
             let piece = self.piece_of(&drives.report, Kind::Element(corner), next.offset, height, place);
-            self.follow(drives, Piece { at, speed: between.speed, ..piece })?;
+            self.follow(drives, Piece { at, speed, ..piece })?;
         }
         self.waiting.extend(later);
         self.follow(drives, Piece { kind: Kind::Element(last), ..next })
@@ -448,7 +463,7 @@ impl Contour {
         self.releasing = true;
         self.gather(drives);
         self.interlock(drives);
-        let plane = drives.world.system.plane;
+        let plane = drives.world.system.contour_plane();
         let done = match &piece.kind {
             Kind::Element(element) => self.run_element(drives, element, &piece, end, cut),
             Kind::Lead(lead) => self.run_lead(drives, lead, &piece, end, heading),
@@ -469,10 +484,12 @@ impl Contour {
         if let Some((to, around)) = link {
             *drives.report.at_mut() = piece.at;
             let height = plane.tool.of(drives.world.here);
-            let to = plane.lift(to, height);
+            let to = plane.lift(to + self.tip, height);
             match around {
                 Some(centre) => {
-                    drives.arc_to(plane.lift(centre, height), to, -piece.offset.signum(), None, piece.speed)?;
+                    let centre = plane.lift(centre + self.tip, height);
+                    let turn = Turn { plane, centre, direction: -piece.offset.signum(), sweep: None };
+                    drives.arc_by(turn, to, piece.speed)?;
                 }
                 None => drives.straight_to(to, None, piece.speed)?,
             }
@@ -491,11 +508,11 @@ impl Contour {
         end: DVec2,
         cut: f64,
     ) -> Done {
-        let plane = drives.world.system.plane;
+        let plane = drives.world.system.contour_plane();
         let path = element.path(piece.start, end, piece.cut + cut);
         let Some(path) = path else { return Err(self.too_large(piece.block, piece.offset)) };
         let speed = piece.speed.clone().map(|speed| speed_on(piece.arc_feed, element, &path, speed));
-        leg(drives, &Leg::of(&path), plane.tool.of(drives.world.here), piece.height, speed)
+        leg(drives, &Leg::of(&path).moved(self.tip), plane.tool.of(drives.world.here), piece.height, speed)
     }
 
     fn run_lead(
@@ -506,15 +523,21 @@ impl Contour {
         end: DVec2,
         heading: Option<DVec2>,
     ) -> Done {
-        let plane = drives.world.system.plane;
+        let plane = drives.world.system.contour_plane();
         let from = drives.world.here;
-        let (aside, legs) = lead.legs(plane.flat(from), end, heading, self.side)?;
+        let (aside, legs) = lead.legs(plane.flat(from) - self.tip, end, heading, self.side)?;
         if let (Some(to), Some(before)) = (aside, lead.speed_before()) {
-            drives.straight_to(plane.lift(to, plane.tool.of(from)), None, before)?;
+            drives.straight_to(plane.lift(to + self.tip, plane.tool.of(from)), None, before)?;
             drives.straight_to(plane.tool.with(drives.world.here, piece.height), None, piece.speed.clone())?;
         }
         for piece_of_way in legs {
-            leg(drives, &piece_of_way, plane.tool.of(drives.world.here), piece.height, piece.speed.clone())?;
+            leg(
+                drives,
+                &piece_of_way.moved(self.tip),
+                plane.tool.of(drives.world.here),
+                piece.height,
+                piece.speed.clone(),
+            )?;
         }
         Ok(())
     }
@@ -541,6 +564,7 @@ impl Contour {
         }
         self.side = 0;
         self.nominal = None;
+        self.tip = DVec2::ZERO;
         self.interlock(drives);
         Ok(())
     }
@@ -555,7 +579,7 @@ impl Contour {
         speed: Result<Speed, Fault>,
     ) -> Done {
         self.end(drives)?;
-        let plane = drives.world.system.plane;
+        let plane = drives.world.system.contour_plane();
         let tool = match plane.tool.letter() {
             'X' => Axis::X,
             'Y' => Axis::Y,
@@ -577,13 +601,13 @@ impl Contour {
         to: DVec3,
         speed: Result<Speed, Fault>,
     ) -> Done {
-        let side = self.side;
+        let (side, tip) = (self.side, self.tip);
         self.end(drives)?;
-        let plane = drives.world.system.plane;
+        let plane = drives.world.system.contour_plane();
         let (from, height) = (plane.flat(drives.world.here), plane.tool.of(drives.world.here));
-        let legs = form.legs_away(from, plane.flat(to), along, side)?;
+        let legs = form.legs_away(from - tip, plane.flat(to) - tip, along, side)?;
         for piece_of_way in &legs {
-            leg(drives, piece_of_way, height, height, speed.clone())?;
+            leg(drives, &piece_of_way.moved(tip), height, height, speed.clone())?;
         }
         self.forget();
         // A height that is programmed, too, is reached last.
@@ -592,7 +616,7 @@ impl Contour {
 
     /// The direction at the end of the contour so far.
     pub(crate) fn heading(&self, world: &World<'_>) -> Result<DVec2, Fault> {
-        let here = world.system.plane.flat(self.programmed(world));
+        let here = world.system.contour_plane().flat(self.programmed(world));
         let heading = match self.last {
             Some(Last::Line(from, to)) if to == here => direction(to - from),
             Some(Last::Heading(heading, to)) if to == here => Some(heading),
@@ -617,7 +641,7 @@ impl Contour {
 
 /// Runs a line or arc, and to a height at the same time.
 pub(crate) fn leg(drives: &mut Drives<'_, '_>, leg: &Leg, from: f64, height: f64, speed: Result<Speed, Fault>) -> Done {
-    let plane = drives.world.system.plane;
+    let plane = drives.world.system.contour_plane();
     match *leg {
         Leg::Line(to) => drives.straight_to(plane.lift(to, height), None, speed),
         Leg::Arc { centre, to, sweep } if sweep == 0.0 || to == centre => {
@@ -625,7 +649,7 @@ pub(crate) fn leg(drives: &mut Drives<'_, '_>, leg: &Leg, from: f64, height: f64
         }
         Leg::Arc { centre, to, sweep } => {
             let (centre, to) = (plane.lift(centre, from), plane.lift(to, height));
-            drives.arc_to(centre, to, sweep.signum(), Some(sweep), speed)
+            drives.arc_by(Turn { plane, centre, direction: sweep.signum(), sweep: Some(sweep) }, to, speed)
         }
     }
 }

@@ -9,11 +9,12 @@ use glam::{DVec2, DVec3};
 
 use crate::base::expr::{QKind, Value};
 use crate::engine::flow::calls::{Call, program_key};
-use crate::engine::flow::sources::{Of, Selected, Sources};
+use crate::engine::flow::sources::{Listed, Of, Selected, Sources};
 use crate::engine::flow::state::Run;
 use crate::engine::geometry::Axis;
 use crate::engine::region::contours::Contour;
 use crate::engine::region::formula::{self, Unknown};
+use crate::engine::region::relief::{Operator, Relief};
 use crate::engine::region::{Edge, Flaw, Region, Way};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -25,33 +26,45 @@ use crate::program::syntax::{ContourFormula, NamedWord, Statement, ValueKind};
 
 /// Contours have at most so many elements together (TNC 640 manual, line 4363).
 const MOST_ELEMENTS: usize = 16_384;
+/// Formulas consist of so many contours at most (TNC 640 manual, lines 5464 and 5864).
+const MOST_CONTOURS: usize = 128;
+/// A simple formula consists of so many (line 5860).
+const MOST_LISTED: usize = 9;
 /// What a definition remembers that names the labels of contours.
 pub(super) const LABELS: &str = "contour";
 /// Where a contour begins that is so near to where the tool stands aside, mm, nothing was programmed.
 const LEFT_OUT: f64 = 1e-6;
+/// How much deeper a contour may be by calculation alone, mm.
+const SPARE: f64 = 1e-6;
 /// The feed of contours that are only read: any will do.
 const ANY_FEED: f64 = 1.0;
 
 impl<'e> Run<'_, 'e> {
-    /// Reads the closed contours that are in effect.
-    pub(super) fn read_contours(&mut self) -> Done {
+    /// Reads the closed contours that are in effect, down to a depth below the surface, mm.
+    pub(super) fn read_contours(&mut self, depth: f64) -> Done {
         let from = self.drives.in_plane(self.drives.world.here).truncate();
-        let region = match self.cycles.sources.selected.clone() {
+        let relief = match self.cycles.sources.selected.clone() {
             None => {
                 let mut closed = Vec::new();
                 for (label, contour) in self.contours_of_labels(usize::MAX)? {
                     closed.push(contour.closed().map_err(|flaw| flawed(flaw, &label))?);
                 }
-                self.cycles.contours = Contours::new(closed, from);
+                self.cycles.contours = Contours::new(closed, from, depth);
                 return Ok(());
             }
             Some(Selected::Formula(number)) => self.cycles.sources.declared.get(&number).cloned(),
             Some(Selected::Program(program)) => self.contour_of_formulas(program)?,
             Some(Selected::List(list)) => Some(self.contour_of_list(&list)?),
         };
-        let region = region.filter(|region| !region.is_empty());
-        let region = region.ok_or_else(|| Fault::program("contour-not-defined"))?;
-        self.cycles.contours = Contours { region, from, ..Contours::default() };
+        let relief = relief.ok_or_else(|| Fault::program("contour-not-defined"))?;
+        if relief.deepest() > depth + SPARE {
+            return Err(Fault::program("contour-depth").arg("what", "cycle").arg("depth", relief.deepest()).into());
+        }
+        let bands = relief.bands(depth);
+        if bands.is_empty() {
+            return Err(Fault::program("contour-not-defined").into());
+        }
+        self.cycles.contours = Contours { bands, from, ..Contours::default() };
         Ok(())
     }
 
@@ -110,7 +123,11 @@ impl<'e> Run<'_, 'e> {
                 return Err(Fault::program("contour-begin-incomplete").arg("label", &**label).into());
             }
         }
-        let open = read.into_iter().map(|(_, contour)| contour).collect();
+        // The plane in which the contour lies is that of the development: what mirrors and turns it acts there.
+        let system = &self.drives.world.system;
+        let turned = system.turned_about_datum();
+        let place = |at: DVec2| system.in_plane(turned.point(system.axes(at.extend(0.0)))).truncate();
+        let open = read.into_iter().map(|(_, contour)| contour.placed(&place, turned.mirrors())).collect();
         self.cycles.contours = Contours { open, ..Contours::default() };
         Ok(())
     }
@@ -123,17 +140,17 @@ impl<'e> Run<'_, 'e> {
 
     /// `DECLARE CONTOUR QC1 = "CIRCLE" DEPTH5`: the contour is that of the present parameters.
     pub(crate) fn declare_contour(&mut self, statement: &Statement) -> Done {
-        let mut name = None;
+        let (mut name, mut depth) = (None, None);
         for word in &statement.words {
             let key = self.slice(word.name).trim().to_ascii_uppercase();
             match key.strip_prefix("QC").map(|number| number.trim().parse::<u32>()) {
                 Some(Ok(number)) => name = Some((number, self.source_of(&word.value)?)),
-                _ => self.depth_word(&key, word)?,
+                _ => depth = self.depth_word(&key, word)?,
             }
         }
         let Some((number, of)) = name else { return Err(Fault::program("contour-not-defined").into()) };
-        let region = self.described(|run, before| run.area_of(&of, before))?;
-        self.cycles.sources.declared.insert(number, region);
+        let relief = self.described(|run, before| run.relief_of(&of, depth, before))?;
+        self.cycles.sources.declared.insert(number, counted(relief)?);
         Ok(())
     }
 
@@ -141,40 +158,61 @@ impl<'e> Run<'_, 'e> {
     pub(crate) fn contour_formula(&mut self, formula: &ContourFormula) -> Done {
         let text = self.slice(formula.text);
         let declared = &self.cycles.sources.declared;
-        let region = formula::evaluate(text, |number| declared.get(&number).cloned()).map_err(|unknown| {
+        let relief = formula::evaluate(text, |number| declared.get(&number).cloned()).map_err(|unknown| {
             let contour = match unknown {
                 Unknown::Contour(number) => format!("QC{number}"),
                 Unknown::Form => text.trim().to_owned(),
             };
             Fault::program("contour-undeclared").arg("what", "nothing").arg("contour", contour)
         })?;
-        self.cycles.sources.declared.insert(formula.target, region);
+        self.cycles.sources.declared.insert(formula.target, counted(relief)?);
         self.cycles.sources.selected = Some(Selected::Formula(formula.target));
         Ok(())
     }
 
-    /// `CONTOUR DEF P1 = "POCKET.H" I2 = LBL 2`.
+    /// `CONTOUR DEF P1 = "POCKET.H" I2 = LBL 2 DEPTH5`.
     pub(crate) fn define_contour(&mut self, statement: &Statement) -> Done {
-        let mut list: Vec<(Of, bool)> = Vec::new();
+        let mut list: Vec<Listed> = Vec::new();
         for word in &statement.words {
             let key = self.slice(word.name).trim().to_ascii_uppercase();
             match key.as_bytes() {
-                [b'P', b'0'..=b'9', ..] => list.push((self.source_of(&word.value)?, true)),
-                [b'I', b'0'..=b'9', ..] => list.push((self.source_of(&word.value)?, false)),
-                _ => self.depth_word(&key, word)?,
+                [kind @ (b'P' | b'I'), b'0'..=b'9', ..] => {
+                    list.push(Listed { of: self.source_of(&word.value)?, is_pocket: *kind == b'P', depth: None });
+                }
+                _ => {
+                    let depth = self.depth_word(&key, word)?;
+                    // It belongs to the contour before it.
+                    if let Some(last) = list.last_mut() {
+                        last.depth = depth;
+                    }
+                }
             }
+        }
+        if list.len() > MOST_LISTED {
+            return Err(Fault::control("contour-count").arg("limit", MOST_LISTED as f64).into());
+        }
+        // The first one is the deepest pocket (TNC 640 manual, lines 5920 and 5929).
+        let first = list.first().and_then(|first| first.depth);
+        let depths = list.iter().filter(|own| own.is_pocket).map(|own| own.depth.unwrap_or(f64::INFINITY));
+        let deepest = depths.fold(0.0, f64::max);
+        if first.is_some_and(|first| deepest > first + SPARE) {
+            return Err(Fault::program("contour-depth").arg("what", "first").arg("depth", deepest).into());
         }
         self.cycles.sources.selected = Some(Selected::List(list.into()));
         Ok(())
     }
 
-    /// A depth of its own is not executed; 0 is that of the contour data.
-    fn depth_word(&self, key: &str, word: &NamedWord) -> Done {
-        let is_zero = matches!(word.value.kind, ValueKind::Number(0.0));
-        if key == "DEPTH" && is_zero {
-            return Ok(());
+    /// A depth of its own, mm; 0 is that of the contour data.
+    fn depth_word(&self, key: &str, word: &NamedWord) -> Result<Option<f64>, Fault> {
+        if key != "DEPTH" {
+            return Err(Fault::unsupported("unsupported-block").arg("word", key));
         }
-        Err(Fault::unsupported("unsupported-block").arg("word", key).into())
+        let depth = self.number_of(&word.value)? * self.drives.unit();
+        // It is written without a sign (TNC 640 manual, line 5931).
+        if depth < 0.0 {
+            return Err(Fault::program("parameter-out-of-range").arg("q", "DEPTH").arg("value", depth));
+        }
+        Ok(Some(depth).filter(|depth| *depth > 0.0))
     }
 
     fn program_named(&mut self, name: &str) -> Result<usize, Fault> {
@@ -197,7 +235,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The contour of the last formula of a program.
-    fn contour_of_formulas(&mut self, program: usize) -> Done<Option<Region>> {
+    fn contour_of_formulas(&mut self, program: usize) -> Done<Option<Relief>> {
         let own = std::mem::take(&mut self.cycles.sources);
         let found = self.described(|run, before| {
             run.cycles.sources.reading = Some(Arc::clone(before));
@@ -216,22 +254,27 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// Pockets together, without the islands after them.
-    fn contour_of_list(&mut self, list: &[(Of, bool)]) -> Done<Region> {
+    fn contour_of_list(&mut self, list: &[Listed]) -> Done<Relief> {
         self.described(|run, before| {
-            let mut region = Region::default();
-            for (of, is_pocket) in list {
-                let area = run.area_of(of, before)?;
-                region = if *is_pocket { region.union(&area) } else { region.difference(&area) };
+            let mut relief: Option<Relief> = None;
+            for Listed { of, is_pocket, depth } in list {
+                let own = run.relief_of(of, *depth, before)?;
+                let operator = if *is_pocket { Operator::Or } else { Operator::Without };
+                relief = Some(match relief {
+                    Some(relief) => relief.joined(operator, &own),
+                    None if *is_pocket => own,
+                    None => Relief::new(Region::default(), 0, None).joined(operator, &own),
+                });
             }
-            Ok(region)
+            relief.map(counted).transpose()?.ok_or_else(|| Fault::program("contour-not-defined").into())
         })
     }
 
-    /// What a contour encloses that is described without a side.
-    fn area_of(&mut self, of: &Of, before: &System) -> Done<Region> {
+    /// What a contour encloses that is described without a side, with its own depth.
+    fn relief_of(&mut self, of: &Of, depth: Option<f64>, before: &System) -> Done<Relief> {
         let contour = self.contour_of(of, before)?;
         let boundary = contour.boundary().map_err(|flaw| flawed(flaw, of.name()))?;
-        Ok(Region::within(&boundary))
+        Ok(Relief::new(Region::within(&boundary), contour.way.edges.len(), depth))
     }
 
     /// Executes what describes contours without moving; afterwards all is as it was. Within a program with declarations
@@ -324,6 +367,17 @@ impl<'e> Run<'_, 'e> {
         };
         Some(Contour { way: Way { start: flat(lead.at(1.0)), edges: elements.iter().map(edge).collect() }, side })
     }
+}
+
+/// The same relief, unless it consists of more than a control keeps.
+fn counted(relief: Relief) -> Result<Relief, Fault> {
+    if relief.contours > MOST_CONTOURS {
+        return Err(Fault::control("contour-count").arg("limit", MOST_CONTOURS as f64));
+    }
+    if relief.elements > MOST_ELEMENTS {
+        return Err(Fault::control("contour-elements").arg("limit", MOST_ELEMENTS as f64));
+    }
+    Ok(relief)
 }
 
 /// What is wrong with the contour of a label or program.

@@ -10,7 +10,7 @@ use crate::engine::flow::definition::FieldValue;
 use crate::engine::flow::exec::Exec;
 use crate::engine::flow::state::Run;
 use crate::engine::geometry::{Around, Axis, Frame, RotaryAxis, WorkingPlane};
-use crate::engine::machine::{Arm, Carried, Machine, MemoryReport, SavedKinematics, Survey};
+use crate::engine::machine::{Arm, Carried, Insert, Machine, MemoryReport, SavedKinematics, Survey, TurningInsert};
 use crate::engine::motion::drives::{Spindle as Turning, Switched};
 use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::Speed;
@@ -30,7 +30,11 @@ use crate::engine::strategy::groove::Groove;
 use crate::engine::strategy::turned::Turned;
 use crate::engine::strategy::turning_thread::TurnedThread;
 use crate::engine::table::{Cell, TableError, TableKind};
+use crate::engine::world::insert::Aligned;
 use crate::engine::world::setter::Pose;
+
+/// A plane whose tool axis leans by less, as a sine, is at right angles to the tool.
+const ASKEW: f64 = 1e-9;
 
 /// A run while a cycle is executed.
 pub(super) struct OfRun<'c, 'x, 'r, 'e> {
@@ -80,6 +84,21 @@ impl System for OfRun<'_, '_, '_, '_> {
         drives.transformed(before);
     }
 
+    fn align_turning(&mut self, precession: Option<f64>, reversed: Option<bool>) -> Done {
+        let drives = &mut self.run.drives;
+        let before = drives.world.aligned();
+        let mut aligned = before;
+        aligned.precession = precession.unwrap_or(aligned.precession).rem_euclid(360.0);
+        aligned.reversed = reversed.unwrap_or(aligned.reversed);
+        drives.align(aligned);
+        if precession.is_some() || aligned != before { drives.orient_insert() } else { Ok(()) }
+    }
+
+    fn end_turning_alignment(&mut self) {
+        let correction = self.run.drives.world.aligned().correction;
+        self.run.drives.align(Aligned { correction, ..Aligned::default() });
+    }
+
     fn zero_of(&self, axis: RotaryAxis) -> (f64, f64) {
         let system = &self.run.drives.world.system;
         (axis.of(system.angles), axis.of(system.angle_shift))
@@ -123,6 +142,10 @@ impl Tables for OfRun<'_, '_, '_, '_> {
 
     fn tool(&self) -> Option<f64> {
         self.run.drives.world.tool().map(|tool| tool.number)
+    }
+
+    fn insert(&self) -> Result<TurningInsert, Fault> {
+        Ok(self.run.drives.world.turning_insert()?)
     }
 }
 
@@ -251,8 +274,8 @@ impl Kept for OfRun<'_, '_, '_, '_> {
         }
     }
 
-    fn read_contours(&mut self) -> Done {
-        self.run.read_contours()
+    fn read_contours(&mut self, depth: f64) -> Done {
+        self.run.read_contours(depth)
     }
 
     fn read_first_contour(&mut self) -> Done {
@@ -271,6 +294,12 @@ impl Kept for OfRun<'_, '_, '_, '_> {
         &self.run.cycles.contours
     }
 
+    fn note_left(&mut self, area: f64, at: DVec3) {
+        let drives = &mut self.run.drives;
+        let at = drives.world.system.axes(at);
+        drives.report.report(EventKind::Left { area, at });
+    }
+
     fn keep_groove(&mut self, groove: Groove) {
         self.run.cycles.contours.groove = Some(groove);
     }
@@ -281,6 +310,10 @@ impl Kept for OfRun<'_, '_, '_, '_> {
 
     fn keep_thread(&mut self, thread: TurnedThread) {
         self.run.cycles.contours.thread = Some(thread);
+    }
+
+    fn hold_insert(&mut self, insert: Insert) {
+        self.run.drives.hold_insert(insert);
     }
 
     fn tool_radius(&self) -> f64 {
@@ -432,7 +465,10 @@ impl ToolSetter for OfRun<'_, '_, '_, '_> {
 
     fn tip(&self) -> Result<DVec3, Fault> {
         let world = &self.run.drives.world;
-        if world.system.is_on_workpiece() || world.head.is_some() {
+        // A table that is turned leaves the tool as it is in the machine, if the plane was turned to it.
+        let tool = world.system.plane.tool.unit();
+        let askew = || world.system.frame().vector(tool).normalize_or_zero().cross(tool).length() > ASKEW;
+        if world.head.is_some() || world.system.is_on_workpiece() && askew() {
             return Err(Fault::unsupported("unsupported-transformation").arg("name", "tilting"));
         }
         Ok(world.machine)

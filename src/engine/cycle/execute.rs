@@ -148,6 +148,10 @@ impl<'e> Run<'_, 'e> {
                 Some(FieldValue::Q(q)) => Value::Number(f64::from(q.number)),
                 Some(FieldValue::Text(text)) => Value::Text(Arc::clone(text)),
                 Some(FieldValue::Direction(direction)) => Value::Point(self.drives.in_plane(*direction)),
+                Some(FieldValue::Coords(coords)) if !coords.is_empty() && coords.iter().all(|coord| coord.rotary) => {
+                    // Angles of rotary axes, which no system of coordinates changes.
+                    Value::Point(coords.iter().fold(DVec3::ZERO, |angles, coord| coord.axis.with(angles, coord.value)))
+                }
                 Some(FieldValue::Coords(coords)) => {
                     let mut point = self.drives.world.here;
                     for coord in coords.iter().filter(|coord| !coord.rotary) {

@@ -34,9 +34,10 @@ impl Run<'_, '_> {
         Ok(())
     }
 
-    /// Lengths are those of the program being executed from now on.
+    /// Lengths and local parameters are those of the program being executed from now on.
     pub(crate) fn enter_program(&mut self) {
         self.drives.unit = self.calls.here().map_or(1.0, |program| program.unit);
+        self.params.inside_of(self.calls.of_programs());
     }
 
     /// The operator's answer to a question; nothing if he does not answer.

@@ -39,6 +39,10 @@ pub(crate) struct Calls<'e> {
     /// The block after it.
     pub(crate) next: usize,
     frames: Vec<Frame>,
+    /// A number for each call of a program under way, the outermost first.
+    of_programs: Vec<u64>,
+    /// How many programs were called.
+    calls_of_programs: u64,
     /// By program and block: how many repeats are left.
     repeats: Vec<Vec<Option<u32>>>,
     blocks: u64,
@@ -62,6 +66,8 @@ impl<'e> Calls<'e> {
             block: 0,
             next: 0,
             frames: Vec::new(),
+            of_programs: Vec::new(),
+            calls_of_programs: 0,
             repeats: Vec::new(),
             blocks: 0,
             jumps: 0,
@@ -163,6 +169,10 @@ impl<'e> Calls<'e> {
             return Err(Fault::new(Class::Limit, "call-depth-limit").arg("limit", limits.depth as f64).into());
         }
         self.frames.push(Frame { program: self.program, block: self.block, call });
+        if call == Call::Program {
+            self.calls_of_programs += 1;
+            self.of_programs.push(self.calls_of_programs);
+        }
         self.program = program;
         self.jump(block, limits)
     }
@@ -185,6 +195,11 @@ impl<'e> Calls<'e> {
         false
     }
 
+    /// The calls of programs under way, the outermost first: each has a number of its own.
+    pub(crate) fn of_programs(&self) -> &[u64] {
+        &self.of_programs
+    }
+
     /// How many calls are under way.
     pub(crate) fn depth(&self) -> usize {
         self.frames.len()
@@ -192,6 +207,9 @@ impl<'e> Calls<'e> {
 
     fn pop(&mut self) {
         if let Some(frame) = self.frames.pop() {
+            if frame.call == Call::Program {
+                self.of_programs.pop();
+            }
             self.program = frame.program;
             self.block = frame.block;
             self.next = frame.block + 1;

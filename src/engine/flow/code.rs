@@ -3,7 +3,7 @@
 //! Invariant: done once for a program; running it looks nothing up by name.
 use std::collections::{BTreeMap, HashMap};
 
-use crate::base::expr::{self, Code};
+use crate::base::expr::{self, Code, QRef};
 use crate::engine::geometry::INCH;
 use crate::engine::report::fault::Fault;
 use crate::program::syntax::{Block, BlockKind, CycleView, Formula, Label, Path, Program};
@@ -25,12 +25,14 @@ pub(crate) struct Prepared<'p> {
     definitions: BTreeMap<usize, usize>,
     /// By block: the compiled formula.
     formulas: BTreeMap<usize, Code>,
-    /// By block: whether a rounding or chamfer follows directly.
+    /// By block: whether a rounding, a chamfer or an undercut follows directly.
     rounded: Vec<bool>,
     /// mm in its unit.
     pub(crate) unit: f64,
     /// The block of each label; nothing if the label is set twice.
     labels: HashMap<Key, Option<usize>>,
+    /// Labels whose names are texts of parameters.
+    changing_labels: Vec<(usize, QRef)>,
 }
 
 impl<'p> Prepared<'p> {
@@ -39,16 +41,19 @@ impl<'p> Prepared<'p> {
         let cycles = program.cycles();
         let definitions = cycles.iter().enumerate().map(|(index, view)| (view.first, index)).collect();
         let formulas = blocks.iter().enumerate().filter_map(|(at, block)| Some((at, formula(&block.kind)?))).collect();
-        let rounded = rounded(blocks);
-        let mut labels = HashMap::new();
+        let rounded = rounded(program);
+        let (mut labels, mut changing_labels) = (HashMap::new(), Vec::new());
         for (index, block) in blocks.iter().enumerate() {
             let BlockKind::Lbl(label) = &block.kind else { continue };
+            if let Label::Q(q) = label.target {
+                changing_labels.push((index, q));
+            }
             let Some(key) = key(program, label.target).filter(|key| *key != Key::Number(0)) else { continue };
             labels.entry(key).and_modify(|block| *block = None).or_insert(Some(index));
         }
         let inch = blocks.iter().any(|block| matches!(&block.kind, BlockKind::BeginPgm(frame) if frame.inch));
         let unit = if inch { INCH } else { 1.0 };
-        Self { program, cycles, definitions, formulas, rounded, unit, labels }
+        Self { program, cycles, definitions, formulas, rounded, unit, labels, changing_labels }
     }
 
     /// The block of that index.
@@ -71,13 +76,14 @@ impl<'p> Prepared<'p> {
         self.formulas.get(&block)
     }
 
-    /// The block of a label; `text` is its name where a parameter gives it.
-    pub(crate) fn label(&self, label: Label, text: Option<&str>) -> Result<usize, Fault> {
-        let key = match (label, text) {
-            (Label::Q(_), Some(text)) => Some(Key::Name(text.to_owned())),
-            _ => key(self.program, label),
-        };
-        self.find(key)
+    /// The block of a label that is written with its number or name.
+    pub(crate) fn label(&self, label: Label) -> Result<usize, Fault> {
+        self.find(key(self.program, label))
+    }
+
+    /// The labels whose names are texts of parameters, in the order of the program.
+    pub(crate) fn changing_labels(&self) -> &[(usize, QRef)] {
+        &self.changing_labels
     }
 
     /// The block of a numbered label.
@@ -112,16 +118,21 @@ fn key(program: &Program, label: Label) -> Option<Key> {
     }
 }
 
-/// By block: whether a rounding or chamfer follows, but for comments and M functions.
-fn rounded(blocks: &[Block]) -> Vec<bool> {
+/// The word with which undercuts begin.
+const UNDERCUT: &str = "UDC";
+
+/// By block: whether a rounding, a chamfer or an undercut follows, but for comments and M functions.
+fn rounded(program: &Program) -> Vec<bool> {
     let mut follows = false;
-    let mut rounded: Vec<bool> = blocks
+    let mut rounded: Vec<bool> = program
+        .blocks()
         .iter()
         .rev()
         .map(|block| {
             let here = follows;
             follows = match &block.kind {
                 BlockKind::Motion(motion) => matches!(motion.path(), Path::Rnd | Path::Chf),
+                BlockKind::Statement(own) => program.slice(own.head).trim_end().eq_ignore_ascii_case(UNDERCUT),
                 BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => follows,
                 _ => false,
             };

@@ -2,6 +2,7 @@
 //!
 //! Start reading at [`state`]: its `Run` has the parts of a run, each of which can be borrowed apart. Invariant: no block
 //! and no action of a cycle is executed here; `engine::cycle` executes plans, `engine::run` blocks.
+pub(crate) mod access;
 pub(crate) mod calling;
 pub(crate) mod calls;
 pub(crate) mod code;

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::engine::region::Region;
+use crate::engine::region::relief::Relief;
 use crate::engine::world::coordinates::System;
 
 /// Where the contours of a run come from, and what formulas know.
@@ -13,7 +13,7 @@ pub(crate) struct Sources {
     /// The contour that is selected; nothing where the labels of a definition are.
     pub(crate) selected: Option<Selected>,
     /// Contours by the number of their name `QC`.
-    pub(crate) declared: BTreeMap<u32, Region>,
+    pub(crate) declared: BTreeMap<u32, Relief>,
     /// The coordinates of the contours while a program with declarations is executed: those before it.
     pub(crate) reading: Option<Arc<System>>,
 }
@@ -25,8 +25,18 @@ pub(crate) enum Selected {
     Program(usize),
     /// Of a formula.
     Formula(u32),
-    /// Of `CONTOUR DEF`: each with whether it is a pocket.
-    List(Arc<[(Of, bool)]>),
+    /// Of `CONTOUR DEF`.
+    List(Arc<[Listed]>),
+}
+
+/// A contour of `CONTOUR DEF`.
+#[derive(Clone)]
+pub(crate) struct Listed {
+    pub(crate) of: Of,
+    /// Whether it is a pocket, and no island.
+    pub(crate) is_pocket: bool,
+    /// Its own depth or, of an island, how far it lies below the surface, mm.
+    pub(crate) depth: Option<f64>,
 }
 
 /// What describes a contour.

@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
+use super::access::Access;
 use super::calls::Calls;
 use super::code::Prepared;
 use super::definition::Definition;
@@ -59,6 +60,8 @@ pub(crate) struct Modal {
     pub(crate) plunge_factor: Option<f64>,
     /// Whether rotary axes take the shorter way (`M126`).
     pub(crate) shorter_way: bool,
+    /// Whether the feed of a rotary axis is that at the tool (`M116`).
+    pub(crate) feed_at_tool: bool,
 }
 
 /// Points by main, minor and tool axis.
@@ -149,6 +152,8 @@ pub(crate) struct Records {
     pub(crate) executed: BTreeMap<CycleKey, Vec<bool>>,
     /// Names and texts of logs.
     pub(crate) logs: Vec<(String, String)>,
+    /// Files that a mask has closed.
+    pub(crate) closed: BTreeSet<String>,
     /// Logs shown on the screen.
     pub(crate) screens: Vec<String>,
     pub(crate) envelopes: Vec<Envelope>,
@@ -177,6 +182,8 @@ pub(crate) struct Run<'r, 'e> {
     pub(crate) patterns: Patterns,
     pub(crate) records: Records,
     pub(crate) memory: Memory,
+    /// Tables that the program reads and writes by itself.
+    pub(crate) access: Access,
     /// The program that `SEL PGM` has selected.
     pub(crate) selected_program: Option<Arc<str>>,
     /// Room for the words of a movement.
@@ -203,6 +210,7 @@ impl<'r, 'e> Run<'r, 'e> {
             patterns: Patterns::default(),
             records: Records::default(),
             memory: Memory::default(),
+            access: Access::default(),
             selected_program: None,
             words: Motion::new(Path::L),
         }

@@ -15,12 +15,14 @@ pub struct TrueMachine {
     pub backlash: DVec3,
     /// By how much the tool really is beside where the linear axes say, mm.
     pub drift: DVec3,
+    /// By how much an axis stops beside where it should, degrees: each time it has turned, the next one.
+    pub scatter: Vec<(RotaryAxis, Vec<f64>)>,
 }
 
 impl TrueMachine {
     /// A machine that is as its model says.
     pub fn as_model(machine: &Machine) -> Self {
-        Self { machine: machine.clone(), backlash: DVec3::ZERO, drift: DVec3::ZERO }
+        Self { machine: machine.clone(), backlash: DVec3::ZERO, drift: DVec3::ZERO, scatter: Vec::new() }
     }
 
     /// Displaces the line about which an axis turns, mm, and takes it out of its direction, degrees about X, Y and Z.
@@ -29,6 +31,13 @@ impl TrueMachine {
             found.centre += centre;
             found.askew += askew;
         }
+    }
+
+    /// By how much an axis stops beside where it should, degrees, when it has turned so often.
+    pub fn astray(&self, axis: RotaryAxis, turned: usize) -> f64 {
+        let known = self.scatter.iter().find(|(known, _)| *known == axis);
+        let of = known.and_then(|(_, list)| list.get((turned.max(1) - 1) % list.len().max(1)));
+        if turned == 0 { 0.0 } else { of.copied().unwrap_or_default() }
     }
 
     /// How far what the axes carry is from where they say, degrees, after they have moved.

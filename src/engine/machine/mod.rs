@@ -5,6 +5,7 @@ mod around;
 mod course;
 mod errors;
 mod fit;
+mod insert;
 mod rotary;
 mod saved;
 mod survey;
@@ -14,10 +15,11 @@ pub use around::Across;
 pub use course::{Course, Straight};
 pub use errors::TrueMachine;
 pub use fit::Fit;
+pub use insert::{InsertCorrection, TurningInsert};
 pub use rotary::{Carried, RotaryMachineAxis};
 pub use saved::{MemoryReport, SavedKinematics, matches as matches_pattern};
 pub use survey::{Arm, AxisPlan, AxisReport, LEAST_CIRCLE, Station, Survey, expected, on_grid, sphere};
-pub use tool::{Neck, Tool};
+pub use tool::{Insert, InsertForm, Neck, Tool};
 
 use super::geometry::Axis;
 use super::read::Reader;
@@ -52,6 +54,22 @@ pub struct MachineAxis {
     pub acceleration: f64,
 }
 
+/// The letters of parallel axes: U beside X, V beside Y, W beside Z.
+const PARALLEL: [char; 3] = ['U', 'V', 'W'];
+
+/// A parallel axis of a machine: a further linear axis that moves beside X, Y or Z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParallelAxis {
+    /// `U`, `V` or `W`.
+    pub letter: char,
+    /// The lowest machine coordinate in mm.
+    pub min: f64,
+    /// The highest machine coordinate in mm.
+    pub max: f64,
+    /// Rapid traverse in mm/min.
+    pub rapid: f64,
+}
+
 /// A machine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Machine {
@@ -61,6 +79,8 @@ pub struct Machine {
     pub spindle: Axis,
     /// Its linear axes.
     pub axes: Vec<MachineAxis>,
+    /// Its parallel axes.
+    pub parallel: Vec<ParallelAxis>,
     /// Its rotary axes; of those that carry the workpiece, and of those that carry the tool, each carries the next.
     pub rotary: Vec<RotaryMachineAxis>,
     /// The distance of the point about which a swivel head turns from the spindle nose, mm.
@@ -99,7 +119,7 @@ impl Machine {
 
     /// Reads a machine written out in another file.
     pub(super) fn read(node: &Node, reader: &mut Reader<'_>) -> Option<Self> {
-        if !reader.only_keys(node, &["machine", "name", "spindle", "axes", "rotary", "pivot", "base"]) {
+        if !reader.only_keys(node, &["machine", "name", "spindle", "axes", "parallel", "rotary", "pivot", "base"]) {
             return None;
         }
         if let Some(version) = node.get("machine").filter(|version| version.text() != Some(VERSION)) {
@@ -116,15 +136,28 @@ impl Machine {
             }
             axes.push(axis);
         }
+        let mut parallel: Vec<ParallelAxis> = Vec::new();
+        for item in node.get("parallel").map_or(&[][..], |list| reader.items(list)) {
+            let Some(axis) = read_parallel(item, reader) else { continue };
+            if parallel.iter().any(|known| known.letter == axis.letter) {
+                reader.report("scene-repeated", item, vec![("found", axis.letter.to_string().into())]);
+            }
+            parallel.push(axis);
+        }
         let rotary = node.get("rotary").map_or_else(Vec::new, |list| rotary::read(list, reader));
         let pivot = node.get("pivot").map_or(Some(0.0), |pivot| reader.length(pivot))?;
         let base = node.get("base").map_or(Some(DVec3::ZERO), |base| reader.vector(base))?;
-        Some(Self { name, spindle: spindle?, axes, rotary, pivot, base })
+        Some(Self { name, spindle: spindle?, axes, parallel, rotary, pivot, base })
     }
 
     /// The data of an axis, if the machine has it.
     pub fn axis(&self, axis: Axis) -> Option<&MachineAxis> {
         self.axes.iter().find(|known| known.axis == axis)
+    }
+
+    /// The data of a parallel axis, if the machine has it.
+    pub fn parallel(&self, letter: char) -> Option<&ParallelAxis> {
+        self.parallel.iter().find(|known| known.letter == letter)
     }
 
     /// The first axis that a position in machine coordinates would take beyond its limits.
@@ -168,4 +201,22 @@ fn read_axis(node: &Node, reader: &mut Reader<'_>) -> Option<MachineAxis> {
         return None;
     }
     Some(MachineAxis { axis, min, max, rapid, acceleration })
+}
+
+fn read_parallel(node: &Node, reader: &mut Reader<'_>) -> Option<ParallelAxis> {
+    reader.only_keys(node, &["axis", "min", "max", "rapid"]);
+    let axis = reader.need(node, "axis")?;
+    let letter = PARALLEL.into_iter().find(|letter| axis.text().is_some_and(|text| text == letter.to_string()));
+    if letter.is_none() {
+        reader.expected(axis, "parallel-axis");
+    }
+    let min = reader.need(node, "min").and_then(|node| reader.length(node));
+    let max = reader.need(node, "max").and_then(|node| reader.length(node));
+    let rapid = reader.need(node, "rapid").and_then(|node| reader.positive(node));
+    let (letter, min, max, rapid) = (letter?, min?, max?, rapid?);
+    if min >= max {
+        reader.report("scene-min-max", node, Vec::new());
+        return None;
+    }
+    Some(ParallelAxis { letter, min, max, rapid })
 }

@@ -115,6 +115,13 @@ impl Machine {
                 axis.acceleration
             );
         }
+        if !self.parallel.is_empty() {
+            text.push_str("parallel:\n");
+        }
+        for axis in &self.parallel {
+            let (letter, min, max, rapid) = (axis.letter, axis.min, axis.max, axis.rapid);
+            let _ = writeln!(text, "  - {{axis: {letter}, min: {min}, max: {max}, rapid: {rapid}}}");
+        }
         if !self.rotary.is_empty() {
             text.push_str("rotary:\n");
         }

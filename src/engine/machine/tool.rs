@@ -35,3 +35,45 @@ pub struct Neck {
     /// Radius of the neck, mm.
     pub radius: f64,
 }
+
+/// What an insert is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InsertForm {
+    /// It turns with the nose between two edges.
+    Pointed,
+    /// It recesses with a straight edge between two noses.
+    Recessing,
+    /// It turns threads.
+    Thread,
+}
+
+impl InsertForm {
+    /// The word for it in JSON.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Pointed => "pointed",
+            Self::Recessing => "recessing",
+            Self::Thread => "thread",
+        }
+    }
+}
+
+/// An insert as a cycle has it meet the workpiece, in the plane of the main axis and the rotary axis. Directions are
+/// degrees, counted from the rotary axis towards the main axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Insert {
+    /// What it is for.
+    pub form: InsertForm,
+    /// The radius of its nose, mm.
+    pub radius: f64,
+    /// From the centre of the nose to the tip of which positions are those, in nose radii: along the main axis and
+    /// along the rotary axis.
+    pub tip: [f64; 2],
+    /// The directions of its edges from the nose: that in front and that behind. Where the tool table does not give
+    /// them, both are away from the part.
+    pub edges: [f64; 2],
+    /// Its width, mm, and the direction from the nose at the tip to the other one; 0 of one that has one nose.
+    pub width: (f64, f64),
+    /// The length of its edges, mm; 0 if none is known.
+    pub length: f64,
+}

@@ -23,14 +23,9 @@ impl Drives<'_, '_> {
             // The control goes on as if the head was at 0, and does not know where the tip is.
             return refused(Transformation::Tilting.as_str());
         }
-        if system.mirror() != (DVec3::ONE, DVec3::ONE) {
-            return refused(Transformation::Mirroring.as_str());
-        }
-        if system.scaling() != (1.0, None) {
-            return refused(Transformation::Scaling.as_str());
-        }
-        if system.rotation() != 0.0 {
-            return refused("rotation");
+        if system.scaling().1.is_some() {
+            // The cylinder would no longer be round.
+            return refused(Transformation::AxisScaling.as_str());
         }
         let axis = machine.clamped_on().ok_or_else(|| Fault::control("rotary-axis-missing").arg("axis", "C"))?;
         Ok((axis.axis, machine.across(axis, world.angles)))
@@ -48,18 +43,28 @@ impl Drives<'_, '_> {
         Ok(libm::hypot(datum.x, datum.z))
     }
 
-    /// Where the tool is about that axis.
+    /// Where the tool is about that axis: lengths as the program has them, which may be scaled.
     pub(crate) fn around_table(&self) -> Result<Around, Fault> {
         let (axis, across) = self.across_table()?;
         let seen = across.seen(self.world.machine + self.world.swung());
         let turn = axis.of(self.world.program_angles());
-        Ok(Around { turn, across: seen.x, along: seen.y - self.datum_along(&across), height: seen.z })
+        let scale = self.world.system.scaling().0;
+        let along = (seen.y - self.datum_along(&across)) / scale;
+        Ok(Around { turn, across: seen.x / scale, along, height: seen.z / scale })
     }
 
     /// Moves there. `radius` is that of the cylinder whose development the path lies in: the feed is the one along it.
     pub(crate) fn go_around_table(&mut self, to: Around, radius: f64, speed: Result<Speed, Fault>) -> Done {
         let from = self.around_table()?;
         let (axis, across) = self.across_table()?;
+        let scale = self.world.system.scaling().0;
+        let scaled = |own: Around| Around {
+            turn: own.turn,
+            across: own.across * scale,
+            along: own.along * scale,
+            height: own.height * scale,
+        };
+        let (from, to, radius) = (scaled(from), scaled(to), radius * scale);
         let tip = across.point(DVec3::new(to.across, to.along + self.datum_along(&across), to.height));
         let mut machine = tip - self.world.swung();
         if (machine - self.world.machine).abs().max_element() < SAME_POSITION {

@@ -22,3 +22,13 @@ pub(crate) const fn rotary(axis: Axis) -> Option<RotaryAxis> {
         _ => None,
     }
 }
+
+/// The letter of the parallel axis of an axis word.
+pub(crate) const fn parallel(axis: Axis) -> Option<char> {
+    match axis {
+        Axis::U => Some('U'),
+        Axis::V => Some('V'),
+        Axis::W => Some('W'),
+        _ => None,
+    }
+}

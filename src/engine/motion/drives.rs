@@ -3,12 +3,14 @@
 //! Invariant: a position is known both in program and machine coordinates after every movement.
 use glam::DVec3;
 
+use crate::engine::machine::Insert;
 use crate::engine::report::ending::Done;
 use crate::engine::report::envelope::{Recorder, Touching, Way};
 use crate::engine::report::event::{Coordinates, EventKind};
 use crate::engine::report::fault::{Class, Fault};
 use crate::engine::report::reporter::Reporter;
 use crate::engine::solid::Path;
+use crate::engine::world::insert::Aligned;
 use crate::engine::world::state::World;
 use crate::spec::Transformation;
 
@@ -53,6 +55,8 @@ pub(crate) struct Drives<'r, 'e> {
     pub(crate) report: Reporter<'r>,
     /// Spindle and coolant.
     pub(crate) switched: Switched,
+    /// The insert as it was reported last, if one was since the tool was called.
+    held: Option<Insert>,
     /// mm in the unit of the program being executed.
     pub(crate) unit: f64,
     /// mm in the unit in which the cycle being executed calculates.
@@ -78,6 +82,7 @@ impl<'r, 'e> Drives<'r, 'e> {
             world,
             report,
             switched: Switched::default(),
+            held: None,
             unit: 1.0,
             cycle_unit: 1.0,
             moves: 0,
@@ -141,9 +146,28 @@ impl<'r, 'e> Drives<'r, 'e> {
         let before = self.world.system.reported();
         self.world.system.unexecuted.clear();
         self.world.system.turning = false;
-        if self.world.system.end_changes() {
-            self.transformed(before);
+        self.world.align(Aligned::default());
+        self.world.system.end_changes();
+        self.transformed(before);
+    }
+
+    /// Changes how turning is aligned with the tool, and reports what that changes in the coordinate system.
+    pub(crate) fn align(&mut self, aligned: Aligned) {
+        let before = self.world.system.reported();
+        self.world.align(aligned);
+        self.transformed(before);
+    }
+
+    /// From now on the insert meets the workpiece like this.
+    pub(crate) fn hold_insert(&mut self, insert: Insert) {
+        if self.held.replace(insert) != Some(insert) {
+            self.report.report(EventKind::Insert(insert));
         }
+    }
+
+    /// Another tool was called.
+    pub(crate) const fn release_insert(&mut self) {
+        self.held = None;
     }
 
     /// A transformation that is not executed is no longer in effect.

@@ -50,6 +50,10 @@ pub(crate) enum Effect {
     TurnWorkpiece(i8),
     /// Feeds are mm per revolution, or mm/min again.
     PerRevolution(bool),
+    /// The feed of a rotary axis that turns alone is that at the tool, in mm/min; or in degrees/min again.
+    FeedAtTool(bool),
+    /// Only these rotary axes take part in tilting.
+    TiltingAxes,
     /// It changes nothing that events say (tool change at the machine, display, look-ahead).
     Nothing,
 }
@@ -86,6 +90,9 @@ pub(crate) fn effect(number: u16) -> Option<Effect> {
         111 => Effect::ArcFeed(ArcFeed::Centre),
         126 => Effect::ShorterWay(true),
         127 => Effect::ShorterWay(false),
+        116 => Effect::FeedAtTool(true),
+        117 => Effect::FeedAtTool(false),
+        138 => Effect::TiltingAxes,
         143 => Effect::EndBasicRotation,
         // 118: the handwheel; 124: points nearer than a tolerance may be left out; 134, 135: exact stop; 148, 149: lift-off.
         6 | 90 | 101 | 102 | 105 | 106 | 107 | 108 | 118 | 120 | 124 | 134 | 135 | 148 | 149 => Effect::Nothing,

@@ -172,6 +172,7 @@ impl Drives<'_, '_> {
         }
         self.world.within_limits(machine)?;
         self.note_way(path, false);
+        self.meets_setter(path)?;
         self.collide(path)?;
         self.release(path);
         self.world.here = to;

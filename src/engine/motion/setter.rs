@@ -7,13 +7,19 @@ use glam::DVec3;
 use crate::engine::machine::Tool;
 use crate::engine::motion::drives::Drives;
 use crate::engine::report::ending::Done;
+use crate::engine::report::envelope::Touching;
 use crate::engine::report::event::{EventKind, Probing};
 use crate::engine::report::fault::Fault;
 use crate::engine::scene::{Edge, ToolSetter, TrueTool};
-use crate::engine::world::setter::{Measured, Pose};
+use crate::engine::solid::Path;
+use crate::engine::world::setter::{Course, Measured, Pose};
 
 /// Ways that are shorter, mm, are none.
 const NOTHING: f64 = 1e-9;
+/// A circular path is straight pieces that are nowhere farther from it, mm.
+const CHORD: f64 = 1e-4;
+/// Two directions are the same if the cosine of the angle between them is not below this.
+const STRAIGHT: f64 = 1.0 - 1e-9;
 
 impl Drives<'_, '_> {
     /// The tool setter.
@@ -80,6 +86,52 @@ impl Drives<'_, '_> {
         self.report.report(EventKind::Probe(Probing { from, target, contact, feed }));
         self.world.machine = stopped;
         self.world.renew();
+        self.world.at_setter = gone.map(|_| direction);
         Ok(gone.map(|_| stopped))
+    }
+
+    /// An error if the tool gets into the tool setter on a path of its tip in the machine. Back from where it touched it
+    /// may go. While the head is turned the setter is not looked at.
+    pub(crate) fn meets_setter(&mut self, path: &Path) -> Done {
+        let touched = self.world.at_setter.take();
+        let Some(setter) = self.world.scene.setter.as_ref() else { return Ok(()) };
+        let (Some(tool), None) = (self.world.tool(), &self.world.true_head) else { return Ok(()) };
+        let back = |from: DVec3, to: DVec3| {
+            touched.is_some_and(|touched| (from - to).normalize_or_zero().dot(touched) >= STRAIGHT)
+        };
+        if self.touching() != Touching::AsScene || matches!(*path, Path::Line { from, to } if back(from, to)) {
+            return Ok(());
+        }
+        let (true_tool, plane) = (self.true_tool(&tool), self.world.system.plane);
+        let (round, first, misaligned) = (true, true_tool.first, true_tool.misaligned);
+        let measured = Measured { tool: &tool, edges: &true_tool.edges, round, first, misaligned };
+        let at = |share: f64| {
+            let from_face = path.at(share) - setter.at;
+            (plane.flat(from_face), plane.tool.of(from_face) + tool.length)
+        };
+        let (pieces, nearer) = match *path {
+            Path::Line { .. } => (1.0, 0.0),
+            Path::Arc { centre, axis, from, sweep, .. } => {
+                let radius = (from - centre).reject_from(axis).length();
+                let angle = 2.0 * libm::acos(1.0 - (CHORD / radius).clamp(1e-12, 1.0));
+                ((sweep.abs().to_radians() / angle).ceil().max(1.0), CHORD)
+            }
+        };
+        // What is far from all of the path is far from each piece of it.
+        let (middle, half) = (path.at(0.5), 0.5 * path.length());
+        let widest = true_tool.edges.iter().map(|edge| edge.radius).fold(0.0, f64::max) + misaligned.length() + nearer;
+        if plane.flat(middle - setter.at).length() > half + widest + setter.plate.reach() {
+            return Ok(());
+        }
+        for piece in 0..pieces as u32 {
+            let share = |piece: u32| f64::from(piece) / pieces;
+            let course = Course { from: at(share(piece)), to: at(share(piece + 1)) };
+            if measured.meets(setter.plate, &course, nearer) {
+                let from = self.world.system.back().point(path.at(share(piece)));
+                let fault = Fault::control("tool-setter-collision");
+                return Err(fault.arg("x", from.x).arg("y", from.y).arg("z", from.z).into());
+            }
+        }
+        Ok(())
     }
 }

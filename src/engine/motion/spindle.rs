@@ -5,6 +5,7 @@ use crate::engine::geometry::Axis;
 use crate::engine::machine::Tool;
 use crate::engine::motion::drives::Drives;
 use crate::engine::motion::drives::Spindle;
+use crate::engine::report::ending::Done;
 use crate::engine::report::event::EventKind;
 
 impl Drives<'_, '_> {
@@ -20,8 +21,21 @@ impl Drives<'_, '_> {
     }
 
     pub(crate) fn report_turning(&mut self, tool: Option<(Tool, Axis)>, direction: i8, speed: f64) {
+        if tool.is_some() {
+            self.release_insert();
+        }
         let speed = if direction == 0 { 0.0 } else { speed };
         self.report.report(EventKind::Spindle { tool, direction, speed, orient: None });
+    }
+
+    /// Turns the spindle so that the insert of the turning tool cuts where turning is aligned: by the angle of the insert
+    /// in the tool table, the precession angle, and half a turn if the tool is reversed.
+    pub(crate) fn orient_insert(&mut self) -> Done {
+        let aligned = self.world.aligned();
+        let half = if aligned.reversed { 180.0 } else { 0.0 };
+        let angle = (self.world.insert_angle()? + aligned.precession + half).rem_euclid(360.0);
+        self.orient(angle);
+        Ok(())
     }
 
     /// The spindle is at an angle.

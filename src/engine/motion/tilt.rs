@@ -33,8 +33,8 @@ fn about(axis: &RotaryMachineAxis) -> DVec3 {
 }
 
 /// The rotary axis whose sign chooses between two positions.
-fn master(machine: &Machine) -> Option<&RotaryMachineAxis> {
-    let of = |carried| machine.rotary.iter().filter(move |axis| axis.carries == carried);
+fn master<'m>(machine: &'m Machine, tilts: &dyn Fn(&RotaryMachineAxis) -> bool) -> Option<&'m RotaryMachineAxis> {
+    let of = |carried| machine.rotary.iter().filter(move |axis| axis.carries == carried && tilts(axis));
     of(Carried::Tool).last().or_else(|| of(Carried::Workpiece).next())
 }
 
@@ -84,7 +84,9 @@ impl Drives<'_, '_> {
         // A mirrored tool axis does not turn the plane over.
         let plane = plane * system.plane.tool.of(system.mirror().0);
         let plane = machine.table(datum).inverse().vector(plane);
-        let of = |carried| machine.rotary.iter().filter(move |axis| axis.carries == carried).collect::<Vec<_>>();
+        let tilts = |axis: &RotaryMachineAxis| self.world.tilts(axis.axis);
+        let of =
+            |carried| machine.rotary.iter().filter(|axis| axis.carries == carried && tilts(axis)).collect::<Vec<_>>();
         let found: Vec<Vec<(&RotaryMachineAxis, f64)>> = match (&*of(Carried::Workpiece), &*of(Carried::Tool)) {
             ([], []) => vec![Vec::new()],
             ([one], []) => vec![vec![(*one, angle_about(about(one), plane, tool))]],
@@ -108,7 +110,7 @@ impl Drives<'_, '_> {
             let straight = machine.table(all).vector(plane) - machine.head(all).vector(tool);
             let within = angles.iter().all(|(axis, angle)| axis.reaches(*angle));
             let position = (all - datum) * system.mirror().1;
-            let angle = master(machine).map_or(0.0, |axis| axis.axis.of(position));
+            let angle = master(machine, &tilts).map_or(0.0, |axis| axis.axis.of(position));
             let asked = positive.is_none_or(|positive| if positive { angle > -SAME } else { angle < SAME });
             (straight.length() < 1e-6 && within && asked).then_some(position)
         });
@@ -124,7 +126,9 @@ impl Drives<'_, '_> {
         let all = positions * system.mirror().1 + datum;
         let tool = machine.head(all).vector(machine.spindle.unit()).normalize();
         let is_free = |axis: &&RotaryMachineAxis| {
-            axis.carries == Carried::Workpiece && machine.turning(axis, all).direction.dot(tool).abs() > 1.0 - SAME
+            axis.carries == Carried::Workpiece
+                && self.world.tilts(axis.axis)
+                && machine.turning(axis, all).direction.dot(tool).abs() > 1.0 - SAME
         };
         // The workpiece is clamped on the last one.
         let Some(axis) = machine.rotary.iter().rev().find(is_free) else { return Ok(positions) };

@@ -5,6 +5,8 @@
 //! between rings it goes straight where nothing is in the way, and else along rings and from one to the next. A step
 //! of at most the radius of the cutter leaves nothing; the corners of a greater one may (manual, line 4712).
 //! Invariant: every edge lies within the region of centres.
+use std::cmp::Ordering;
+
 use glam::DVec2;
 
 use super::boundary::{Boundary, Edge, nearest_of};
@@ -12,6 +14,9 @@ use super::{NEAR, Region};
 
 /// More rings than this one inside the other are refused.
 pub const MOST_RINGS: usize = 10_000;
+
+/// Places that differ by less, mm, are beside each other.
+const BESIDE: f64 = 1e-3;
 
 /// A path over one connected part of a region.
 #[derive(Clone, Debug)]
@@ -22,6 +27,13 @@ pub struct Path {
     pub room: f64,
     /// The way from there.
     pub edges: Vec<Edge>,
+}
+
+impl Path {
+    /// Where it ends.
+    pub fn end(&self) -> DVec2 {
+        self.edges.last().map_or(self.start, Edge::to)
+    }
 }
 
 /// More rings are needed than there may be.
@@ -100,6 +112,11 @@ fn levels(centres: &Region, step: f64, left: bool) -> Result<Vec<Level>, TooMany
         }
         inside.extend(now);
     }
+    // From left to right, then from below: how the regions are put together must not decide.
+    let middles: Vec<[f64; 2]> = levels.iter().map(Level::rank).collect();
+    for level in &mut levels {
+        level.inside.sort_by(|a, b| middles[*a].partial_cmp(&middles[*b]).unwrap_or(Ordering::Equal));
+    }
     Ok(levels)
 }
 
@@ -123,6 +140,12 @@ impl Level {
     /// The point of its rings that is nearest to a point.
     fn nearest(&self, near: DVec2) -> DVec2 {
         self.region.nearest(near).map_or(near, |(point, _)| point)
+    }
+
+    /// The middle of its region, in steps that rounding does not change.
+    fn rank(&self) -> [f64; 2] {
+        let middle = self.region.middle().unwrap_or_default();
+        [middle.x, middle.y].map(|along| (along / BESIDE).round())
     }
 
     /// The number of the ring that a point is on.
@@ -198,7 +221,8 @@ impl Walk<'_> {
                 sum + edge.length(from)
             })
         };
-        let way = if length(&there) <= length(&back) { there } else { back };
+        // Rounding does not decide between ways that are equally long.
+        let way = if length(&there) <= length(&back) + NEAR { there } else { back };
         if let Some(last) = way.last() {
             self.here = last.to();
         }
@@ -253,7 +277,7 @@ fn closest(one: &Boundary, other: &Boundary) -> (DVec2, DVec2) {
                 a = own.nearest(b);
                 b = foreign.nearest(a);
             }
-            if a.distance(b) < best.0.distance(best.1) {
+            if a.distance(b) < best.0.distance(best.1) - NEAR {
                 best = if swapped { (b, a) } else { (a, b) };
             }
         }

@@ -3,7 +3,7 @@
 //! Invariant: a contour says by its side and its sense what it is; nothing here knows a program.
 use glam::DVec2;
 
-use super::{Boundary, Flaw, Region, Way};
+use super::{Boundary, Edge, Flaw, Region, Way};
 
 /// How far the end of a contour may lie off its beginning, mm: what the controls' input step of 0.0001 mm can cause.
 pub(super) const CLOSED: f64 = 0.001;
@@ -29,6 +29,20 @@ pub struct Closed {
 }
 
 impl Contour {
+    /// The contour with its points in other places, at the same distances from each other; `mirrored` where left has
+    /// become right.
+    pub fn placed(&self, place: &dyn Fn(DVec2) -> DVec2, mirrored: bool) -> Self {
+        let sign = if mirrored { -1 } else { 1 };
+        let edge = |edge: &Edge| match *edge {
+            Edge::Line(to) => Edge::Line(place(to)),
+            Edge::Arc { to, centre, sweep } => {
+                Edge::Arc { to: place(to), centre: place(centre), sweep: sweep * f64::from(sign) }
+            }
+        };
+        let way = Way { start: place(self.way.start), edges: self.way.edges.iter().map(edge).collect() };
+        Self { way, side: self.side * sign }
+    }
+
     /// The contour as a boundary.
     ///
     /// # Errors

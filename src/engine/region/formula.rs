@@ -1,32 +1,8 @@
 //! Formulas of contours: `(QC1 | QC2) \ QC3`.
 //!
 //! Operators have the same rank and are taken from left to right; the manuals give them none. Invariant: nothing here
-//! knows where the areas come from.
-use super::Region;
-
-/// What two areas become.
-#[derive(Clone, Copy)]
-enum Operator {
-    /// `&`: what belongs to both.
-    And,
-    /// `|`: what belongs to one of them or both.
-    Or,
-    /// `^`, also `|\`: what belongs to one of them only.
-    Xor,
-    /// `\`: the first without the second.
-    Without,
-}
-
-impl Operator {
-    fn apply(self, one: &Region, other: &Region) -> Region {
-        match self {
-            Self::And => one.intersection(other),
-            Self::Or => one.union(other),
-            Self::Xor => one.difference(other).union(&other.difference(one)),
-            Self::Without => one.difference(other),
-        }
-    }
-}
+//! knows where the reliefs come from.
+use super::relief::{Operator, Relief};
 
 /// Why a formula has no value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,17 +13,17 @@ pub enum Unknown {
     Form,
 }
 
-/// The area that a formula describes, from the areas of its contours.
+/// The relief that a formula describes, from those of its contours.
 ///
 /// # Errors
 /// A contour is not known, or the text is no formula.
-pub fn evaluate(formula: &str, area: impl Fn(u32) -> Option<Region>) -> Result<Region, Unknown> {
+pub fn evaluate(formula: &str, relief: impl Fn(u32) -> Option<Relief>) -> Result<Relief, Unknown> {
     // What is left of each opening bracket: a value and what is to be done with it.
-    let mut open: Vec<Option<(Region, Operator)>> = Vec::new();
-    let mut left: Option<(Region, Operator)> = None;
-    let mut value: Option<Region> = None;
-    let join = |left: Option<(Region, Operator)>, right: Region| match left {
-        Some((before, operator)) => operator.apply(&before, &right),
+    let mut open: Vec<Option<(Relief, Operator)>> = Vec::new();
+    let mut left: Option<(Relief, Operator)> = None;
+    let mut value: Option<Relief> = None;
+    let join = |left: Option<(Relief, Operator)>, right: Relief| match left {
+        Some((before, operator)) => before.joined(operator, &right),
         None => right,
     };
     let mut rest = formula.trim();
@@ -63,7 +39,7 @@ pub fn evaluate(formula: &str, area: impl Fn(u32) -> Option<Region>) -> Result<R
                 let count = digits.bytes().take_while(u8::is_ascii_digit).count();
                 let number = digits.get(..count).and_then(|own| own.parse().ok()).ok_or(Unknown::Form)?;
                 length = rest.len() - digits.len() + count;
-                value = Some(join(left.take(), area(number).ok_or(Unknown::Contour(number))?));
+                value = Some(join(left.take(), relief(number).ok_or(Unknown::Contour(number))?));
             }
             ('&' | '|' | '^' | '\\', Some(before)) => {
                 let operator = match sign {

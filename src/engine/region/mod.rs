@@ -13,6 +13,9 @@ pub mod contours;
 pub mod formula;
 pub mod groove;
 pub mod profile;
+pub mod relief;
+pub mod section;
+pub mod sweep;
 mod way;
 
 use cavalier_contours::polyline::{PlineSource, Polyline};
@@ -124,6 +127,13 @@ impl Region {
         let lines = self.parts.iter().flat_map(|part| std::iter::once(&part.outer).chain(&part.holes));
         let near = boundary::nearest_of(lines.flat_map(|line| boundary::points_of(line, point)), point)?;
         Some((near, near.distance(point)))
+    }
+
+    /// A point in the middle of the box around it; nothing of an empty region.
+    pub fn middle(&self) -> Option<DVec2> {
+        let boxes = self.parts.iter().filter_map(|part| part.outer.extents());
+        let whole = boxes.map(|own| (DVec2::new(own.min_x, own.min_y), DVec2::new(own.max_x, own.max_y)));
+        whole.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))).map(|(low, high)| (low + high) / 2.0)
     }
 
     /// Whether the straight way between two points of the region stays within it.

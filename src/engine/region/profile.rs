@@ -29,20 +29,21 @@ pub struct Insert {
 
 /// A line or an arc over a range of `x`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Shape {
+pub(super) enum Shape {
     Line { through: DVec2, slope: f64 },
     Arc { centre: DVec2, radius: f64, upper: bool },
 }
 
+/// A shape between two places.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Piece {
-    from: f64,
-    to: f64,
-    shape: Shape,
+pub(super) struct Piece {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) shape: Shape,
 }
 
 impl Shape {
-    fn height(&self, x: f64) -> f64 {
+    pub(super) fn height(&self, x: f64) -> f64 {
         match *self {
             Self::Line { through, slope } => through.y + (x - through.x) * slope,
             Self::Arc { centre, radius, upper } => {
@@ -85,7 +86,7 @@ impl Shape {
     }
 
     /// Where the two may have the same height.
-    fn meets(&self, other: &Self) -> Vec<f64> {
+    pub(super) fn meets(&self, other: &Self) -> Vec<f64> {
         match (*self, *other) {
             (Self::Line { through, slope }, _) => other.meets_line(through, slope),
             (_, Self::Line { through, slope }) => self.meets_line(through, slope),

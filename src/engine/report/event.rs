@@ -7,8 +7,8 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::base::expr::QRef;
-use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
-use crate::engine::machine::Tool;
+use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
+use crate::engine::machine::{Insert, Tool};
 use crate::engine::params::Content;
 use crate::engine::report::fault::Fault;
 use crate::engine::solid::Path;
@@ -117,6 +117,13 @@ pub struct Coordinates {
     pub angles: DVec3,
 }
 
+impl Coordinates {
+    /// From program to machine coordinates.
+    pub fn frame(&self) -> Frame {
+        Frame::of_rows(self.matrix)
+    }
+}
+
 /// How one rotary axis turns, in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turned {
@@ -128,6 +135,17 @@ pub struct Turned {
     pub to: f64,
     /// Where to in machine coordinates.
     pub machine: f64,
+}
+
+/// How one parallel axis goes, in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slid {
+    /// Its letter.
+    pub axis: char,
+    /// From where.
+    pub from: f64,
+    /// Where to.
+    pub to: f64,
 }
 
 /// A thread as the ways of the tool have cut it.
@@ -164,14 +182,27 @@ pub enum FindingKind {
     TurnsTogether,
     /// The tool has no radius, so what it removes is not known; the amount is its number.
     NoRadius,
-    /// The workpiece turns: what an insert removes is not known to the stock; the amount is the number of the tool.
+    /// The workpiece turns, and it is no body of revolution about its axis, or was milled before: what an insert removes
+    /// is not known to the stock; the amount is the number of the tool.
     Turned,
+    /// The workpiece turns, and it is not known how the insert meets it; the amount is the number of the tool.
+    InsertUnknown,
+    /// A thread is turned, which is no body of revolution; the amount is the number of the tool.
+    ThreadTurned,
 }
 
 impl FindingKind {
     /// All kinds.
-    pub const ALL: [Self; 6] =
-        [Self::Rapid, Self::SpindleStopped, Self::EdgesTooShort, Self::TurnsTogether, Self::NoRadius, Self::Turned];
+    pub const ALL: [Self; 8] = [
+        Self::Rapid,
+        Self::SpindleStopped,
+        Self::EdgesTooShort,
+        Self::TurnsTogether,
+        Self::NoRadius,
+        Self::Turned,
+        Self::InsertUnknown,
+        Self::ThreadTurned,
+    ];
 
     /// The word for it in JSON, and in the id of its message (`stock-<word>`).
     pub const fn as_str(self) -> &'static str {
@@ -182,6 +213,8 @@ impl FindingKind {
             Self::TurnsTogether => "turns-together",
             Self::NoRadius => "no-radius",
             Self::Turned => "turned",
+            Self::InsertUnknown => "insert-unknown",
+            Self::ThreadTurned => "thread-turned",
         }
     }
 }
@@ -282,6 +315,17 @@ pub enum EventKind {
         /// Whether at the same time as the move reported before.
         together: bool,
     },
+    /// Parallel axes (U, V, W) go together; the tool is not moved by them.
+    Slide {
+        /// The axes that go.
+        axes: Vec<Slid>,
+        /// The rate of the longest way in mm/min.
+        feed: f64,
+        /// Whether at rapid traverse.
+        rapid: bool,
+        /// Whether at the same time as the movement reported before.
+        together: bool,
+    },
     /// The program waits.
     Dwell(f64),
     /// The spindle gets a tool, turns (+1 clockwise, -1 counter-clockwise), stops, or is oriented.
@@ -295,6 +339,8 @@ pub enum EventKind {
         /// The angle of an orientation; while it turns, where it is when the next move begins, which is in step with it.
         orient: Option<f64>,
     },
+    /// From now on the insert of a turning tool meets the workpiece like this, until another tool is called.
+    Insert(Insert),
     /// The coolant is switched.
     Coolant(bool),
     /// A block that neither moves the tool nor changes what other events say, as it is written: what goes to the PLC,
@@ -341,6 +387,13 @@ pub enum EventKind {
         /// What the operator said, if he was asked.
         answer: Option<bool>,
     },
+    /// A tool does not reach an area of a contour, and leaves material there.
+    Left {
+        /// Its size, mm².
+        area: f64,
+        /// The middle of it, on the floor, program coordinates.
+        at: DVec3,
+    },
     /// A thread was cut.
     Thread(Threaded),
     /// The move before did something in the material that it should not, or that is not known (`engine::stock`).
@@ -362,8 +415,10 @@ impl EventKind {
         match self {
             Self::Move { .. } => "move",
             Self::Turn { .. } => "turn",
+            Self::Slide { .. } => "slide",
             Self::Dwell(_) => "dwell",
             Self::Spindle { .. } => "spindle",
+            Self::Insert(_) => "insert",
             Self::Coolant(_) => "coolant",
             Self::Function(_) => "function",
             Self::Probe(_) => "probe",
@@ -373,6 +428,7 @@ impl EventKind {
             Self::Table { .. } => "table",
             Self::Log { .. } => "log",
             Self::Message { .. } => "message",
+            Self::Left { .. } => "left",
             Self::Thread(_) => "thread",
             Self::Finding { .. } => "finding",
             Self::Error(_) => "error",

@@ -8,7 +8,7 @@ use crate::base::diag::Arg;
 use crate::engine::geometry::{Axis, RotaryAxis};
 use crate::engine::params::Content;
 use crate::engine::report::event::{
-    At, Coordinates, Event, EventKind, MoveKind, OnDiameter, Probing, Threaded, Turned,
+    At, Coordinates, Event, EventKind, MoveKind, OnDiameter, Probing, Slid, Threaded, Turned,
 };
 use crate::engine::report::fault::Class;
 use crate::engine::report::json_line::Lines;
@@ -255,6 +255,37 @@ impl EventKind {
                 object.truth("rapid", *rapid);
                 object.truth("together", *together);
             }
+            Self::Insert(insert) => {
+                object.text("form", insert.form.as_str());
+                object.number("radius", plain(insert.radius));
+                object.object("tip", |tip| {
+                    tip.number("X", plain(insert.tip[0]));
+                    tip.number("Z", plain(insert.tip[1]));
+                });
+                object.object("edges", |edges| {
+                    edges.number("front", plain(insert.edges[0]));
+                    edges.number("back", plain(insert.edges[1]));
+                });
+                if insert.width.0 > 0.0 {
+                    object.number("width", plain(insert.width.0));
+                    object.number("across", plain(insert.width.1));
+                }
+                object.number("length", plain(insert.length));
+            }
+            Self::Slide { axes, feed, rapid, together } => {
+                let mut of = |key: &str, value: fn(&Slid) -> f64| {
+                    object.object(key, |object| {
+                        for axis in axes {
+                            object.number(axis.axis.encode_utf8(&mut [0; 4]), plain(value(axis)));
+                        }
+                    });
+                };
+                of("from", |axis| axis.from);
+                of("to", |axis| axis.to);
+                object.number("feed", plain(*feed));
+                object.truth("rapid", *rapid);
+                object.truth("together", *together);
+            }
             Self::Coolant(on) => object.truth("on", *on),
             Self::Function(text) => object.text("text", text),
             Self::Probe(probing) => probed(object, probing),
@@ -288,6 +319,10 @@ impl EventKind {
                     Some(answer) => object.truth("answer", *answer),
                     None => object.null("answer"),
                 }
+            }
+            Self::Left { area, at } => {
+                object.number("area", plain(*area));
+                object.point("place", *at);
             }
             Self::Thread(thread) => threaded(object, thread),
             Self::Finding { kind, amount } => {

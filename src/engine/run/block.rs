@@ -15,6 +15,7 @@ use crate::engine::params::Content;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
 use crate::engine::table::{Cell, TableKind};
+use crate::engine::world::insert::Aligned;
 use crate::engine::world::state::LOCKED;
 use crate::program::syntax::{
     Amount, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Motion, Operand, Path,
@@ -97,6 +98,7 @@ impl<'e> Run<'_, 'e> {
                 return self.after(functions, false);
             }
             BlockKind::Statement(statement) if statement.kind == StatementKind::Fselect => self.selection()?,
+            BlockKind::Statement(statement) if self.is_undercut(statement) => self.undercut(statement)?,
             BlockKind::Statement(statement) if self.drives.beside_contour => {
                 self.drives.not_beside_contour(self.slice(statement.head).trim())?;
             }
@@ -105,7 +107,9 @@ impl<'e> Run<'_, 'e> {
                 self.function(block, statement)?;
             }
             BlockKind::Statement(statement) if statement.kind == StatementKind::Plane => self.plane(statement)?,
-            BlockKind::Statement(statement) if statement.kind == StatementKind::Trans => self.shift_datum(statement)?,
+            BlockKind::Statement(statement) if statement.kind == StatementKind::Trans => {
+                self.transform_system(statement)?
+            }
             BlockKind::Statement(statement) if statement.kind == StatementKind::BlkForm => {}
             BlockKind::Statement(statement) if statement.kind == StatementKind::DeclareContour => {
                 self.declare_contour(statement)?;
@@ -181,6 +185,9 @@ impl<'e> Run<'_, 'e> {
             _ => return false,
         };
         self.drives.world.system.turning = turning;
+        if !turning {
+            self.drives.align(Aligned::default());
+        }
         true
     }
 
@@ -231,15 +238,17 @@ impl<'e> Run<'_, 'e> {
             };
             let (delta_radius, delta_length) = (delta(&call.dr)?, delta(&call.dl)?);
             let table = self.drives.world.table(TableKind::Tool)?;
-            if self.drives.world.has_tools() && !table.has_row(number) {
+            if self.drives.world.has_tools() && !self.drives.world.has_tool(number) {
                 return Err(Fault::program("tool-not-in-table").arg("tool", number).into());
             }
-            if self.drives.world.has_tools() && table.text(number, "TL")? == LOCKED {
+            if table.has_row(number) && table.text(number, "TL")? == LOCKED {
                 return Err(Fault::control("tool-locked").arg("tool", number).into());
             }
             let mut tool = self.drives.world.tool_data(number, delta_radius, delta_length)?;
             tool.corner += delta(&call.dr2)?;
+            let before = self.drives.world.system.reported();
             self.drives.world.take_tool(tool);
+            self.drives.transformed(before);
         }
         if let Some(speed) = &call.speed {
             self.drives.switched.spindle.speed = self.operand(speed)?;
@@ -307,6 +316,8 @@ impl<'e> Run<'_, 'e> {
                 Effect::PlungeFactor => self.modal.plunge_factor = self.factor_of(function)?,
                 Effect::ShorterWay(shorter) => self.modal.shorter_way = shorter,
                 Effect::ReduceDisplay => self.reduce_display(),
+                Effect::FeedAtTool(on) => self.modal.feed_at_tool = on,
+                Effect::TiltingAxes => self.choose_tilting_axes(function)?,
                 Effect::EndBasicRotation => {
                     let before = self.drives.world.system.reported();
                     self.drives.world.system.set_basic_rotation(0.0);
@@ -339,6 +350,23 @@ impl<'e> Run<'_, 'e> {
         let Some(number) = written.strip_prefix(['F', 'f']) else { return Err(self.no_function(function)) };
         let percent = self.written_number(number)?;
         if percent > 0.0 { Ok(Some(percent / 100.0)) } else { Err(Fault::program("feed-missing").arg("feed", percent)) }
+    }
+
+    /// `M138 A C`: only these axes are turned for a tilted plane, others stay at 0; `M138` alone: all of them again.
+    fn choose_tilting_axes(&mut self, function: &MFunction) -> Done {
+        if self.drives.world.system.tip_held {
+            return Err(self.no_function(function).into());
+        }
+        let written = function.with.map_or("", |with| self.slice(with));
+        let mut axes = Vec::new();
+        for letter in written.chars().filter(|c| c.is_ascii_alphabetic()) {
+            let axis =
+                RotaryAxis::from_letter(letter.to_ascii_uppercase()).ok_or_else(|| self.no_function(function))?;
+            self.drives.rotary_axis(axis)?;
+            axes.push(axis);
+        }
+        self.drives.world.tilting_axes = Some(axes).filter(|axes| !axes.is_empty());
+        Ok(())
     }
 
     /// `M94`: the rotary axes are displayed below 360 degrees. Nothing turns.
@@ -415,6 +443,7 @@ impl<'e> Run<'_, 'e> {
             self.stop()?;
         }
         if ends {
+            self.modal.feed_at_tool = false;
             self.drives.end_changes();
         }
         Ok(if ends { After::End } else { After::GoOn })

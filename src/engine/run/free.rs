@@ -46,7 +46,7 @@ fn axis_of(word: &str, head: &str) -> Option<LinearAxis> {
 impl Run<'_, '_> {
     /// `FL`, `FLT`, `FC`, `FCT`: the element as the whole contour determines it.
     pub(super) fn free_element(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
-        let plane = self.drives.world.system.plane;
+        let plane = self.drives.world.system.contour_plane();
         let from = self.programmed();
         let here = (self.calls.program, self.calls.block);
         let solved = self.free.elements.front().filter(|(block, element)| {
@@ -83,7 +83,7 @@ impl Run<'_, '_> {
     }
 
     fn pole_of(&self, motion: &Motion, from: Option<DVec3>) -> Result<DVec2, Fault> {
-        let plane = self.drives.world.system.plane;
+        let plane = self.drives.world.system.contour_plane();
         let mut pole = DVec3::ZERO;
         let mut axes = Vec::with_capacity(2);
         for coord in &motion.coords {
@@ -103,7 +103,7 @@ impl Run<'_, '_> {
 
     /// Reads the contour from the block being executed on, and solves it.
     fn solve_ahead(&mut self) -> Done {
-        let plane = self.drives.world.system.plane;
+        let plane = self.drives.world.system.contour_plane();
         let ahead = self.read_ahead()?;
         let start = plane.flat(self.programmed());
         let heading = self.contour.heading(&self.drives.world).ok();
@@ -261,7 +261,7 @@ impl Words<'_, '_, '_> {
 
     /// The main and secondary axis.
     fn axes(&self) -> [LinearAxis; 2] {
-        let plane = self.run.drives.world.system.plane;
+        let plane = self.run.drives.world.system.contour_plane();
         [plane.main, plane.secondary]
     }
 

@@ -1,13 +1,14 @@
-//! Roundings, chamfers, and the ways to a contour and away from it (`APPR`, `DEP`), as a program writes them.
+//! Roundings, chamfers, undercuts, and the ways to a contour and away from it (`APPR`, `DEP`), as a program writes them.
 use glam::DVec3;
 
 use crate::engine::contour::approach::{Form, Lead};
 use crate::engine::contour::path::Break;
+use crate::engine::contour::undercut::{Form as UndercutForm, Undercut};
 use crate::engine::flow::state::Run;
 use crate::engine::motion::moves::Speed;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
-use crate::program::syntax::{Approach, Motion};
+use crate::program::syntax::{Approach, Motion, Statement, StatementKind};
 
 impl Run<'_, '_> {
     /// The value of `LEN` or `CCA`.
@@ -46,6 +47,7 @@ impl Run<'_, '_> {
         before: Result<Speed, Fault>,
         speed: Result<Speed, Fault>,
     ) -> Done {
+        self.not_in_contour("APPR")?;
         self.drives.not_beside_contour("APPR")?;
         let form = self.form(motion, form)?;
         let side = self.contour.side_of(motion);
@@ -56,8 +58,14 @@ impl Run<'_, '_> {
         self.contour.begin(&mut self.drives, side, lead, to, motion, place, speed)
     }
 
+    /// While a contour is read that a cycle machines, the cycle has its own ways to it and away from it.
+    fn not_in_contour(&self, word: &'static str) -> Result<(), Fault> {
+        if self.drives.traced.is_some() { Err(Fault::program("contour-lead").arg("word", word)) } else { Ok(()) }
+    }
+
     /// `DEP`: the contour ends, and the tool leaves it.
     pub(super) fn leave_by(&mut self, motion: &Motion, form: Approach, to: DVec3, speed: Result<Speed, Fault>) -> Done {
+        self.not_in_contour("DEP")?;
         let along = self.contour.heading(&self.drives.world)?;
         let form = self.form(motion, form)?;
         self.contour.leave_by(&mut self.drives, form, along, to, speed)
@@ -77,6 +85,44 @@ impl Run<'_, '_> {
         self.modal.feed = feed;
         let what = if chamfer { Break::Chamfer(size) } else { Break::Rounding(size) };
         self.contour.break_corner(&mut self.drives, what, speed);
+        Ok(())
+    }
+
+    /// Whether a block is `UDC`.
+    pub(super) fn is_undercut(&self, statement: &Statement) -> bool {
+        statement.kind == StatementKind::Function && self.slice(statement.head).trim_end().eq_ignore_ascii_case("UDC")
+    }
+
+    /// `UDC TYPE_E R0.6 DEPTH0.3 BREADTH2.5 ANGLE15`: an undercut where the surface before it and the face after it meet.
+    pub(super) fn undercut(&mut self, statement: &Statement) -> Done {
+        let refused = |word: &str| Fault::unsupported("unsupported-block").arg("word", format!("UDC {word}"));
+        let mut words = statement.words.iter();
+        let form = words.next().map_or("", |word| self.slice(word.name)).trim().to_ascii_uppercase();
+        let form = match form.as_str() {
+            "TYPE_E" => UndercutForm::E,
+            "TYPE_F" => UndercutForm::F,
+            "TYPE_U" => UndercutForm::U,
+            other => return Err(refused(other).into()),
+        };
+        self.contour.has_corner()?;
+        let mut own = Undercut::of(form);
+        for word in words {
+            let name = self.slice(word.name).trim().to_ascii_uppercase();
+            let value = self.number_of(&word.value)?;
+            let length = value * self.drives.unit();
+            match (name.as_str(), form) {
+                ("R", _) => own.radius = Some(length),
+                ("DEPTH", _) => own.depth = Some(length),
+                ("BREADTH", _) => own.breadth = Some(length),
+                ("ANGLE", UndercutForm::E | UndercutForm::F) => own.angle = Some(value),
+                ("FACEDEPTH", UndercutForm::F) => own.face_depth = Some(length),
+                ("FACEANGLE", UndercutForm::F) => own.face_angle = Some(value),
+                ("RND" | "CHF", UndercutForm::U) => own.edge = Some((length, name == "CHF")),
+                (other, _) => return Err(refused(other).into()),
+            }
+        }
+        let speed = self.speed(None);
+        self.contour.break_corner(&mut self.drives, Break::Undercut(own), speed);
         Ok(())
     }
 }

@@ -8,12 +8,19 @@ mod define;
 mod engine;
 mod free;
 mod lead;
+mod mask;
 mod motion;
+mod parallel;
 mod plane;
+mod print;
 mod program;
+mod query;
+mod sql;
 mod statement;
+mod tables;
 mod tcpm;
 mod texts;
+mod transform;
 mod turning;
 
 pub use super::flow::calls::program_key;
@@ -22,7 +29,7 @@ pub use super::machine::Tool;
 pub use super::params::{Content, Params};
 pub use super::report::envelope::{Ended, Envelope, FORMAT as ENVELOPE_FORMAT, Near, Obstacle, Touching};
 pub use super::report::event::{
-    At, Coordinates, Event, EventKind, FORMAT, FindingKind, MessageKind, MoveKind, OnDiameter, Probing, Status,
+    At, Coordinates, Event, EventKind, FORMAT, FindingKind, MessageKind, MoveKind, OnDiameter, Probing, Slid, Status,
     Threaded, Turned,
 };
 pub use super::report::fault::{CODES, Class, Fault};

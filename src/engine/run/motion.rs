@@ -8,10 +8,11 @@ use crate::engine::contour::element::tangential;
 use crate::engine::contour::path::BlockPlace;
 use crate::engine::flow::state::{Pole, Run};
 use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis, WorkingPlane};
-use crate::engine::motion::axis::{linear, rotary};
+use crate::engine::machine::Carried;
+use crate::engine::motion::axis::{linear, parallel, rotary};
 use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::{OFF_CIRCLE, Speed, Turn};
-use crate::engine::report::ending::Done;
+use crate::engine::report::ending::{Done, Leave};
 use crate::engine::report::fault::Fault;
 use crate::engine::table::TableKind;
 use crate::program::syntax::{Approach, Axis, Coord, Motion, Path};
@@ -39,6 +40,16 @@ impl Run<'_, '_> {
         let speed = self.speed(motion.feed.as_ref());
         self.modal.rapid = speed == Ok(Speed::Rapid);
         let unsupported = |word: &'static str| Err(Fault::unsupported("unsupported-path").arg("word", word).into());
+        if let Some(word) = motion.coords.iter().find(|coord| parallel(coord.axis).is_some()) {
+            let machine = &self.drives.world.scene.machine;
+            if parallel(word.axis).is_some_and(|letter| machine.parallel(letter).is_some()) {
+                if !matches!(motion.path, Path::L | Path::Axis) {
+                    return unsupported(word.axis.name());
+                }
+                self.slide(motion, in_machine, speed)?;
+                return Ok(true);
+            }
+        }
         match motion.path {
             Path::L if motion.coords.iter().any(|coord| matches!(coord.axis, Axis::Pr | Axis::Pa)) => {
                 return Err(Fault::program("coordinate-out-of-place").arg("path", "L").into());
@@ -98,7 +109,7 @@ impl Run<'_, '_> {
             let place = self.block_place();
             return self.contour.line(&mut self.drives, motion, place, to, speed);
         }
-        let plane = self.drives.world.system.plane;
+        let plane = self.drives.world.system.contour_plane();
         let from = self.programmed();
         self.contour.passed(plane.flat(from), plane.flat(to));
         self.drives.straight_to(to, None, speed)
@@ -120,7 +131,7 @@ impl Run<'_, '_> {
         let (plane, from) = (turn.plane, self.programmed());
         let sweep = self.drives.sweep(from, to, &turn)?;
         let beside = self.is_in_contour(motion);
-        if plane != self.drives.world.system.plane {
+        if plane != self.drives.world.system.contour_plane() {
             if beside {
                 return Err(Fault::unsupported("unsupported-compensation").arg("word", "CC").into());
             }
@@ -138,7 +149,7 @@ impl Run<'_, '_> {
 
     /// An arc that goes on in the direction of the element before it.
     fn tangential_circle(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
-        let plane = self.drives.world.system.plane;
+        let plane = self.drives.world.system.contour_plane();
         let (from, heading) = (self.programmed(), self.contour.heading(&self.drives.world)?);
         let found = tangential(plane.flat(from), heading, plane.flat(to));
         let Some((centre, sweep)) = found else { return Err(Fault::program("tangent-missing").into()) };
@@ -165,7 +176,39 @@ impl Run<'_, '_> {
             return self.drives.turn_and_go(&turns, self.drives.world.to_program(to), Some(to), speed, None);
         }
         let to = self.target(&coords, self.drives.world.here)?;
+        let speed = self.speed_at_tool(&turns, to, speed)?;
         self.drives.turn_and_go(&turns, to, None, speed, None)
+    }
+
+    /// The speed of rotary axes with `M116`: as many degrees a minute as bring the tool along the workpiece with the feed
+    /// that is written, at the distance from the axis that it has at the start of the block. Only of one axis of the table
+    /// that turns alone: how a way of several axes is shared, no manual here says.
+    fn speed_at_tool(
+        &self,
+        turns: &[(RotaryAxis, f64)],
+        to: DVec3,
+        speed: Result<Speed, Fault>,
+    ) -> Done<Result<Speed, Fault>> {
+        let (true, Ok(Speed::Feed(feed))) = (self.modal.feed_at_tool, &speed) else { return Ok(speed) };
+        let world = &self.drives.world;
+        let moving = |(axis, angle): &&(RotaryAxis, f64)| axis.of(world.angles) != *angle;
+        let moving: Vec<_> = turns.iter().filter(moving).collect();
+        let [(axis, _)] = *moving else {
+            return if moving.is_empty() { Ok(speed) } else { Err(self.no_feed_at_tool()) };
+        };
+        let own = self.drives.rotary_axis(*axis)?;
+        if own.carries != Carried::Workpiece || to != world.here || world.system.tip_held {
+            return Err(self.no_feed_at_tool());
+        }
+        let turning = world.kinematics().turning(own, world.angles);
+        let radius = (world.machine - turning.centre).reject_from(turning.direction).length();
+        // Near the axis it turns as fast as it can.
+        let rate = if radius > 0.0 { (feed / radius).to_degrees().min(own.rapid) } else { own.rapid };
+        Ok(Speed::of_feed(rate))
+    }
+
+    fn no_feed_at_tool(&self) -> Leave {
+        Fault::unsupported("unsupported-m").arg("word", "M116").into()
     }
 
     /// Whether a block leads to a place in the system that is not tilted, and another one is.
@@ -261,7 +304,7 @@ impl Run<'_, '_> {
     /// The plane of circles about the pole, and the pole at the tool's height above that plane.
     fn pole(&self) -> Result<(WorkingPlane, DVec3), Fault> {
         let pole = self.modal.pole.ok_or_else(|| Fault::program("pole-missing"))?;
-        let plane = pole.plane.unwrap_or(self.drives.world.system.plane);
+        let plane = pole.plane.unwrap_or(self.drives.world.system.contour_plane());
         Ok((plane, plane.tool.with(pole.at, plane.tool.of(self.programmed()))))
     }
 
@@ -316,7 +359,7 @@ impl Run<'_, '_> {
         let radius = self.operand(radius)? * self.drives.unit();
         let here = self.programmed();
         let to = self.target(&motion.coords, here)?;
-        let plane = self.drives.world.system.plane;
+        let plane = self.drives.world.system.contour_plane();
         let chord = plane.flat(to - here);
         let half = libm::hypot(chord.x, chord.y) / 2.0;
         if half == 0.0 || half > radius.abs() + OFF_CIRCLE {

@@ -1,5 +1,4 @@
-//! `PLANE` as the manuals' programs use it, and `TRANS DATUM`: the blocks that change the coordinate system without a
-//! cycle.
+//! `PLANE` as the manuals' programs use it.
 //!
 //! Invariant: a tilted plane is the one of the tilting cycle, whichever block defines it; a form or word that the
 //! engine does not execute is a fault, never ignored.
@@ -10,24 +9,24 @@ use glam::DVec3;
 use crate::base::expr::{QKind, QRef};
 use crate::engine::flow::state::Run;
 use crate::engine::geometry::{Axis, Frame, RotaryAxis};
-use crate::engine::motion::axis::rotary;
 use crate::engine::motion::moves::Speed;
 use crate::engine::motion::tilt::Back;
 use crate::engine::params::Content;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
-use crate::engine::table::TableKind;
-use crate::program::syntax::{self, NamedWord, Statement, Value, ValueKind};
+use crate::program::syntax::{NamedWord, Statement, Value, ValueKind};
 use crate::spec::Transformation;
 
 /// Where the positions of the rotary axes are reported: A, then B, then C.
 const POSITIONS: u16 = 120;
 /// Vectors that are shorter have no direction.
 const SAME: f64 = 1e-9;
+/// The greatest projected angle, degrees: at 90 the plane has no trace.
+const STEEPEST: f64 = 89.9999;
 /// The words of angles and vectors.
-const VALUES: [&str; 18] = [
-    "SPA", "SPB", "SPC", "EULPR", "EULNU", "EULROT", "BX", "BY", "BZ", "NX", "NY", "NZ", "A", "B", "C", "IA", "IB",
-    "IC",
+const VALUES: [&str; 22] = [
+    "SPA", "SPB", "SPC", "PROPR", "PROMIN", "PROROT", "ROT", "EULPR", "EULNU", "EULROT", "BX", "BY", "BZ", "NX", "NY",
+    "NZ", "A", "B", "C", "IA", "IB", "IC",
 ];
 
 /// How the rotary axes get to the plane.
@@ -91,7 +90,7 @@ fn unit(vector: DVec3) -> Result<DVec3, Fault> {
 }
 
 impl Run<'_, '_> {
-    /// `PLANE` in all forms but `PROJECTED`, whose senses no manual at hand gives.
+    /// `PLANE` in all forms.
     pub(super) fn plane(&mut self, statement: &Statement) -> Done {
         let head = self.slice(statement.head).to_ascii_uppercase();
         let form = head.split_ascii_whitespace().nth(1).unwrap_or_default();
@@ -138,6 +137,7 @@ impl Run<'_, '_> {
         Ok(match form {
             "RESET" => DVec3::ZERO,
             "SPATIAL" => words.vector(["SPA", "SPB", "SPC"])?,
+            "PROJECTED" => self.projected(words)?,
             "EULER" => {
                 let [precession, nutation, rotation] = words.all(["EULPR", "EULNU", "EULROT"])?;
                 let about_main = Frame::rotate(plane.main, nutation).of(Frame::rotate(plane.tool, rotation));
@@ -165,6 +165,21 @@ impl Run<'_, '_> {
             "AXIAL" => self.drives.tilt_by_axes(self.positions_of_axes(words)).spatial_angles(),
             _ => return Err(Fault::unsupported("unsupported-block").arg("word", format!("PLANE {form}"))),
         })
+    }
+
+    /// The plane whose traces in the plane of main and tool axis and in that of secondary and tool axis are turned by these
+    /// angles, right-handed about the secondary and the main axis. Its main axis is the first trace, turned in the plane.
+    fn projected(&self, words: &Words) -> Result<DVec3, Fault> {
+        let plane = self.drives.world.system.plane;
+        let [first, second] = words.all(["PROPR", "PROMIN"])?;
+        let turned = words.get("ROT").or_else(|| words.get("PROROT")).ok_or_else(|| Fault::program("value-missing"))?;
+        if let Some(steep) = [first, second].into_iter().find(|angle| angle.abs() > STEEPEST) {
+            return Err(Fault::program("parameter-out-of-range").arg("value", steep));
+        }
+        let in_first = Frame::rotate(plane.secondary, first).vector(plane.main.unit());
+        let in_second = Frame::rotate(plane.main, second).vector(plane.secondary.unit());
+        let traced = Frame::with_axes(plane, in_first, unit(in_first.cross(in_second))?);
+        Ok(traced.of(Frame::rotate(plane.tool, turned)).spatial_angles())
     }
 
     /// Where `PLANE AXIAL` puts the rotary axes, in program coordinates; those that are not named stay.
@@ -219,47 +234,5 @@ impl Run<'_, '_> {
             }
         }
         Ok(words)
-    }
-
-    /// `TRANS DATUM`: the datum shift of the datum cycle.
-    pub(super) fn shift_datum(&mut self, statement: &Statement) -> Done {
-        let head = self.slice(statement.head).to_ascii_uppercase();
-        if !head.ends_with("DATUM") {
-            return Err(Fault::unsupported("unsupported-block").arg("word", head).into());
-        }
-        self.drives.not_beside_contour("TRANS DATUM")?;
-        let system = &self.drives.world.system;
-        let (mut shift, mut angles) = (system.datum(), system.angle_shift);
-        for word in &statement.words {
-            let name = self.slice(word.name).to_ascii_uppercase();
-            match &*name {
-                "AXIS" | "TABLE" => {}
-                "RESET" => (shift, angles) = (DVec3::ZERO, DVec3::ZERO),
-                "TABLINE" => {
-                    let (row, table) = (self.number_of(&word.value)?, self.drives.world.table(TableKind::Datum)?);
-                    let number = |column| table.number(row, column).map(Option::unwrap_or_default);
-                    shift = DVec3::new(number("X")?, number("Y")?, number("Z")?);
-                    angles = DVec3::new(number("A")?, number("B")?, number("C")?);
-                }
-                _ => {
-                    let (letter, incremental) = name.strip_prefix('I').map_or((&*name, false), |rest| (rest, true));
-                    let unknown = || Fault::unsupported("unsupported-block").arg("word", format!("TRANS {name}"));
-                    let axis = syntax::Axis::by_name(letter.as_bytes()).ok_or_else(unknown)?;
-                    let value = self.number_of(&word.value)?;
-                    if let Some(RotaryAxis(axis)) = rotary(axis) {
-                        angles = axis.with(angles, value + if incremental { axis.of(angles) } else { 0.0 });
-                    } else {
-                        let axis: Axis = crate::engine::motion::axis::linear(axis)?;
-                        let from = if incremental { axis.of(shift) } else { 0.0 };
-                        shift = axis.with(shift, from + value * self.drives.unit());
-                    }
-                }
-            }
-        }
-        let before = self.drives.world.system.reported();
-        self.drives.world.system.angle_shift = angles;
-        self.drives.world.system.set_datum(shift);
-        self.drives.transformed(before);
-        Ok(())
     }
 }

@@ -2,7 +2,9 @@
 //!
 //! Invariant: every block is either executed, without effect by its nature, or a fault.
 
-use crate::base::expr::QKind;
+use std::sync::Arc;
+
+use crate::base::expr::{QKind, QRef};
 use crate::engine::flow::calls::Call;
 use crate::engine::flow::state::Run;
 use crate::engine::report::ending::Done;
@@ -40,6 +42,7 @@ impl<'e> Run<'_, 'e> {
                 return Ok(());
             };
             self.locate(block);
+            self.params.inside_of(self.calls.of_programs());
             if block.skip && self.settings.skip_blocks {
                 continue;
             }
@@ -73,17 +76,29 @@ impl<'e> Run<'_, 'e> {
         let internal = || Fault::new(super::Class::Internal, "no-program");
         let prepared = self.calls.here().ok_or_else(internal)?;
         match label.target {
-            Label::Q(q) if q.kind == QKind::Qs => {
-                let name = self.params.text(q)?;
-                prepared.label(label.target, Some(&name))
-            }
+            Label::Q(q) if q.kind == QKind::Qs => self.named_label(&*self.params.text(q)?),
+            Label::Name(span) => self.named_label(prepared.program.slice(span)),
             Label::Q(q) => {
                 let number = self.params.number(q)?;
                 let valid = number >= 1.0 && number.fract() == 0.0 && number <= f64::from(u16::MAX);
                 let missing = || Fault::program("jump-target-missing").arg("label", number);
                 if valid { prepared.numbered_label(number as u16) } else { Err(missing()) }
             }
-            _ => prepared.label(label.target, None),
+            Label::Number(_) => prepared.label(label.target),
+        }
+    }
+
+    /// The block of a named label: one that is written, or one whose name is the text that a parameter has now
+    /// (`LBL QS1`).
+    fn named_label(&self, name: &str) -> Result<usize, Fault> {
+        let internal = || Fault::new(super::Class::Internal, "no-program");
+        let prepared = self.calls.here().ok_or_else(internal)?;
+        let found = prepared.named_label(name);
+        let is_it = |(_, q): &&(usize, QRef)| self.params.text(*q).is_ok_and(|text| *text == *name);
+        match (&found, prepared.changing_labels().iter().find(is_it)) {
+            (Ok(_), Some(_)) => Err(Fault::program("jump-target-twice").arg("label", name)),
+            (Err(fault), Some((block, _))) if fault.code == "jump-target-missing" => Ok(*block),
+            _ => found,
         }
     }
 
@@ -101,6 +116,15 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
+    /// The text of an operand.
+    fn text_operand(&self, operand: &Operand) -> Result<Arc<str>, Fault> {
+        match operand.amount {
+            Amount::Q { q, negative: false } => Ok(self.params.text(q)?),
+            Amount::Text(span) => Ok(self.slice(span).into()),
+            _ => Err(Fault::program("text-or-number")),
+        }
+    }
+
     pub(super) fn jump(&mut self, jump: &FnJump) -> Done {
         if let Relation::Undefined | Relation::Defined = jump.relation {
             let Amount::Q { q, .. } = jump.a.amount else { return Err(Fault::program("text-or-number").into()) };
@@ -115,9 +139,19 @@ impl<'e> Run<'_, 'e> {
             Amount::Text(_) => true,
             Amount::Number(_) => false,
         };
-        if let Some(text) = [&jump.a, &jump.b].into_iter().find(|operand| is_text(operand)) {
-            let word = format!("IF {}", self.slice(text.span));
-            return Err(Fault::unsupported("unsupported-block").arg("word", word).into());
+        if is_text(&jump.a) || is_text(&jump.b) {
+            let same = self.text_operand(&jump.a)? == self.text_operand(&jump.b)?;
+            let holds = match jump.relation {
+                Relation::Equal => same,
+                Relation::NotEqual => !same,
+                // Texts have no size.
+                _ => return Err(Fault::program("text-or-number").into()),
+            };
+            if holds {
+                let target = self.label_block(&jump.label)?;
+                self.calls.jump(target, &self.settings.limits)?;
+            }
+            return Ok(());
         }
         let (a, b) = (self.operand(&jump.a)?, self.operand(&jump.b)?);
         let Some(holds) = jump.relation.holds(a, b) else {

@@ -1,4 +1,4 @@
-//! Blocks that name what they do, and neither move nor define a cycle: `FN 14` to `FN 38`, `SEL PGM`, `FUNCTION` blocks
+//! Blocks that name what they do, and neither move nor define a cycle: `FN 14` to `FN 38`, SQL, `SEL PGM`, `FUNCTION` blocks
 //! that only change how the drives keep the feed.
 //!
 //! Invariant: what changes nothing that other events say is an event of its own with the block as it is written; what
@@ -7,6 +7,7 @@ use crate::base::diag::Span;
 use crate::base::expr::QKind;
 use crate::base::expr::QRef;
 use crate::engine::flow::state::Run;
+use crate::engine::params::Content;
 use crate::engine::report::ending::Done;
 use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::Fault;
@@ -17,12 +18,19 @@ impl Run<'_, '_> {
     pub(super) fn statement(&mut self, block: &Block, statement: &Statement) -> Done {
         match statement.kind {
             StatementKind::Fn(14) => self.error_of_program(statement),
+            StatementKind::Fn(16) => self.print_by_mask(block, statement),
+            StatementKind::Fn(17) => self.write_system(block, statement),
             StatementKind::Fn(18) => self.read_system(&statement.words),
             // What goes to the PLC, waits for it or is sent away neither moves the tool nor sets a parameter.
-            StatementKind::Fn(19 | 20 | 29 | 38) => {
+            StatementKind::Fn(15 | 19 | 20 | 29 | 38) => {
                 self.report_function(block);
                 Ok(())
             }
+            StatementKind::Fn(26) => self.open_table(statement),
+            StatementKind::Fn(27) => self.write_open_table(statement),
+            StatementKind::Fn(28) => self.read_open_table(statement),
+            StatementKind::Fn(37) => self.export(statement),
+            StatementKind::Sql => self.sql(statement),
             StatementKind::Fn(number) => {
                 Err(Fault::unsupported("unsupported-block").arg("word", format!("FN {number}")).into())
             }
@@ -48,6 +56,34 @@ impl Run<'_, '_> {
         });
         let number = number.ok_or_else(|| Fault::program("value-missing"))??;
         Err(Fault::control("error-of-program").arg("number", number).into())
+    }
+
+    /// `FN 17: SYSWRITE ID990 NR6 = 1`: to which input the probe is connected, which moves nothing.
+    fn write_system(&mut self, block: &Block, statement: &Statement) -> Done {
+        let value = |name: &str| {
+            let word = statement.words.iter().find(|word| self.slice(word.name).trim().eq_ignore_ascii_case(name));
+            word.map_or(Err(Fault::program("value-missing")), |word| self.number_of(&word.value))
+        };
+        let (id, number) = (value("ID")?, value("NR")?);
+        if (id, number) == (990.0, 6.0) {
+            self.report_function(block);
+            return Ok(());
+        }
+        Err(Fault::unsupported("unsupported-block").arg("word", format!("SYSWRITE ID{id} NR{number}")).into())
+    }
+
+    /// `FN 37: EXPORT QL1`: the calling program gets the value of a local parameter; others it has anyway.
+    fn export(&mut self, statement: &Statement) -> Done {
+        for word in &statement.words {
+            let ValueKind::Q { q, negative: false } = word.value.kind else {
+                return Err(Fault::program("text-or-number").into());
+            };
+            if q.kind == QKind::Ql && self.params.export(q)? {
+                let value = Content::Number(self.params.number(q)?);
+                self.drives.report.report(EventKind::Set { q, value });
+            }
+        }
+        Ok(())
     }
 
     /// `Q1 SET UNDEFINED`.

@@ -38,13 +38,19 @@ impl Run<'_, '_> {
             // How the feed is kept, and what is displayed: the tool goes the same way.
             "FEED" | "COUNT" | "LIFTOFF" | "AFC" => Ok(self.report_function(block)),
             "PARAXCOMP" if !words.any(|(name, _)| name == "MOVE") => Ok(self.report_function(block)),
+            "PARAXMODE" if words.next().is_some_and(|(name, _)| name == "OFF") => Ok(self.report_function(block)),
             "DWELL" => self.dwell(statement),
             _ if head.replace(' ', "").starts_with("FUNCTIONS-PULSE") => Ok(self.report_function(block)),
             "RESET" if words.clone().all(|(name, _)| name == "TCPM") => self.drives.hold_tip(false),
             "RESET" if words.next().is_some_and(|(name, _)| RESETS.contains(&name.as_str())) => {
                 Ok(self.report_function(block))
             }
-            _ => Err(self.not_executed(statement.head).into()),
+            _ => {
+                let first = statement.words.first().map_or("", |word| self.slice(word.name)).trim();
+                let words = head.split_ascii_whitespace().chain(first.split_ascii_whitespace());
+                let word = words.collect::<Vec<_>>().join(" ");
+                Err(Fault::unsupported("unsupported-block").arg("word", word).into())
+            }
         }
     }
 

@@ -21,6 +21,15 @@ pub const LENGTH: f64 = 100.0;
 pub const ANGLE: f64 = 5.0;
 /// The radius of the ball of a probe of which nothing is known, mm.
 pub const BALL: f64 = 2.0;
+/// What is assumed of an insert: the radius of its nose, the angle of its main edge to the rotary axis and that of its
+/// point, mm and degrees.
+pub const INSERT: [f64; 3] = [0.8, 95.0, 80.0];
+/// What is assumed of an insert for recesses: its width and the radius of its corners, mm.
+pub const RECESSING: [f64; 2] = [3.0, 0.2];
+/// Machines on which a program that turns can run, the best first: the workpiece turns without end on them.
+const TURNING_MACHINES: [&str; 2] = ["mill-turn", "mill-table-c"];
+/// The meaning of the parameter that only recessing cycles have.
+const RECESS: &str = "recess-clearance";
 /// How far above the blank the tool starts, mm.
 const ABOVE: f64 = 100.0;
 /// The meaning of the parameter that says how a cycle plunges; 0 is vertically.
@@ -50,6 +59,10 @@ pub struct GuessedTool {
     pub plunges: bool,
     /// Whether it is a touch probe.
     pub probes: bool,
+    /// Whether it turns the workpiece.
+    pub turns: bool,
+    /// Whether it recesses.
+    pub recesses: bool,
     /// Where length and radius come from.
     pub origin: Origin,
 }
@@ -63,6 +76,8 @@ pub struct Guess {
     pub blank: Option<[DVec3; 2]>,
     /// Rotary axes that the programs move.
     rotary: [bool; 3],
+    /// The machine for programs that turn.
+    turning_machine: &'static str,
     /// The rows of the tool table, as a scene writes them.
     rows: Vec<(f64, String)>,
 }
@@ -82,9 +97,17 @@ pub enum Line<'g> {
 
 impl Guess {
     /// What the programs, the first one with those that it calls, say of their world. `blank` is that of the first one;
-    /// tools of a table are as it has them.
-    pub fn of(on: &OnControl, programs: &[&Program], blank: Option<[DVec3; 2]>, table: Option<&Table>) -> Self {
-        let mut guess = Self { blank, ..Self::default() };
+    /// tools of a table are as it has them. `machines` are the paths of the files of machines.
+    pub fn of(
+        on: &OnControl,
+        programs: &[&Program],
+        blank: Option<[DVec3; 2]>,
+        table: Option<&Table>,
+        machines: &[(String, String)],
+    ) -> Self {
+        let is_there = |name: &&str| machines.iter().any(|(path, _)| path.ends_with(&format!("/{name}.yaml")));
+        let turning_machine = TURNING_MACHINES.into_iter().find(is_there).unwrap_or_default();
+        let mut guess = Self { blank, turning_machine, ..Self::default() };
         for program in programs {
             guess.read(on, program, table);
         }
@@ -136,6 +159,8 @@ impl Guess {
                     if let Some(tool) = loaded.and_then(|index| self.tools.get_mut(index)) {
                         tool.plunges |= plunges(on, definition);
                         tool.probes |= probes(on, definition.keyword, definition.number);
+                        tool.turns |= is_of(on, definition, Group::Turning);
+                        tool.recesses |= has(on, definition, RECESS);
                     }
                 }
                 BlockKind::OldCycleLine(line) => {
@@ -177,6 +202,8 @@ impl Guess {
             size: [listed("L").unwrap_or(LENGTH), listed("R").or(named).unwrap_or(RADIUS)],
             plunges: false,
             probes: false,
+            turns: false,
+            recesses: false,
             origin: if has_row { Origin::Table } else { Origin::Assumed },
         });
         Some(self.tools.len() - 1)
@@ -200,6 +227,9 @@ impl Guess {
     }
 
     fn machine(&self) -> &'static str {
+        if self.tools.iter().any(|tool| tool.turns) && !self.turning_machine.is_empty() {
+            return self.turning_machine;
+        }
         match self.rotary {
             [false, false, false] => "mill-3-axis",
             [false, false, true] => "mill-table-c",
@@ -249,11 +279,26 @@ impl GuessedTool {
     /// Its row as a scene writes it.
     fn row(&self) -> String {
         let [length, radius] = self.size;
-        let radius = if self.probes && self.origin == Origin::Assumed { BALL } else { radius };
+        let radius = match self.origin {
+            Origin::Assumed if self.probes => BALL,
+            Origin::Assumed if self.turns => 0.0,
+            _ => radius,
+        };
         let name = self.name.as_ref().map(|name| format!(", NAME: {}", quoted(name))).unwrap_or_default();
         let angle = if self.plunges { format!(", ANGLE: {ANGLE}") } else { String::new() };
         let probe = if self.probes { ", TP_NO: 1" } else { "" };
-        format!("T: {}{name}, L: {length}, R: {radius}{angle}{probe}", self.number)
+        let insert = match (self.turns, self.recesses) {
+            (false, _) => String::new(),
+            (true, false) => {
+                let [nose, angle, point] = INSERT;
+                format!(", RS: {nose}, T-ANGLE: {angle}, P-ANGLE: {point}")
+            }
+            (true, true) => {
+                let [width, nose] = RECESSING;
+                format!(", RS: {nose}, CUTWIDTH: {width}")
+            }
+        };
+        format!("T: {}{name}, L: {length}, R: {radius}{angle}{probe}{insert}", self.number)
     }
 }
 
@@ -290,6 +335,18 @@ fn plunges(on: &OnControl, definition: &CycleDef) -> bool {
     let value =
         |q| (0..definition.parameters.len()).filter_map(|at| definition.parameters.get(at)).find(|own| own.q == q);
     strategy.and_then(value).is_some_and(|own| own.value.kind != ValueKind::Number(0.0))
+}
+
+/// Whether a definition is one of a group of cycles.
+fn is_of(on: &OnControl, definition: &CycleDef, group: Group) -> bool {
+    let cycle = key(definition.keyword, definition.number).and_then(|key| on.cycles.get(&key));
+    cycle.is_some_and(|cycle| cycle.file.group == group)
+}
+
+/// Whether the cycle of a definition has a parameter of a meaning.
+fn has(on: &OnControl, definition: &CycleDef, meaning: &str) -> bool {
+    let cycle = key(definition.keyword, definition.number).and_then(|key| on.cycles.get(&key));
+    cycle.is_some_and(|cycle| cycle.params.iter().any(|param| param.is.as_str() == meaning))
 }
 
 /// Whether a cycle needs a touch probe for workpieces.

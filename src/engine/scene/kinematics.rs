@@ -30,7 +30,7 @@ pub(super) fn read(
 
 /// The errors of one axis.
 fn error(node: &Node, machine: &Machine, truth: &mut TrueMachine, r: &mut Reader<'_>) -> Option<()> {
-    r.only_keys(node, &["axis", "centre", "askew", "backlash"]);
+    r.only_keys(node, &["axis", "centre", "askew", "backlash", "scatter"]);
     let letter = r.need(node, "axis")?;
     let found = letter.text().and_then(|text| {
         let mut letters = text.chars();
@@ -47,6 +47,9 @@ fn error(node: &Node, machine: &Machine, truth: &mut TrueMachine, r: &mut Reader
     let centre = node.get("centre").map_or(Some(DVec3::ZERO), |node| r.vector(node))?;
     let askew = node.get("askew").map_or(Some(DVec3::ZERO), |node| r.angles(node))?;
     let backlash = node.get("backlash").map_or(Some(0.0), |node| r.number(node))?;
+    let list = node.get("scatter").map_or(&[][..], |node| r.items(node));
+    let scatter: Option<Vec<f64>> = list.iter().map(|item| r.number(item)).collect();
+    truth.scatter.extend(scatter.filter(|list| !list.is_empty()).map(|list| (axis, list)));
     truth.displace(axis, centre, askew);
     truth.backlash = axis.with(truth.backlash, backlash);
     Some(())

@@ -10,11 +10,13 @@ mod probe;
 mod rows;
 mod setter;
 mod solid;
+mod stl;
 
 pub use answers::Answers;
 pub use clock::Clock;
 pub use probe::{Orientation, PreTravel, Probe, Shaft};
 pub use setter::{Edge, Plate, ToolSetter, TrueTool};
+pub use stl::Beside;
 
 use super::geometry::{Frame, INCH, RotaryAxis};
 use super::machine::Neck;
@@ -42,11 +44,14 @@ const KEYS: &[&str] = &[
     "kinematics",
     "machine_parameters",
     "tools",
+    "turning_tools",
     "probe",
     "tool_setter",
     "presets",
     "datums",
     "points",
+    "tables",
+    "masks",
     "start",
     "stock",
     "parts",
@@ -79,6 +84,8 @@ pub struct Scene {
     pub machine_parameters: Vec<(String, ParameterValue)>,
     /// The tool table.
     pub tools: Table,
+    /// The table of the turning tools.
+    pub turning_tools: Table,
     /// The necks of side cutters, by the number of the tool.
     pub necks: Vec<(f64, Neck)>,
     /// Tools that are not as the tool table says, by their number.
@@ -97,6 +104,10 @@ pub struct Scene {
     pub datums: Vec<Table>,
     /// The point tables.
     pub points: Vec<Table>,
+    /// Freely definable tables.
+    pub free_tables: Vec<Table>,
+    /// The masks of formatted output: names of files and their texts.
+    pub masks: Vec<(String, String)>,
     /// From the coordinates of the preset that is active at the start to the machine.
     pub frame: Frame,
     /// Where the tool tip is at the start, in machine coordinates.
@@ -151,15 +162,28 @@ impl Scene {
     /// # Errors
     /// All mistakes with their places.
     pub fn parse(source: &Arc<Source>, files: &[(String, String)]) -> Result<Self, Vec<Diagnostic>> {
+        Self::parse_beside(source, files, None)
+    }
+
+    /// The same of a scene that may name files beside it.
+    ///
+    /// # Errors
+    /// All mistakes with their places.
+    pub fn parse_beside(
+        source: &Arc<Source>,
+        files: &[(String, String)],
+        beside: Option<&dyn Beside>,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let mut reader = Reader::new(source);
         let Some(node) = read_yaml(source, &mut reader.found) else {
             if reader.found.is_empty() {
-                return Self::read(&Node { span: (0..0).into(), kind: Kind::Scalar("".into(), true) }, reader, files);
+                let nothing = Node { span: (0..0).into(), kind: Kind::Scalar("".into(), true) };
+                return Self::read(&nothing, reader, files, beside);
             }
             return Err(reader.found);
         };
         reader.need(&node, "scene");
-        Self::read(&node, reader, files)
+        Self::read(&node, reader, files, beside)
     }
 
     /// Reads a scene that is written out in another file of which `node` is a part; `scene: 1` may be left out.
@@ -167,10 +191,15 @@ impl Scene {
     /// # Errors
     /// All mistakes with their places.
     pub fn from_node(node: &Node, source: &Arc<Source>, files: &[(String, String)]) -> Result<Self, Vec<Diagnostic>> {
-        Self::read(node, Reader::new(source), files)
+        Self::read(node, Reader::new(source), files, None)
     }
 
-    fn read(node: &Node, mut reader: Reader<'_>, files: &[(String, String)]) -> Result<Self, Vec<Diagnostic>> {
+    fn read(
+        node: &Node,
+        mut reader: Reader<'_>,
+        files: &[(String, String)],
+        beside: Option<&dyn Beside>,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let r = &mut reader;
         r.only_keys(node, KEYS);
         if let Some(version) = node.get("scene").filter(|version| version.text() != Some(VERSION)) {
@@ -187,20 +216,28 @@ impl Scene {
         if let Some(node) = node.get("tools") {
             (necks, true_tools) = tool_rows(node, &mut tools, r);
         }
+        let mut turning_tools = Table::new(TableKind::Turning, TableKind::Turning.file_name());
+        if let Some(node) = node.get("turning_tools") {
+            rows::rows(node, &mut turning_tools, r);
+        }
         let mut probes = Table::new(TableKind::Probe, TableKind::Probe.file_name());
         let probe = node.get("probe").and_then(|node| probe::probe(node, &mut probes, r));
         let setter = node.get("tool_setter").and_then(|node| setter::setter(node, r));
         let (presets, active_preset) = presets(node, r);
         let (datums, points) =
             (of_files(node, "datums", TableKind::Datum, r), of_files(node, "points", TableKind::Points, r));
+        let free_tables = node.get("tables").map_or_else(Vec::new, |node| rows::free_tables(node, r));
+        let masks = node.get("masks").map_or_else(Vec::new, |node| masks(node, r));
         // A row that is missing was reported.
         let preset = Preset::of_row(&presets, active_preset).unwrap_or_default();
         let frame = preset.frame();
         let (start, start_angles) = start(node, machine.as_ref(), &preset, r);
         let placed = |shape| Shape::Placed { frame, shape: Box::new(shape) };
-        let stock = node.get("stock").and_then(|node| solid::stock(node, r)).map(placed);
+        let mut models = stl::Models::new(beside);
+        let stock = node.get("stock").and_then(|node| solid::stock(node, r, &mut models)).map(placed);
         let list = node.get("parts").map_or(&[][..], |node| r.items(node));
-        let parts = placed(Shape::Union(list.iter().filter_map(|item| solid::part(item, r)).collect()));
+        let parts = list.iter().filter_map(|item| solid::part(item, r, &mut models)).collect();
+        let parts = placed(Shape::Union(parts));
         let answers = node.get("answers").map_or_else(Answers::default, |node| Answers::read(node, r));
         let body = Body::new(&parts).map_err(|error| r.report(error.code(), node, Vec::new())).ok();
         match (clock, machine, body) {
@@ -211,6 +248,7 @@ impl Scene {
                 saved_kinematics,
                 machine_parameters,
                 tools,
+                turning_tools,
                 necks,
                 true_tools,
                 setter,
@@ -220,6 +258,8 @@ impl Scene {
                 active_preset,
                 datums,
                 points,
+                free_tables,
+                masks,
                 frame,
                 start,
                 start_angles,
@@ -373,6 +413,17 @@ fn of_files(node: &Node, key: &str, kind: TableKind, r: &mut Reader<'_>) -> Vec<
         add(kind.file_name(), node, r);
     }
     tables
+}
+
+/// Masks of formatted output by the name of their file.
+fn masks(node: &Node, r: &mut Reader<'_>) -> Vec<(String, String)> {
+    let mut masks = Vec::new();
+    for (name, text) in r.entries(node) {
+        if let Some(text) = r.text(text) {
+            masks.push((name.text.to_string(), text.to_owned()));
+        }
+    }
+    masks
 }
 
 /// The start in machine coordinates, where the machine must be able to be: the tool tip and the rotary axes.

@@ -17,6 +17,14 @@ pub enum Plate {
 }
 
 impl Plate {
+    /// How far it reaches from its centre, mm.
+    pub fn reach(self) -> f64 {
+        match self {
+            Self::Disc(radius) => radius,
+            Self::Cube(half) => libm::hypot(half, half),
+        }
+    }
+
     /// The same with its side so far inwards, mm.
     #[must_use]
     pub fn smaller(self, by: f64) -> Self {

@@ -3,20 +3,22 @@
 //! Invariant: a solid that is read has an extent: boxes have volume, diameters are positive.
 use crate::engine::geometry::{Axis, Frame, WorkingPlane};
 use crate::engine::read::Reader;
-use crate::engine::solid::Shape;
+use crate::engine::solid::{Shape, SolidError};
 use crate::spec::{Kind, Node};
 use glam::{DVec2, DVec3};
 
+use super::stl::Models;
+
 /// The kinds of solids.
-const SOLIDS: &[&str] = &["box", "cylinder", "cone", "sphere", "half_space", "union", "difference"];
+const SOLIDS: &[&str] = &["box", "cylinder", "cone", "sphere", "half_space", "stl", "union", "difference"];
 /// The kinds of stock.
-const STOCKS: &[&str] = &["box", "cylinder"];
+const STOCKS: &[&str] = &["box", "cylinder", "cone", "difference"];
 
 /// `{place: {shift, rotate}, solid: …}`
-pub(super) fn part(node: &Node, reader: &mut Reader<'_>) -> Option<Shape> {
+pub(super) fn part(node: &Node, reader: &mut Reader<'_>, models: &mut Models<'_>) -> Option<Shape> {
     reader.only_keys(node, &["place", "solid"]);
     let frame = node.get("place").map_or(Some(Frame::IDENTITY), |place| self::place(place, reader));
-    let shape = reader.need(node, "solid").and_then(|node| solid(node, reader));
+    let shape = reader.need(node, "solid").and_then(|node| solid(node, reader, models));
     Some(Shape::Placed { frame: frame?, shape: Box::new(shape?) })
 }
 
@@ -29,9 +31,9 @@ fn place(node: &Node, reader: &mut Reader<'_>) -> Option<Frame> {
 }
 
 /// One solid, or a placed one.
-pub(super) fn solid(node: &Node, reader: &mut Reader<'_>) -> Option<Shape> {
+pub(super) fn solid(node: &Node, reader: &mut Reader<'_>, models: &mut Models<'_>) -> Option<Shape> {
     if node.get("solid").is_some() {
-        return part(node, reader);
+        return part(node, reader, models);
     }
     let (kind, body) = one_of(node, reader, SOLIDS)?;
     match kind {
@@ -40,15 +42,41 @@ pub(super) fn solid(node: &Node, reader: &mut Reader<'_>) -> Option<Shape> {
         "cone" => cone(body, reader),
         "sphere" => sphere(body, reader),
         "half_space" => half_space(body, reader),
-        "union" => solids(body, reader).map(Shape::Union),
-        _ => solids(body, reader).map(Shape::Difference),
+        "stl" => models.shape(body, reader),
+        "union" => solids(body, reader, models).map(Shape::Union),
+        _ => difference(body, reader, models),
     }
 }
 
-/// The raw material: a box or a cylinder.
-pub(super) fn stock(node: &Node, reader: &mut Reader<'_>) -> Option<Shape> {
+/// The raw material: a box, a cylinder or a cone, or one of these without other solids.
+pub(super) fn stock(node: &Node, reader: &mut Reader<'_>, models: &mut Models<'_>) -> Option<Shape> {
     let (kind, body) = one_of(node, reader, STOCKS)?;
-    if kind == "box" { cuboid(body, reader) } else { cylinder(body, reader) }
+    match kind {
+        "box" => cuboid(body, reader),
+        "cylinder" => cylinder(body, reader),
+        "cone" => cone(body, reader),
+        _ => {
+            let items = reader.items(body);
+            let first = items.first().and_then(|first| stock(first, reader, models));
+            let others: Vec<Shape> = items.iter().skip(1).filter_map(|item| without(item, reader, models)).collect();
+            if items.len() < 2 && matches!(body.kind, Kind::List(_)) {
+                reader.expected(body, "solids");
+                return None;
+            }
+            let whole = others.len() + 1 == items.len();
+            first.filter(|_| whole).map(|first| Shape::Difference([vec![first], others].concat()))
+        }
+    }
+}
+
+/// A solid that the raw material lacks.
+fn without(node: &Node, reader: &mut Reader<'_>, models: &mut Models<'_>) -> Option<Shape> {
+    let shape = solid(node, reader, models)?;
+    if shape.has_mesh() {
+        reader.report(SolidError::CutMesh.code(), node, Vec::new());
+        return None;
+    }
+    Some(shape)
 }
 
 /// The single key of a mapping and its value.
@@ -66,13 +94,24 @@ fn one_of<'n>(node: &'n Node, reader: &mut Reader<'_>, kinds: &[&'static str]) -
     kind.map(|kind| (*kind, body))
 }
 
-fn solids(node: &Node, reader: &mut Reader<'_>) -> Option<Vec<Shape>> {
+/// Solids of which the first is left without the others: no triangulated surface is among them.
+fn difference(node: &Node, reader: &mut Reader<'_>, models: &mut Models<'_>) -> Option<Shape> {
+    let shapes = solids(node, reader, models)?;
+    let cut = reader.items(node).iter().zip(&shapes).find(|(_, shape)| shape.has_mesh());
+    if let Some((item, _)) = cut {
+        reader.report(SolidError::CutMesh.code(), item, Vec::new());
+        return None;
+    }
+    Some(Shape::Difference(shapes))
+}
+
+fn solids(node: &Node, reader: &mut Reader<'_>, models: &mut Models<'_>) -> Option<Vec<Shape>> {
     let items = reader.items(node);
     if items.is_empty() && matches!(node.kind, Kind::List(_)) {
         reader.expected(node, "solids");
         return None;
     }
-    let shapes: Vec<Shape> = items.iter().filter_map(|item| solid(item, reader)).collect();
+    let shapes: Vec<Shape> = items.iter().filter_map(|item| solid(item, reader, models)).collect();
     (shapes.len() == items.len()).then_some(shapes)
 }
 

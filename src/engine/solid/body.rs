@@ -5,6 +5,7 @@
 use super::SolidError;
 use super::cells::{cells, parallel};
 use super::curve::{Curve, Meeting, meet};
+use super::mesh::PlacedMesh;
 use super::path::Piece;
 use super::poly::Poly;
 use super::shape::{EITHER, Shape, Surfaces, Tree};
@@ -28,6 +29,8 @@ pub struct Body {
     pub(super) features: Vec<Feature>,
     /// Pairs of surfaces that meet in curves which are neither lines nor circles.
     pub(super) unsupported: Vec<(usize, usize)>,
+    /// The triangulated surfaces beside what the tree combines.
+    pub(super) meshes: Vec<PlacedMesh>,
 }
 
 /// Something that a ball can touch first.
@@ -64,14 +67,20 @@ impl Body {
     ///
     /// # Errors
     /// [`SolidError::NotFinite`] if a number of the shape is not finite or a surface has no extent,
-    /// [`SolidError::TooMany`] if it would take too long to find its edges.
+    /// [`SolidError::TooMany`] if it would take too long to find its edges, [`SolidError::CutMesh`] if a triangulated
+    /// surface is part of a difference.
     pub fn new(shape: &Shape) -> Result<Self, SolidError> {
         if shape.sides() > MOST_SIDES {
             return Err(SolidError::TooMany);
         }
+        if shape.cuts_mesh() {
+            return Err(SolidError::CutMesh);
+        }
+        let mut meshes = Vec::new();
+        shape.meshes(&Frame::IDENTITY, &mut meshes);
         let mut surfaces = Surfaces::default();
         let tree = surfaces.reduce(shape, &Frame::IDENTITY, true);
-        let mut body = Self { surfaces: surfaces.0, tree, features: Vec::new(), unsupported: Vec::new() };
+        let mut body = Self { surfaces: surfaces.0, tree, features: Vec::new(), unsupported: Vec::new(), meshes };
         if !body.surfaces.iter().all(is_sound) {
             return Err(SolidError::NotFinite);
         }
@@ -84,6 +93,19 @@ impl Body {
     /// # Errors
     /// [`SolidError::Cusp`] at a point where surfaces touch without crossing and leave no thickness.
     pub fn contains(&self, p: DVec3) -> Result<bool, SolidError> {
+        if self.holds(p)? {
+            return Ok(true);
+        }
+        for mesh in &self.meshes {
+            if mesh.contains(p)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Whether the point belongs to the solid apart from its triangulated surfaces.
+    pub(super) fn holds(&self, p: DVec3) -> Result<bool, SolidError> {
         let looked = |k: usize| self.surfaces.get(k).map_or(1, |surface| side(surface, p, ON));
         if let Some(known) = self.tree.holds(&looked) {
             return Ok(known);
@@ -183,7 +205,7 @@ impl Body {
             *looks += (cuts.len() * self.surfaces.len()) as u64;
             for (from, to) in cuts.iter().zip(cuts.iter().skip(1)) {
                 // A point that cannot be decided keeps its stretch: contacts with it are examined again.
-                if self.contains(piece.at(0.5 * (from + to))).unwrap_or(true) {
+                if self.holds(piece.at(0.5 * (from + to))).unwrap_or(true) {
                     real = true;
                     corners.extend(
                         [*from, *to].iter().filter(|u| **u != piece.low && **u != piece.high).map(|u| piece.at(*u)),

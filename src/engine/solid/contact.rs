@@ -33,9 +33,9 @@ pub struct Nearest {
 }
 
 /// A ball that is closer or deeper than this touches, in mm: the accuracy that is promised.
-const TOUCH: f64 = 1e-9;
+pub(super) const TOUCH: f64 = 1e-9;
 /// A motion whose angle to a surface is below this (as a sine) may only graze it: the way ahead decides.
-const SHALLOW: f64 = 1e-5;
+pub(super) const SHALLOW: f64 = 1e-5;
 /// A root of the polynomial is one of the distance only if the gap there is below this, in mm, before it is sharpened.
 const NEAR_ROOT: f64 = 1e-3;
 /// Unsupported edges are distinguished from the ball down to this share of its radius.
@@ -53,10 +53,10 @@ const MIN_STEP: f64 = 1e-3;
 const STRETCHES: usize = 6;
 
 /// A moment at which the ball is at the right distance from a feature.
-struct Candidate {
-    t: f64,
-    centre: DVec3,
-    point: DVec3,
+pub(super) struct Candidate {
+    pub(super) t: f64,
+    pub(super) centre: DVec3,
+    pub(super) point: DVec3,
 }
 
 impl Body {
@@ -91,12 +91,25 @@ impl Body {
         if self.contains(p)? {
             return Ok(Some(Nearest { distance: 0.0, point: p }));
         }
+        let mut found = self.nearest_beside_meshes(p, limit)?;
+        for mesh in &self.meshes {
+            let limit = found.map_or(limit, |nearest| nearest.distance);
+            found = mesh.nearest(p, limit).or(found);
+        }
+        Ok(found)
+    }
+
+    /// The same apart from triangulated surfaces.
+    fn nearest_beside_meshes(&self, p: DVec3, limit: f64) -> Result<Option<Nearest>, SolidError> {
+        if self.holds(p)? {
+            return Ok(Some(Nearest { distance: 0.0, point: p }));
+        }
         let feet = self.features.iter().map(|f| f.foot(p));
         let feet = feet.map(|foot| ((foot - p).length(), foot));
         let mut feet: Vec<(f64, DVec3)> = feet.filter(|(distance, _)| *distance < limit).collect();
         feet.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (distance, point) in feet {
-            if self.contains(point)? {
+            if self.holds(point)? {
                 return Ok(Some(Nearest { distance, point }));
             }
         }
@@ -130,6 +143,25 @@ impl Body {
         if path.is_helix() {
             return self.helix_is_free(ball_radius, path, 0.0, 1.0).map(|()| None);
         }
+        let mut first: Option<Contact> = None;
+        for mesh in &self.meshes {
+            let sooner = |contact: &Contact| first.is_none_or(|first| contact.t < first.t);
+            first = mesh.first_contact(ball_radius, path)?.filter(sooner).or(first);
+        }
+        let found = self.first_contact_beside_meshes(ball_radius, path, first.map_or(1.0, |contact| contact.t))?;
+        Ok(match (first, found) {
+            (Some(first), Some(found)) if first.t <= found.t => Some(first),
+            (first, found) => found.or(first),
+        })
+    }
+
+    /// The first contact apart from triangulated surfaces, of which one is touched at `latest`.
+    fn first_contact_beside_meshes(
+        &self,
+        ball_radius: f64,
+        path: &Path,
+        latest: f64,
+    ) -> Result<Option<Contact>, SolidError> {
         let pieces = path.pieces();
         let near = |piece: &Piece| {
             let whole = Stretch::whole(piece);
@@ -152,13 +184,13 @@ impl Body {
         }
         let mut found = None;
         for Candidate { t, centre, point } in candidates {
-            if self.contains(point)? {
+            if self.holds(point)? {
                 let normal = (centre - point) / ball_radius;
                 found = Some(Contact { t, ball_centre: centre, point, normal, deflected: false });
                 break;
             }
         }
-        let until = found.map_or(1.0, |contact| contact.t);
+        let until = found.map_or(latest, |contact: Contact| contact.t.min(latest));
         for (a, b) in &self.unsupported {
             self.edge_is_clear(*a, *b, ball_radius, path, 0.0, until)?;
         }
@@ -179,7 +211,7 @@ impl Body {
             if piece.backwards() { -piece.speed(piece.high) } else { piece.speed(piece.low) }
         });
         let way = way.normalize_or_zero();
-        if self.contains(start)? {
+        if self.holds(start)? {
             let contact = Contact { t: 0.0, ball_centre: start, point: start, normal: -way, deflected: true };
             return Ok(Some(contact));
         }
@@ -188,7 +220,7 @@ impl Body {
             let point = feature.foot(start);
             let distance = (start - point).length();
             let gap = distance - radius;
-            if gap > TOUCH || !self.contains(point)? {
+            if gap > TOUCH || !self.holds(point)? {
                 continue;
             }
             let normal = (start - point) / distance;
@@ -206,7 +238,14 @@ impl Body {
             return Ok(Some(contact));
         }
         // A motion along a touched face may still lead or bend into it.
-        let bends_in = sliding.is_some() && self.touches(radius, path.at(0.5 * next))?;
+        let bends_in = sliding.is_some() && {
+            let half_way = path.at(0.5 * next);
+            let touches = self.nearest_beside_meshes(half_way, radius - TOUCH)?.is_some();
+            if !touches {
+                self.no_edge_within(half_way, radius)?;
+            }
+            touches
+        };
         Ok(sliding.filter(|_| bends_in))
     }
 
@@ -348,7 +387,7 @@ impl Stretch {
 }
 
 /// Adds all moments at which the ball begins to be closer to a feature near the piece than its radius.
-fn candidates_on(piece: &Piece, radius: f64, near: &[&Feature], all: &mut Vec<Candidate>) {
+pub(super) fn candidates_on(piece: &Piece, radius: f64, near: &[&Feature], all: &mut Vec<Candidate>) {
     if near.is_empty() {
         return;
     }

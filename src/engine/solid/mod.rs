@@ -1,5 +1,5 @@
-//! Exact solids: half-spaces, boxes, cylinders, cones and spheres, joined, cut, shifted and rotated, and
-//! the contact of a moving ball with them.
+//! Exact solids: half-spaces, boxes, cylinders, cones and spheres, joined, cut, shifted and rotated, and triangulated
+//! surfaces beside them; and the contact of a moving ball with them.
 //!
 //! # Why the contact is exact
 //! A shape is reduced to four kinds of surfaces (plane, sphere, cylinder, cone) that AND and OR combine. Let
@@ -17,6 +17,7 @@
 //!   touched: a ball that comes within 1/32 of its radius of such an edge gives [`SolidError::Edge`]. Faces
 //!   next to such edges are exact.
 //! - Where surfaces touch without crossing and leave material of no thickness: [`SolidError::Cusp`].
+//! - A triangulated surface can be joined with solids, and not be cut by them or cut them: [`SolidError::CutMesh`].
 //! - A helix is either proven free of contact or [`SolidError::Helix`].
 //! - The shaft of a stylus is decided to 1e-6 mm: nearer than that, it touches.
 //!
@@ -25,6 +26,7 @@ mod body;
 mod cells;
 mod contact;
 mod curve;
+mod mesh;
 mod path;
 mod poly;
 mod ray;
@@ -34,6 +36,7 @@ mod surface;
 
 pub use body::Body;
 pub use contact::{Contact, Nearest};
+pub use mesh::Mesh;
 pub use path::Path;
 pub use shape::Shape;
 
@@ -50,6 +53,8 @@ pub enum SolidError {
     TooMany,
     /// Surfaces touch without crossing and leave material of no thickness.
     Cusp(DVec3),
+    /// A triangulated surface is cut, or cuts something.
+    CutMesh,
     /// A helical motion may touch.
     Helix(DVec3),
 }
@@ -60,6 +65,7 @@ impl SolidError {
         match self {
             Self::NotFinite => "solid-not-finite",
             Self::TooMany => "solid-too-many",
+            Self::CutMesh => "solid-mesh-cut",
             Self::Edge(_) => "solid-edge-unsupported",
             Self::Cusp(_) => "solid-cusp",
             Self::Helix(_) => "solid-helix-unsupported",
@@ -69,7 +75,7 @@ impl SolidError {
     /// Where the trouble is, in the coordinates of the solid.
     pub const fn point(&self) -> Option<DVec3> {
         match *self {
-            Self::NotFinite | Self::TooMany => None,
+            Self::NotFinite | Self::TooMany | Self::CutMesh => None,
             Self::Edge(p) | Self::Cusp(p) | Self::Helix(p) => Some(p),
         }
     }

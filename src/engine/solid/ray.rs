@@ -24,6 +24,7 @@ impl Body {
         for surface in &self.surfaces {
             cuts.extend(surface.met_by(origin, direction).into_iter().flatten().filter(|s| s.is_finite()));
         }
+        self.meshes.iter().for_each(|mesh| mesh.cuts(origin, direction, &mut cuts));
         cuts.sort_by(f64::total_cmp);
         cuts.dedup();
         let mut stretches: Vec<[f64; 2]> = Vec::new();

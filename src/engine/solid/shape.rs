@@ -1,9 +1,11 @@
 //! Shapes as a scene describes them, and their reduction to surfaces combined by AND and OR.
 //!
 //! Invariant: after the reduction complements are at the surfaces only, and equal surfaces are one.
+use super::mesh::{Mesh, PlacedMesh};
 use super::surface::Surface;
 use crate::engine::geometry::Frame;
 use glam::DVec3;
+use std::sync::Arc;
 
 /// A solid shape. Nesting is arbitrary.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +51,8 @@ pub enum Shape {
         /// Radius in mm.
         radius: f64,
     },
+    /// A triangulated surface. It can be part of a union and be placed, but not be part of a difference.
+    Mesh(Arc<Mesh>),
     /// Everything that one of them holds; of none, nothing.
     Union(Vec<Shape>),
     /// The first without the others; of none, nothing.
@@ -66,11 +70,42 @@ impl Shape {
     /// How many sides of surfaces it is made of.
     pub(super) fn sides(&self) -> usize {
         match self {
+            Self::Mesh(_) => 0,
             Self::HalfSpace { .. } | Self::Sphere { .. } => 1,
             Self::Box { .. } => 6,
             Self::Cylinder { .. } | Self::Cone { .. } => 3,
             Self::Union(shapes) | Self::Difference(shapes) => shapes.iter().map(Self::sides).sum(),
             Self::Placed { shape, .. } => shape.sides(),
+        }
+    }
+
+    /// Whether a triangulated surface is part of it.
+    pub fn has_mesh(&self) -> bool {
+        match self {
+            Self::Mesh(_) => true,
+            Self::Union(shapes) | Self::Difference(shapes) => shapes.iter().any(Self::has_mesh),
+            Self::Placed { shape, .. } => shape.has_mesh(),
+            _ => false,
+        }
+    }
+
+    /// Whether a triangulated surface is cut, or cuts something.
+    pub(super) fn cuts_mesh(&self) -> bool {
+        match self {
+            Self::Union(shapes) => shapes.iter().any(Self::cuts_mesh),
+            Self::Difference(shapes) => shapes.iter().any(Self::has_mesh),
+            Self::Placed { shape, .. } => shape.cuts_mesh(),
+            _ => false,
+        }
+    }
+
+    /// Adds the triangulated surfaces at their places.
+    pub(super) fn meshes(&self, frame: &Frame, all: &mut Vec<PlacedMesh>) {
+        match self {
+            Self::Mesh(mesh) => all.push(PlacedMesh::new(mesh, frame)),
+            Self::Union(shapes) => shapes.iter().for_each(|shape| shape.meshes(frame, all)),
+            Self::Placed { frame: inner, shape } => shape.meshes(&frame.of(*inner), all),
+            _ => {}
         }
     }
 }
@@ -121,6 +156,8 @@ impl Surfaces {
             Shape::Sphere { centre, radius } => {
                 self.side(Surface::Sphere { centre: frame.point(*centre), radius: *radius }, keep)
             }
+            // What it bounds is asked of the surface itself.
+            Shape::Mesh(_) => self.nothing(keep),
             Shape::Union(shapes) => {
                 let sides = shapes.iter().map(|shape| self.reduce(shape, frame, keep)).collect();
                 if keep { Tree::Or(sides) } else { Tree::And(sides) }

@@ -6,6 +6,7 @@ use glam::DVec3;
 use super::cutter::{Cutter, Tip};
 use super::report::{Place, Report};
 use super::timing::Pace;
+use super::turning::{Turn, Turning};
 use super::{Batch, Cut, FARTHEST, SKIN, Stock};
 use crate::base::diag::{self, Diagnostic};
 use crate::engine::geometry::{Axis, Frame, INCH};
@@ -16,7 +17,7 @@ use crate::engine::solid::{Path, Shape, SolidError};
 use crate::program::syntax::{self, Amount, Block, BlockKind, Coord, Program, StatementKind};
 
 /// Moves that are carried out together.
-const TOGETHER: usize = 4096;
+pub(super) const TOGETHER: usize = 4096;
 /// Pieces of moves that are carried out together, unless one move has more of them.
 const MOST_PIECES: usize = 4 * TOGETHER;
 /// Share of a cell between two poses of a tool over a turning table.
@@ -24,7 +25,7 @@ const STEP: f64 = 0.25;
 /// More poses of one turn are not followed.
 const MOST_POSES: f64 = 200_000.0;
 /// Volume, mm³, below which nothing was cut.
-const NOTHING: f64 = 1e-6;
+pub(super) const NOTHING: f64 = 1e-6;
 
 /// Why there is no stock.
 #[derive(Clone, Debug, PartialEq)]
@@ -193,6 +194,12 @@ fn bounds(shape: &Shape) -> Option<[DVec3; 2]> {
             let reach = DVec3::new(reach(axis.x), reach(axis.y), reach(axis.z));
             Some([from.min(*to) - reach, from.max(*to) + reach])
         }
+        Shape::Cone { from, to, radius_from, radius_to } => {
+            let end = |from, to, radius| bounds(&Shape::Cylinder { from, to, radius });
+            let (one, other) = (end(*from, *to, *radius_from)?, end(*from, *to, *radius_to)?);
+            Some([one[0].min(other[0]), one[1].max(other[1])])
+        }
+        Shape::Difference(shapes) => bounds(shapes.first()?),
         _ => None,
     }
 }
@@ -210,7 +217,7 @@ fn reach(machine: &Machine, angles: DVec3, blank: &Blank) -> f64 {
 }
 
 /// A path in other coordinates.
-fn seen(frame: &Frame, path: &Path) -> Path {
+pub(super) fn seen(frame: &Frame, path: &Path) -> Path {
     match *path {
         Path::Line { from, to } => Path::line(frame.point(from), frame.point(to)),
         Path::Arc { centre, axis, from, sweep, rise } => {
@@ -252,24 +259,24 @@ struct Noted {
 
 /// A part that is being machined.
 pub struct Machining {
-    stock: Stock,
-    batch: Batch,
+    pub(super) stock: Stock,
+    pub(super) batch: Batch,
     noted: Vec<Noted>,
     pace: Pace,
-    report: Report,
+    pub(super) report: Report,
     necks: Vec<(f64, Neck)>,
     cutter: Option<Cutter>,
     /// The tool in the spindle that has no radius, and whether that was reported.
     unknown: Option<(f64, bool)>,
-    /// The tool in the spindle, and whether it was reported that what it turns is not followed.
-    turned: Option<(f64, bool)>,
+    /// What is turned.
+    pub(super) turned: Turning,
     axis: Axis,
     turning: bool,
     machine: Machine,
     /// Machine coordinates of the rotary axes, at the start and now.
     angles: [DVec3; 2],
     /// From the machine to where the parts were at the start, if the table has turned.
-    parts: Option<Frame>,
+    pub(super) parts: Option<Frame>,
     /// The last move, its length and its feed.
     last: Option<(Path, f64, f64)>,
     /// Whether the tool tip is held on the workpiece while rotary axes turn.
@@ -303,7 +310,7 @@ impl Machining {
             necks: scene.necks.clone(),
             cutter: None,
             unknown: None,
-            turned: None,
+            turned: Turning::new(&blank, scene.frame),
             axis: scene.machine.spindle,
             turning: false,
             machine: scene.machine.clone(),
@@ -326,7 +333,7 @@ impl Machining {
                     let neck = self.necks.iter().find(|(number, _)| *number == tool.number).map(|(_, neck)| *neck);
                     self.cutter = Cutter::of_tool(tool, neck);
                     self.unknown = (self.cutter.is_none() && tool.probe.is_none()).then_some((tool.number, false));
-                    self.turned = Some((tool.number, false));
+                    self.turn_with(tool.number);
                     self.axis = *axis;
                     self.pace.stop();
                 }
@@ -348,7 +355,11 @@ impl Machining {
                 }
                 self.pace.stop();
             }
-            EventKind::Transform(now) => self.tip_held = now.tip_held,
+            EventKind::Insert(insert) => self.turn_with_insert(*insert),
+            EventKind::Transform(now) => {
+                self.tip_held = now.tip_held;
+                self.turned.frame = now.frame();
+            }
             EventKind::Probe(_) => self.pace.stop(),
             EventKind::Move { kind, feed, path, turned, .. } => {
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
@@ -365,13 +376,12 @@ impl Machining {
                         self.unknown = Some((number, true));
                     }
                 }
-                if turned.is_some() {
-                    if let (false, Some((number, false))) = (rapid, self.turned) {
-                        self.find(FindingKind::Turned, &at, number, self.seen);
-                        self.turned = Some((number, true));
-                    }
+                if let Some(turned) = turned {
+                    let stopped = turned.speed == 0.0;
+                    self.follow_turned(path, Turn { event: self.seen, at, rapid, stopped, length, feed: *feed });
                     return;
                 }
+                self.end_turning();
                 let Some(cutter) = self.in_effect() else { return };
                 let (spindle_off, edges) = (!self.turning, cutter.edges);
                 self.settle_if_many();
@@ -403,7 +413,7 @@ impl Machining {
     }
 
     /// Puts a finding into the report, and keeps it for those who watch.
-    fn find(&mut self, kind: FindingKind, at: &Place, amount: f64, event: u64) {
+    pub(super) fn find(&mut self, kind: FindingKind, at: &Place, amount: f64, event: u64) {
         self.report.find(kind, at, amount);
         if let Some(found) = &mut self.found {
             found.push(Found { event, kind, amount });
@@ -411,8 +421,8 @@ impl Machining {
     }
 
     /// Whether no move waits for its cut.
-    pub(super) const fn settled(&self) -> bool {
-        self.batch.is_empty()
+    pub(super) fn settled(&self) -> bool {
+        self.batch.is_empty() && !self.turned.waits()
     }
 
     /// What was found since this was asked last; the first question makes findings be kept.
@@ -424,6 +434,12 @@ impl Machining {
 
     /// Carries out the moves that wait.
     pub(super) fn settle(&mut self) {
+        self.give_up_waiting();
+        self.settle_columns();
+    }
+
+    /// Carries out the moves that wait in the columns.
+    pub(super) fn settle_columns(&mut self) {
         let cuts = self.stock.carry_out(&mut self.batch);
         let noted = std::mem::take(&mut self.noted);
         let mut cuts = cuts.as_slice();
@@ -442,7 +458,7 @@ impl Machining {
     /// The same if so many wait that this is time; the last one, to which a turn may belong, still waits afterwards.
     fn settle_if_many(&mut self) {
         if self.batch.len() >= TOGETHER || self.batch.pieces() >= MOST_PIECES {
-            self.settle();
+            self.settle_columns();
         }
     }
 
@@ -493,6 +509,7 @@ impl Machining {
             return;
         }
         self.report.removed += cut.volume;
+        self.turned.is_milled();
         if noted.rapid {
             self.find(FindingKind::Rapid, &noted.at, cut.depth + SKIN, noted.event);
         } else if noted.spindle_off {
@@ -523,6 +540,8 @@ impl Machining {
     pub fn finish(mut self) -> (Stock, Report) {
         self.pace.stop();
         self.settle();
+        self.end_turning();
+        self.report.turned = self.turned.left();
         (self.report.time_feed, self.report.time_rapid) = (self.pace.feed, self.pace.rapid);
         (self.stock, self.report)
     }

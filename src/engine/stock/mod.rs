@@ -34,6 +34,8 @@ mod rim;
 mod sweep;
 mod timing;
 mod tops;
+mod turned;
+mod turning;
 mod watch;
 
 pub use crate::engine::machine::Neck;
@@ -228,6 +230,22 @@ impl Stock {
             }
         }
         Ok(Self { grid, lanes })
+    }
+
+    /// Gives all columns anew what `material` says that they hold, from low to high, of a point of a column and the
+    /// direction of all of them in the coordinates of the blank.
+    fn renew(&mut self, material: &dyn Fn(DVec3, DVec3) -> Vec<[f64; 2]>) {
+        let grid = self.grid;
+        let up = grid.blank(DVec3::Z);
+        let mut lanes = vec![Vec::new(); LANES];
+        for row in 0..grid.rows {
+            let made =
+                Row::new(grid.columns, |column| material(grid.blank(DVec3::new(grid.x(column), grid.y(row), 0.0)), up));
+            if let Some(lane) = lanes.get_mut(place(row).0) {
+                lane.push(made);
+            }
+        }
+        self.lanes = lanes;
     }
 
     fn row(&self, row: usize) -> Option<&Row> {

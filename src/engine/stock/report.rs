@@ -3,6 +3,7 @@
 //! Invariant: the report does not grow with the number of moves.
 use serde_json::{Map, Value, json};
 
+use crate::engine::region::section::{Cell, Side};
 use crate::engine::report::event::{At, FindingKind};
 
 /// The version of the JSON form.
@@ -75,6 +76,8 @@ pub struct Report {
     pub findings: Vec<Finding>,
     /// Findings that were not kept.
     pub more: u64,
+    /// The half section of what was turned, if something was: its cells in the order of the rotary axis.
+    pub turned: Option<Vec<Cell>>,
 }
 
 impl Report {
@@ -112,7 +115,7 @@ impl Report {
             entry.insert("count".into(), finding.count.into());
             Value::Object(entry)
         });
-        json!({
+        let mut whole = json!({
             "format": FORMAT,
             "time": {"feed": self.time_feed, "rapid": self.time_rapid, "dwell": self.time_dwell},
             "length": {"feed": self.length_feed, "rapid": self.length_rapid, "cut": self.length_cut},
@@ -126,8 +129,22 @@ impl Report {
             },
             "findings": findings.collect::<Vec<_>>(),
             "more": self.more,
-        })
+        });
+        if let (Some(cells), Value::Object(members)) = (&self.turned, &mut whole) {
+            members.insert("turned".into(), cells.iter().map(cell).collect());
+        }
+        whole
     }
+}
+
+/// A cell of a half section as JSON.
+fn cell(cell: &Cell) -> Value {
+    let side = |side: &Side| {
+        let circle = side.circle.map(|(centre, upper)| json!({"z": centre.x, "radius": centre.y, "upper": upper}));
+        json!({"radius": side.ends, "centre": circle})
+    };
+    let [inner, outer] = &cell.sides();
+    json!({"z": cell.range(), "inner": side(inner), "outer": side(outer)})
 }
 
 /// Where in a program something belongs.

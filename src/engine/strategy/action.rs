@@ -12,7 +12,7 @@ use super::signature::{Results, Signature};
 use super::turned::Turned;
 use super::turning_thread::TurnedThread;
 use crate::engine::geometry::{Around, Axis, Frame, RotaryAxis, WorkingPlane};
-use crate::engine::machine::{Arm, Machine, MemoryReport, SavedKinematics, Survey};
+use crate::engine::machine::{Arm, Insert, Machine, MemoryReport, SavedKinematics, Survey, TurningInsert};
 use crate::engine::region::Way;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -54,6 +54,16 @@ pub trait System {
 
     /// Sets it; a point, in program coordinates, keeps its coordinates, and without one the preset its place.
     fn set_basic_rotation(&mut self, degrees: f64, held: Option<DVec3>);
+
+    /// Turns the system about the rotary axis of the workpiece by a precession angle, degrees, or turns the tool round,
+    /// up to the next tool call; what is not given stays. The spindle turns the insert into its direction.
+    ///
+    /// # Errors
+    /// The tables of tools cannot be read.
+    fn align_turning(&mut self, precession: Option<f64>, reversed: Option<bool>) -> Done;
+
+    /// Ends that; the spindle stays as it is.
+    fn end_turning_alignment(&mut self);
 
     /// Where a rotary axis has the coordinate 0 by the preset, and its datum shift, in machine coordinates.
     fn zero_of(&self, axis: RotaryAxis) -> (f64, f64);
@@ -102,6 +112,12 @@ pub trait Tables {
 
     /// The number of the tool in the spindle, if there is one.
     fn tool(&self) -> Option<f64>;
+
+    /// The insert of the tool in the spindle, with the corrections of the program.
+    ///
+    /// # Errors
+    /// The tables of tools cannot be read.
+    fn insert(&self) -> Result<TurningInsert, Fault>;
 }
 
 /// A rotary axis of the machine.
@@ -262,11 +278,11 @@ pub trait Kept {
     fn kept(&self, name: &str) -> Option<f64>;
 
     /// Reads the closed contours that the definition in effect names, with the present parameters; strategies over
-    /// contours see them from then on.
+    /// contours see them from then on, down to a depth below the surface in mm.
     ///
     /// # Errors
-    /// No definition names contours, or one of them is none.
-    fn read_contours(&mut self) -> Done;
+    /// No definition names contours, one of them is none, or deeper than that.
+    fn read_contours(&mut self, depth: f64) -> Done;
 
     /// Reads the first of these contours, which may be open.
     ///
@@ -289,6 +305,9 @@ pub trait Kept {
     /// The contours that were read last.
     fn contours(&self) -> &Contours;
 
+    /// Reports an area (mm²) about a point, main, minor and tool coordinate, in which a tool leaves material.
+    fn note_left(&mut self, area: f64, at: DVec3);
+
     /// What is recessed from now on; strategies over contours see it.
     fn keep_groove(&mut self, groove: Groove);
 
@@ -297,6 +316,9 @@ pub trait Kept {
 
     /// The thread that is turned from now on; strategies over contours see it.
     fn keep_thread(&mut self, thread: TurnedThread);
+
+    /// The insert meets the workpiece like this from now on.
+    fn hold_insert(&mut self, insert: Insert);
 
     /// The radius of the tool in the spindle in the coordinates of the program, mm.
     fn tool_radius(&self) -> f64;

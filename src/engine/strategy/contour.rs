@@ -1,8 +1,12 @@
-//! Strategies over the contours of subprograms: where a tool plunges, how it clears a level, how it follows a wall.
+//! Strategies over the contours of subprograms: where a tool plunges, how it clears a level.
 //!
 //! The region of the tool centre is what the contours enclose, shrunk by the radius of the tool and the allowance. Its
 //! parts are numbered from 1 in the order in which they are cleared. Invariant: the centre never leaves that region,
 //! and a level is cleared without lifting (TNC 640 manual, line 4408).
+use std::cell::RefCell;
+use std::cmp::Ordering;
+use std::rc::Rc;
+
 use glam::{DVec2, DVec3};
 
 use super::action::{Action, Control};
@@ -17,6 +21,7 @@ use crate::base::expr::tand;
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::region::clearing::{self, MOST_RINGS};
 use crate::engine::region::contours::{Closed, Contour, enclosed};
+use crate::engine::region::relief::Band;
 use crate::engine::region::{Boundary, Edge, Region, Way};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -28,14 +33,14 @@ const WIDEST_HELIX: f64 = 0.9;
 const NARROWEST_HELIX: f64 = 0.2;
 /// More strokes or turns for one level than this are refused.
 const MAX_PASSES: f64 = 10_000.0;
-/// The arc onto a wall and away from it has at most so many tool radii; where there is less room it is halved.
-const JOIN: f64 = 1.0;
-/// An arc onto a wall is not made smaller than this, in tool radii.
-const LEAST_JOIN: f64 = 0.05;
 /// The feed that means rapid traverse.
 const RAPID: f64 = 99_999.999;
 /// What a coarser tool has left and is narrower than twice this, mm, is nothing.
 const LEFT: f64 = 1e-3;
+/// What a tool does not reach and is smaller than this, mm², is nothing.
+const LEAST_LEFT: f64 = 1e-3;
+/// Places that differ by less, mm, are beside each other.
+const BESIDE: f64 = 1e-3;
 /// What calculation may add to a whole number of passes, and to a distance.
 const SPARE: f64 = 1e-6;
 
@@ -44,10 +49,9 @@ const SPARE: f64 = 1e-6;
 pub struct Contours {
     /// As they are programmed, in the order of their labels.
     pub open: Vec<Contour>,
-    /// What they are if they are closed.
-    pub closed: Vec<Closed>,
-    /// What these enclose together.
-    pub region: Region,
+    /// What is machined between the surface and the depth, from above: more than one where contours have depths of
+    /// their own. Each lies within the one before it.
+    pub bands: Vec<Band>,
     /// Whether there is no pocket: islands in a frame.
     pub only_islands: bool,
     /// Where the tool was when the cycle began, main and minor axis: what is near is cleared first.
@@ -58,42 +62,128 @@ pub struct Contours {
     pub turned: Option<Turned>,
     /// The thread that is turned.
     pub thread: Option<TurnedThread>,
+    /// Paths and walls that were asked for: each level and each strategy asks for them again.
+    pub memory: Memory,
 }
 
+/// What was calculated of contours.
+#[derive(Clone, Debug, Default)]
+pub struct Memory {
+    cleared: RefCell<Vec<Cleared>>,
+    pub(super) followed: RefCell<Option<Followed>>,
+}
+
+/// The walls that a tool of a radius follows, with what stays at them and the least radius in inside corners.
+#[derive(Clone, Debug)]
+pub(super) struct Followed {
+    pub(super) asked: [f64; 3],
+    pub(super) walls: Rc<Vec<Wall>>,
+}
+
+/// A wall as the centre of a tool follows it, in its band.
+#[derive(Clone, Debug)]
+pub struct Wall {
+    /// The way of the centre.
+    pub boundary: Boundary,
+    /// Where the centre may be.
+    pub(super) centres: Rc<Region>,
+    /// How deep below the surface it begins, mm.
+    pub from: f64,
+    /// How deep it ends, mm.
+    pub to: f64,
+}
+
+/// A way of clearing with a tool of a radius, and its paths.
+#[derive(Clone, Debug)]
+struct Cleared {
+    way: Clearing,
+    tool_radius: f64,
+    parts: Rc<Vec<Part>>,
+}
+
+/// So many ways of clearing are kept: with and without a coarser tool before.
+const KEPT_WAYS: usize = 2;
+
 impl Contours {
-    /// Contours that are all closed.
-    pub fn new(closed: Vec<Closed>, from: DVec2) -> Self {
+    /// Contours that are all closed, down to a depth below the surface (mm).
+    pub fn new(closed: Vec<Closed>, from: DVec2, depth: f64) -> Self {
         let only_islands = !closed.iter().any(|contour| contour.is_pocket);
-        Self { region: enclosed(&closed), closed, only_islands, from, ..Self::default() }
+        let bands = vec![Band { from: 0.0, to: depth, region: enclosed(&closed) }];
+        Self { bands, only_islands, from, ..Self::default() }
     }
 
-    /// Where the centre of a tool may be that leaves an allowance, with inside corners of at least a radius.
-    fn centres(&self, tool_radius: f64, allowance: f64, rounding: f64) -> Region {
-        let by = tool_radius + allowance;
-        let region = if by < 0.0 { self.region.grown(-by) } else { self.region.shrunk(by) };
-        region.rounded(rounding)
-    }
-
-    /// The paths that clear the region, by part.
+    /// The paths that clear the contours, by part: the parts of each band, from above.
     ///
     /// # Errors
     /// The tool is too wide for all of it, or the stepover too small.
-    pub fn paths(&self, way: &Clearing, tool_radius: f64) -> Result<Vec<clearing::Path>, Fault> {
-        let mut centres = self.centres(tool_radius, way.allowance, way.rounding);
-        if let Some(coarse) = way.coarse {
-            // Where the tool comes to what the coarser one could not reach.
-            let reached = self.centres(coarse, way.allowance, way.rounding).grown(coarse);
-            let left = centres.grown(tool_radius).difference(&reached).shrunk(LEFT).grown(LEFT);
-            centres = centres.intersection(&left.grown(tool_radius));
-            if centres.is_empty() {
-                return Ok(Vec::new());
-            }
+    pub fn paths(&self, way: &Clearing, tool_radius: f64) -> Result<Rc<Vec<Part>>, Fault> {
+        let mut kept = self.memory.cleared.borrow_mut();
+        if let Some(known) = kept.iter().find(|known| known.way == *way && known.tool_radius == tool_radius) {
+            return Ok(Rc::clone(&known.parts));
         }
-        if centres.is_empty() {
-            return Err(shape_impossible(2.0 * tool_radius, 0.0));
-        }
-        clearing::paths(&centres, way.stepover, way.climb >= 0.0, self.from).map_err(|_| too_many(MOST_RINGS as f64))
+        let parts = Rc::new(self.cleared_by(way, tool_radius)?);
+        kept.truncate(KEPT_WAYS - 1);
+        kept.insert(0, Cleared { way: *way, tool_radius, parts: Rc::clone(&parts) });
+        Ok(parts)
     }
+
+    /// What of the contours a tool does not reach: pieces with the depth of their floor, mm.
+    pub fn unreached(&self, tool_radius: f64, allowance: f64, rounding: f64) -> Vec<(Region, f64)> {
+        let mut pieces = Vec::new();
+        for band in &self.bands {
+            let reached = centres(&band.region, tool_radius, allowance, rounding).grown(tool_radius + LEFT);
+            let wanted = centres(&band.region, 0.0, allowance, 0.0);
+            let left = wanted.difference(&reached);
+            pieces.extend(left.parts().filter(|piece| piece.area() > LEAST_LEFT).map(|piece| (piece, band.to)));
+        }
+        pieces
+    }
+
+    fn cleared_by(&self, way: &Clearing, tool_radius: f64) -> Result<Vec<Part>, Fault> {
+        let (mut parts, mut from, mut has_room) = (Vec::new(), self.from, false);
+        for (number, band) in self.bands.iter().enumerate() {
+            let mut centres = centres(&band.region, tool_radius, way.allowance, way.rounding);
+            has_room |= !centres.is_empty();
+            if let Some(coarse) = way.coarse {
+                // Where the tool comes to what the coarser one could not reach.
+                let reached = self::centres(&band.region, coarse, way.allowance, way.rounding).grown(coarse);
+                let left = centres.grown(tool_radius).difference(&reached).shrunk(LEFT).grown(LEFT);
+                centres = centres.intersection(&left.grown(tool_radius));
+            }
+            if way.floors
+                && let Some(below) = self.bands.get(number + 1)
+            {
+                let floor = band.region.difference(&below.region).shrunk(LEFT).grown(LEFT);
+                centres = centres.intersection(&floor.grown(tool_radius));
+            }
+            if centres.is_empty() {
+                continue;
+            }
+            let paths = clearing::paths(&centres, way.stepover, way.climb >= 0.0, from);
+            let paths = paths.map_err(|_| too_many(MOST_RINGS as f64))?;
+            from = paths.last().map_or(from, clearing::Path::end);
+            parts.extend(paths.into_iter().map(|path| Part { path, from: band.from, to: band.to }));
+        }
+        if has_room { Ok(parts) } else { Err(shape_impossible(2.0 * tool_radius, 0.0)) }
+    }
+}
+
+/// A part of contours that is cleared without lifting.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// The path that clears it at one level.
+    pub path: clearing::Path,
+    /// How deep below the surface it begins, mm.
+    pub from: f64,
+    /// How deep its floor is, mm.
+    pub to: f64,
+}
+
+/// Where the centre of a tool may be that leaves an allowance, with inside corners of at least a radius.
+pub(super) fn centres(region: &Region, tool_radius: f64, allowance: f64, rounding: f64) -> Region {
+    let by = tool_radius + allowance;
+    let region = if by < 0.0 { region.grown(-by) } else { region.shrunk(by) };
+    region.rounded(rounding)
 }
 
 /// How a region is cleared.
@@ -109,6 +199,8 @@ pub struct Clearing {
     pub climb: f64,
     /// The radius of a coarser tool that has cleared the region before, mm.
     pub coarse: Option<f64>,
+    /// Only the floor of each band, without what is machined deeper.
+    pub floors: bool,
 }
 
 strategy! {
@@ -156,7 +248,7 @@ impl Action for RecallContourData {
             rounding: kept("rounding")?,
             direction: kept("direction")?,
         };
-        control.read_contours()?;
+        control.read_contours(data.depth.abs())?;
         Ok(data)
     }
 }
@@ -174,6 +266,8 @@ strategy! {
         tool: Option<f64> = Number,
         /// The number of a coarser tool that has cleared the region before; 0 if none has.
         coarse: Option<f64> = Number,
+        /// Whether the floors are finished, and not what is above them cleared.
+        floors: Option<f64> = Number,
     }
 }
 
@@ -211,10 +305,50 @@ impl Action for FindInfeedPoints {
         let coarse = self.coarse.filter(|tool| *tool != 0.0);
         let coarse = coarse.map(|tool| radius_in_table(control, tool)).transpose()?;
         let Self { allowance, rounding, .. } = *self;
-        let stepover = self.overlap * radius;
-        let paths =
-            control.contours().paths(&Clearing { stepover, allowance, rounding, climb: 1.0, coarse }, radius)?;
+        let (stepover, floors) = (self.overlap * radius, self.floors.is_some_and(|only| only != 0.0));
+        let way = Clearing { stepover, allowance, rounding, climb: 1.0, coarse, floors };
+        let paths = control.contours().paths(&way, radius)?;
         Ok(InfeedPoints { count: paths.len() as f64, radius, coarse: coarse.unwrap_or(0.0), stepover })
+    }
+}
+
+strategy! {
+    /// Reports what of the contours the tool in the spindle does not reach: corners and narrow places.
+    FindMaterialLeft = "find-material-left" {
+        /// What stays at the walls, mm.
+        allowance: f64 = Length,
+        /// The least radius of the path in inside corners, mm.
+        rounding: f64 = Length,
+        /// The height of the surface, mm.
+        surface: f64 = Length,
+        /// From there to the floor of the deepest contour, with sign, mm.
+        depth: f64 = Length,
+    }
+}
+
+results! {
+    /// What is not reached.
+    MaterialLeft {
+        /// In how many places.
+        places: f64 = Number,
+    }
+}
+
+impl Action for FindMaterialLeft {
+    type Results = MaterialLeft;
+
+    fn act(&self, control: &mut dyn Control) -> Done<MaterialLeft> {
+        let left = control.contours().unreached(control.tool_radius(), self.allowance, self.rounding);
+        let down = if self.depth < 0.0 { -1.0 } else { 1.0 };
+        let place = |(piece, depth): &(Region, f64)| Some((piece.area(), piece.middle()?.extend(*depth)));
+        let mut places: Vec<(f64, DVec3)> = left.iter().filter_map(place).collect();
+        // Level by level from left to right; rounding does not decide between places above each other.
+        let rank = |at: DVec3| [at.z, at.x, at.y].map(|along| (along / BESIDE).round());
+        places.sort_by(|(_, a), (_, b)| rank(*a).partial_cmp(&rank(*b)).unwrap_or(Ordering::Equal));
+        for (area, at) in places {
+            control.note_left(area, DVec3 { z: self.surface + down * at.z, ..at });
+        }
+        Ok(MaterialLeft { places: left.len() as f64 })
     }
 }
 
@@ -247,36 +381,6 @@ impl Calculation for StopDistance {
         let depth = self.depth.abs();
         let deep = (depth / STOPS_IN_DEPTH).min(GREATEST_STOP);
         Ok(StopDistanceResults { distance: if depth > SHALLOW { deep } else { LEAST_STOP } })
-    }
-}
-
-strategy! {
-    /// How many walls the region has.
-    FindPartialContours = "find-partial-contours" {
-        /// What stays at the walls, mm.
-        allowance: f64 = Length,
-        /// The least radius of the path in inside corners, mm.
-        rounding: f64 = Length,
-    }
-}
-
-results! {
-    /// The walls of a region.
-    PartialContours {
-        /// How many there are.
-        count: f64 = Number,
-    }
-}
-
-impl Action for FindPartialContours {
-    type Results = PartialContours;
-
-    fn act(&self, control: &mut dyn Control) -> Done<PartialContours> {
-        let walls = control.contours().walls(control.tool_radius(), self.allowance, self.rounding);
-        if walls.is_empty() {
-            return Err(shape_impossible(2.0 * control.tool_radius(), 0.0).into());
-        }
-        Ok(PartialContours { count: walls.len() as f64 })
     }
 }
 
@@ -316,22 +420,65 @@ macro_rules! on_part {
                 radius: Option<f64> = Length,
                 /// The radius of a coarser tool that has cleared the region before, mm.
                 coarse: Option<f64> = Length,
+                /// Whether the floors are finished, and not what is above them cleared.
+                floors: Option<f64> = Number,
                 $($more)*
             }
         }
 
         impl $name {
-            /// The path that clears the part.
-            fn clearing(&self, contours: &Contours, tool: Cutter) -> Result<clearing::Path, Fault> {
+            /// The part, with the path that clears it.
+            fn part(&self, contours: &Contours, tool: Cutter) -> Result<Part, Fault> {
                 let Self { stepover, allowance, rounding, climb, radius, .. } = *self;
                 let coarse = self.coarse.filter(|radius| *radius > 0.0);
-                let way = Clearing { stepover, allowance, rounding, climb, coarse };
-                let paths = contours.paths(&way, radius.unwrap_or(tool.radius))?;
+                let floors = self.floors.is_some_and(|only| only != 0.0);
+                let way = Clearing { stepover, allowance, rounding, climb, coarse, floors };
+                let parts = contours.paths(&way, radius.unwrap_or(tool.radius))?;
                 let number = (self.part.max(1.0) - 1.0) as usize;
-                paths.into_iter().nth(number).ok_or_else(|| shape_impossible(2.0 * tool.radius, 0.0))
+                parts.get(number).cloned().ok_or_else(|| shape_impossible(2.0 * tool.radius, 0.0))
             }
         }
     };
+}
+
+on_part! {
+    /// Between which heights a part is cleared: that of the contours, or less where they have depths of their own.
+    FindDepthsOfPart = "find-depths-of-part" {
+        /// The height of the surface, mm.
+        surface: f64 = Length,
+        /// From there to the floor of the deepest contour, with sign, mm.
+        depth: f64 = Length,
+        /// What stays on each floor, mm.
+        floor_allowance: f64 = Length,
+    }
+}
+
+results! {
+    /// The heights between which something is machined.
+    Depths {
+        /// Where it begins.
+        from: f64 = Length,
+        /// Where it ends.
+        to: f64 = Length,
+    }
+}
+
+/// The heights of depths below a surface, in the direction of a depth with sign, with an allowance on the floor.
+pub(super) fn heights((from, to): (f64, f64), surface: f64, depth: f64, allowance: f64) -> Depths {
+    let down = if depth < 0.0 { -1.0 } else { 1.0 };
+    // What lies on the floor above is taken away, too.
+    let from = if from > 0.0 { (from - allowance).max(0.0) } else { 0.0 };
+    Depths { from: surface + down * from, to: surface + down * (to - allowance).max(from) }
+}
+
+impl Action for FindDepthsOfPart {
+    type Results = Depths;
+
+    fn act(&self, control: &mut dyn Control) -> Done<Depths> {
+        let tool = Cutter { radius: control.tool_radius() };
+        let part = self.part(control.contours(), tool)?;
+        Ok(heights((part.from, part.to), self.surface, self.depth, self.floor_allowance))
+    }
 }
 
 on_part! {
@@ -373,7 +520,7 @@ on_part! {
 
 impl OverContours for MoveOverInfeedPoint {
     fn mill(&self, contours: &Contours, tool: Cutter, pen: &mut Pen) -> Result<(), Fault> {
-        let path = self.clearing(contours, tool)?;
+        let path = self.part(contours, tool)?.path;
         if pen.here().z < self.above {
             pen.down(self.above, RAPID);
         }
@@ -385,7 +532,7 @@ impl OverContours for MoveOverInfeedPoint {
 
 impl OverContours for PlungeIntoRegion {
     fn mill(&self, contours: &Contours, tool: Cutter, pen: &mut Pen) -> Result<(), Fault> {
-        let path = self.clearing(contours, tool)?;
+        let path = self.part(contours, tool)?.path;
         let radius = path.room.min(WIDEST_HELIX * tool.radius);
         pen.line(path.start.extend(self.from), self.feed);
         if radius >= NARROWEST_HELIX * tool.radius {
@@ -458,7 +605,7 @@ pub(super) fn draw(edge: &Edge, height: f64, feed: f64, pen: &mut Pen) {
 
 impl OverContours for ClearRegionAtLevel {
     fn mill(&self, contours: &Contours, tool: Cutter, pen: &mut Pen) -> Result<(), Fault> {
-        let path = self.clearing(contours, tool)?;
+        let path = self.part(contours, tool)?.path;
         pen.line(path.start.extend(pen.here().z), self.at);
         pen.line(path.start.extend(self.level), self.at);
         for edge in &path.edges {
@@ -480,7 +627,7 @@ on_part! {
 
 impl OverContours for ApproachRegionFloor {
     fn mill(&self, contours: &Contours, tool: Cutter, pen: &mut Pen) -> Result<(), Fault> {
-        let path = self.clearing(contours, tool)?;
+        let path = self.part(contours, tool)?.path;
         let radius = path.room.min(tool.radius) / 2.0;
         if radius >= NARROWEST_HELIX * tool.radius && pen.here().z >= self.level + radius {
             let beside = path.start - DVec2::new(radius, 0.0);
@@ -491,104 +638,4 @@ impl OverContours for ApproachRegionFloor {
         pen.line(path.start.extend(self.level), self.at);
         Ok(())
     }
-}
-
-strategy! {
-    /// Along the wall of one boundary of the region at one level, joined and left on arcs.
-    FollowContourSide = "follow-contour-side" {
-        /// The number of the boundary, from 1.
-        contour: f64 = Number,
-        /// The height of the level, mm.
-        level: f64 = Length,
-        /// What stays at the wall, mm.
-        allowance: f64 = Length,
-        /// The least radius of the path in inside corners, mm.
-        rounding: f64 = Length,
-        /// Pockets counter-clockwise and islands clockwise if not negative: climb milling.
-        direction: f64 = Number,
-        /// The feed down to the level, mm/min.
-        plunging_feed: f64 = Feed,
-        /// The height between boundaries, to which the tool goes at rapid traverse, mm.
-        height: f64 = Length,
-        /// The height to which it goes down at rapid traverse, mm.
-        above: f64 = Length,
-        /// The feed along the wall, mm/min.
-        at: f64 = Feed,
-    }
-}
-
-impl Contours {
-    /// The walls of the region as the centre of a tool follows them; those of the frame around islands are none.
-    pub fn walls(&self, tool_radius: f64, allowance: f64, rounding: f64) -> Vec<Boundary> {
-        let centres = self.centres(tool_radius, allowance, rounding);
-        let walls = centres.boundaries();
-        let is_frame = |wall: &Boundary| {
-            let outer = !wall.is_clockwise();
-            outer && self.only_islands
-        };
-        walls.filter(|wall| !is_frame(wall)).collect()
-    }
-}
-
-impl OverContours for FollowContourSide {
-    fn mill(&self, contours: &Contours, tool: Cutter, pen: &mut Pen) -> Result<(), Fault> {
-        let centres = contours.centres(tool.radius, self.allowance, self.rounding);
-        let walls = contours.walls(tool.radius, self.allowance, self.rounding);
-        let number = (self.contour.max(1.0) - 1.0) as usize;
-        let wall = walls.into_iter().nth(number).ok_or_else(|| shape_impossible(2.0 * tool.radius, 0.0))?;
-        let wall = if self.direction < 0.0 { wall.reversed() } else { wall };
-        let (wall, join) = joined(&centres, &wall, tool.radius * JOIN, tool.radius * LEAST_JOIN);
-        let (start, heading) = (wall.start(), wall.heading());
-        // Into the region: on the left of the way in climb milling.
-        let side = if self.direction < 0.0 { -1.0 } else { 1.0 };
-        let centre = start + heading.perp() * side * join;
-        let (before, after) = (centre - heading * join, centre + heading * join);
-        if pen.here().z < self.height {
-            pen.down(self.height, RAPID);
-        }
-        pen.line(before.extend(pen.here().z), RAPID);
-        pen.line(before.extend(self.above), RAPID);
-        pen.line(before.extend(self.level), self.plunging_feed);
-        let quarter = Edge::Arc { to: start, centre, sweep: 90.0 * side };
-        draw(&quarter, self.level, self.at, pen);
-        for edge in wall.edges() {
-            draw(&edge, self.level, self.at, pen);
-        }
-        draw(&Edge::Arc { to: after, centre, sweep: 90.0 * side }, self.level, self.at, pen);
-        pen.down(self.height, RAPID);
-        Ok(())
-    }
-}
-
-/// A wall from where there is most room for an arc onto it, with the radius of that: the circle of the arc stays in the
-/// region. Tried in the middle of each edge.
-fn joined(centres: &Region, wall: &Boundary, most: f64, least: f64) -> (Boundary, f64) {
-    let mut at = wall.start();
-    let middles: Vec<DVec2> = wall
-        .edges()
-        .iter()
-        .map(|edge| {
-            let from = std::mem::replace(&mut at, edge.to());
-            edge.shortened(from, edge.length(from) / 2.0).to()
-        })
-        .collect();
-    let mut radius = most;
-    while radius > least {
-        for middle in &middles {
-            let turned = wall.from_nearest(*middle);
-            let inwards = turned.heading().perp() * if wall_has_region_left(centres, &turned) { 1.0 } else { -1.0 };
-            let centre = turned.start() + inwards * radius;
-            let deep = centres.nearest(centre).is_some_and(|(_, distance)| distance >= radius - SPARE);
-            if deep && centres.contains(centre) {
-                return (turned, radius);
-            }
-        }
-        radius /= 2.0;
-    }
-    (wall.clone(), least)
-}
-
-/// Whether the region lies on the left of the way along a wall.
-fn wall_has_region_left(centres: &Region, wall: &Boundary) -> bool {
-    centres.contains(wall.start() + wall.heading().perp() * 100.0 * SPARE)
 }

@@ -1,9 +1,9 @@
 //! What is recessed: a groove as the cuts of an insert see it, with what they leave and what finishing makes of it.
 //!
-//! `x` goes across the groove from where its contour begins, `y` away from the part; positions are those of the tip,
-//! which is the corner of the insert that is further in the direction of `x`. Invariant: coordinates of the main axis
+//! `x` goes across the groove from where its contour begins, `y` away from the part; positions are those of the
+//! corner of the insert that is further in the direction of `x`; the tool table may say that another one is measured. Invariant: coordinates of the main axis
 //! are radii here.
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::pen::Pen;
 use super::turned::{Sight, direction};
@@ -164,6 +164,8 @@ pub struct Groove {
     pub sight: Sight,
     /// The insert.
     pub edge: CuttingEdge,
+    /// How far the corner in front is ahead of the position of the tool, mm.
+    pub lead: f64,
     /// What roughing leaves.
     pub rough: Reach,
     /// What finishing leaves.
@@ -200,13 +202,18 @@ impl Groove {
     /// Where the pen is, as cuts see it.
     pub fn here(&self, pen: &Pen) -> DVec2 {
         let here = pen.here();
-        self.sight.seen(here.x, here.z)
+        self.sight.seen(here.x, here.z) + DVec2::X * self.lead
     }
 
     /// Straight to a point.
     pub fn line(&self, pen: &mut Pen, to: DVec2, feed: f64) {
-        let to = self.sight.point(to, pen.here().y);
+        let to = self.point(to, pen.here().y);
         pen.line(to, feed);
+    }
+
+    /// Where the tool is while its corner in front is at a point: main, minor and tool coordinate.
+    fn point(&self, seen: DVec2, minor: f64) -> DVec3 {
+        self.sight.point(seen - DVec2::X * self.lead, minor)
     }
 
     /// Along what the tip can reach to a point of it, from where the pen is or from below there.
@@ -217,9 +224,9 @@ impl Groove {
                 continue;
             }
             match edge {
-                Edge::Line(to) => pen.line(self.sight.point(to, minor), feed),
+                Edge::Line(to) => pen.line(self.point(to, minor), feed),
                 Edge::Arc { to, centre, sweep } => {
-                    let (centre, to) = (self.sight.point(centre, minor), self.sight.point(to, minor));
+                    let (centre, to) = (self.point(centre, minor), self.point(to, minor));
                     pen.sideways((centre, to), sweep * self.sight.sense(), feed);
                 }
             }

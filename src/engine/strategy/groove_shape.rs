@@ -6,17 +6,18 @@ use glam::{DVec2, DVec3};
 
 use super::action::{Action, Control};
 use super::groove::{Groove, Reach};
+use super::held::{Held, hold};
 use super::milling::shape_impossible;
 use super::signature::{results, strategy};
 use super::turned::Sight;
-use super::turning_shape::{Treated, way_through};
+use super::turning_shape::{Treated, points_elsewhere, way_through};
 use crate::base::expr::tand;
+use crate::engine::machine::TurningInsert;
 use crate::engine::region::Way;
 use crate::engine::region::groove::CuttingEdge;
 use crate::engine::region::profile::{Allowance, GoesBack};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
-use crate::engine::table::TableKind;
 
 /// Recesses beside each other are so many cutting widths apart (TNC 640 manual, line 9395).
 const SIDE_INFEED: f64 = 0.8;
@@ -93,20 +94,20 @@ results! {
     }
 }
 
-/// The cutting edge of the tool in the spindle.
-pub(super) fn cutting_edge(control: &dyn Control) -> Done<CuttingEdge> {
-    let mut sizes = [0.0; 2];
-    let tool = control.tool().unwrap_or_default();
-    if control.has_row(TableKind::Tool, tool)? {
-        for (size, column) in sizes.iter_mut().zip(["CUTWIDTH", "RS"]) {
-            *size = control.number(TableKind::Tool, tool, column)?.unwrap_or_default();
-        }
-    }
-    let [width, radius] = sizes;
+/// The cutting edge of the tool in the spindle, and how far the corner in front is ahead of the one whose position is
+/// that of the tool.
+pub(super) fn cutting_edge(control: &dyn Control, sight: Sight) -> Result<(CuttingEdge, f64), Fault> {
+    let insert = control.insert()?;
+    let TurningInsert { width, radius, .. } = insert;
     if width <= 0.0 || 2.0 * radius > width + SPARE {
-        return Err(Fault::control("cutting-width-missing").arg("tool", tool).into());
+        return Err(Fault::control("cutting-width-missing").arg("tool", insert.tool));
     }
-    Ok(CuttingEdge { width, radius })
+    let Some(way) = insert.way else { return Ok((CuttingEdge { width, radius }, 0.0)) };
+    let seen = sight.seen(way.x, way.y);
+    if seen.y > 0.0 {
+        return Err(points_elsewhere(&insert));
+    }
+    Ok((CuttingEdge { width, radius }, width * (1.0 - seen.x) / 2.0))
 }
 
 /// What is to be recessed of a profile, and how.
@@ -114,6 +115,8 @@ pub(super) struct Wanted {
     pub sight: Sight,
     pub profile: Way,
     pub edge: CuttingEdge,
+    /// How far the corner in front is ahead of the position of the tool.
+    pub lead: f64,
     /// Where the cycle began.
     pub start: DVec2,
     /// What roughing and finishing leave on diameters and along the rotary axis.
@@ -149,6 +152,7 @@ impl Wanted {
         let groove = Groove {
             sight: self.sight,
             edge: self.edge,
+            lead: self.lead,
             over: self.start.y.max(highest),
             rough,
             finished,
@@ -278,10 +282,10 @@ impl Action for RecessGrooveOfContour {
     type Results = GrooveResults;
 
     fn act(&self, control: &mut dyn Control) -> Done<GrooveResults> {
-        let edge = cutting_edge(control)?;
         let contour = control.read_turned_contour()?;
         let sight = self.sight(&contour);
-        let start = sight.seen(self.start.x / 2.0, self.start.z);
+        let (edge, lead) = cutting_edge(control, sight)?;
+        let start = sight.seen(self.start.x / 2.0, self.start.z) + DVec2::X * lead;
         let limit = sight.seen(self.limit_diameter / 2.0, self.limit_z);
         let height = (self.limited && start.y >= limit.y).then_some(limit.y);
         let side = (self.limited && (start.x - limit.x).abs() > FITS).then_some((limit.x, start.x < limit.x));
@@ -289,6 +293,7 @@ impl Action for RecessGrooveOfContour {
             sight,
             profile: sight.seen_way(&contour),
             edge,
+            lead,
             start,
             allowances: [(self.allowance_diameter, self.allowance_z), (self.left_on_diameter, self.left_in_z)],
             largest_infeed: self.largest_infeed,
@@ -300,6 +305,7 @@ impl Action for RecessGrooveOfContour {
         }
         let results = wanted.results(&groove, left)?;
         control.keep_groove(groove);
+        hold(control, sight, Held::Recessing(edge))?;
         Ok(results)
     }
 }
@@ -309,12 +315,13 @@ impl Action for RecessGroove {
 
     fn act(&self, control: &mut dyn Control) -> Done<GrooveResults> {
         let sight = self.sight();
-        let edge = cutting_edge(control)?;
+        let (edge, lead) = cutting_edge(control, sight)?;
         let wanted = Wanted {
             sight,
             profile: self.profile(sight)?,
             edge,
-            start: sight.seen(self.start.x / 2.0, self.start.z),
+            lead,
+            start: sight.seen(self.start.x / 2.0, self.start.z) + DVec2::X * lead,
             allowances: [(self.allowance_diameter, self.allowance_z), (self.left_on_diameter, self.left_in_z)],
             largest_infeed: self.largest_infeed,
             limit: (None, None),
@@ -330,6 +337,7 @@ impl Action for RecessGroove {
         }
         let results = wanted.results(&groove, left)?;
         control.keep_groove(groove);
+        hold(control, sight, Held::Recessing(edge))?;
         Ok(results)
     }
 }

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use super::action::{Action, Control};
 use super::signature::{Mm, results, strategy};
 use crate::engine::report::ending::Done;
-use crate::engine::table::TableKind;
 
 strategy! {
     /// Executes a whole program.
@@ -29,12 +28,12 @@ strategy! {
 }
 
 strategy! {
-    /// The size of the insert of the turning tool in the spindle, as the tool table has it.
+    /// The size of the insert of the turning tool in the spindle, as the tables have it.
     TurningInsert = "turning-insert" {}
 }
 
 results! {
-    /// The size of an insert; 0 where the table has none.
+    /// The size of an insert; 0 where the tables have none.
     TurningInsertResults {
         /// Its cutting width.
         width: Mm<f64> = Length,
@@ -65,15 +64,8 @@ impl Action for TurningInsert {
     type Results = TurningInsertResults;
 
     fn act(&self, control: &mut dyn Control) -> Done<TurningInsertResults> {
-        let mut sizes = [0.0; 2];
-        if let Some(tool) = control.tool()
-            && control.has_row(TableKind::Tool, tool)?
-        {
-            for (size, column) in sizes.iter_mut().zip(["CUTWIDTH", "RS"]) {
-                *size = control.number(TableKind::Tool, tool, column)?.unwrap_or_default();
-            }
-        }
-        let [width, radius] = sizes.map(Mm);
+        let insert = control.insert()?;
+        let [width, radius] = [insert.width, insert.radius].map(Mm);
         Ok(TurningInsertResults { width, radius })
     }
 }

@@ -11,9 +11,9 @@ use super::milling::Milling;
 use super::pen::{Cutter, Path};
 use super::signature::{Given, Output, Parameter, Results};
 use super::{
-    contour, contour_lines, cylinder, datum, digitizing, engraving, face, groove_shape, kinematics, measure, memory,
-    plunge, pocket, probing, program, recess, rotary, rotation, setter, spindle, stud, thread, tilting, train, turning,
-    turning_contour, turning_shape, turning_system, turning_thread,
+    contour, contour_lines, contour_walls, cylinder, datum, digitizing, engraving, face, groove_shape, kinematics,
+    measure, memory, plunge, pocket, probing, program, recess, rotary, rotation, setter, spindle, stud, thread,
+    tilting, train, turning, turning_contour, turning_shape, turning_system, turning_thread,
 };
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::report::ending::Done;
@@ -161,13 +161,16 @@ pub static STRATEGIES: &[Strategy] = &[
     mill::<thread::CountersinkOnCircle>(),
     act::<contour::RecallContourData>(),
     act::<contour::FindInfeedPoints>(),
-    act::<contour::FindPartialContours>(),
+    act::<contour::FindMaterialLeft>(),
+    act::<contour::FindDepthsOfPart>(),
+    act::<contour_walls::FindDepthsOfWall>(),
+    act::<contour_walls::FindPartialContours>(),
     calculate::<contour::StopDistance>(),
     mill_over::<contour::MoveOverInfeedPoint>(),
     mill_over::<contour::PlungeIntoRegion>(),
     mill_over::<contour::ClearRegionAtLevel>(),
     mill_over::<contour::ApproachRegionFloor>(),
-    mill_over::<contour::FollowContourSide>(),
+    mill_over::<contour_walls::FollowContourSide>(),
     calculate::<engraving::LayOutText>(),
     mill::<engraving::MoveOverGlyph>(),
     mill::<engraving::EngraveGlyph>(),

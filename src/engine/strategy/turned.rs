@@ -1,16 +1,16 @@
 //! What is turned: the profile that an insert must not go below, as its cuts see it.
 //!
 //! Cuts go along the rotary axis, or across it. Either way `x` of the half plane grows in the direction of the feed, and
-//! `y` away from the part. Positions are those of the tip of the insert, which is as far in front of the centre of its
-//! nose and below it as the nose has radius. Invariant: coordinates of the main axis are radii here.
+//! `y` away from the part. Positions are those of the tip of the insert. Unless the tool table says otherwise, it is as far
+//! in front of the centre of its nose and below it as the nose has radius. Invariant: coordinates of the main axis are radii here.
 use glam::{DVec2, DVec3};
 
 use super::pen::Pen;
 use crate::engine::region::profile::{Allowance, Envelope, GoesBack, Insert, monotone};
 use crate::engine::region::{Edge, Way};
 
-/// From the centre of the nose to the tip, in nose radii.
-const TIP: DVec2 = DVec2::new(1.0, -1.0);
+/// From the centre of the nose to the tip, in nose radii, where no orientation of the tool is known.
+pub(super) const TIP: DVec2 = DVec2::new(1.0, -1.0);
 /// Places that are nearer to each other are one, mm.
 const COUNTS: f64 = 1e-6;
 /// A place so far in front of a wall is not on it, mm.
@@ -63,6 +63,13 @@ impl Sight {
     /// The level of that coordinate.
     pub fn height(&self, level: f64) -> f64 {
         self.away * level / if self.face { 1.0 } else { 2.0 }
+    }
+
+    /// Where the tip of an insert is from the centre of its nose, in nose radii, given which way it points along X and Z;
+    /// nothing if it points away from the part or against the feed. By itself it is in front and below.
+    pub fn tip(&self, way: Option<DVec2>) -> Option<DVec2> {
+        let seen = way.map_or(TIP, |way| self.seen(way.x, way.y));
+        (seen.x >= 0.0 && seen.y <= 0.0).then_some(seen)
     }
 
     /// The sense of arcs in the plane of the tool axis and the main axis, where they turn counter-clockwise as seen.
@@ -119,6 +126,8 @@ pub struct Cutting {
     pub allowance: Allowance,
     /// The insert.
     pub insert: Insert,
+    /// Where its tip is from the centre of its nose, in nose radii.
+    pub tip: DVec2,
     /// What the insert would reach all that is wanted with.
     pub nose: Insert,
     /// How far beside the contour it is cut, mm.
@@ -134,12 +143,12 @@ impl Turned {
     pub fn new(
         sight: Sight,
         profile: &Way,
-        (allowance, insert): (Allowance, Insert),
+        (allowance, insert, tip): (Allowance, Insert, DVec2),
         at: (DVec2, f64),
         solid: bool,
     ) -> Result<Self, GoesBack> {
         let nose = Insert { edges: None, ..insert };
-        Self::of(sight, profile, &Cutting { allowance, insert, nose, grown: 0.0 }, at, solid)
+        Self::of(sight, profile, &Cutting { allowance, insert, tip, nose, grown: 0.0 }, at, solid)
     }
 
     /// The same, cut as is said.
@@ -153,14 +162,14 @@ impl Turned {
         (start, clearance): (DVec2, f64),
         solid: bool,
     ) -> Result<Self, GoesBack> {
-        let Cutting { allowance, insert, nose, grown } = *cutting;
+        let Cutting { allowance, insert, tip: point, nose, grown } = *cutting;
         let (first, last) = (profile.edges.first().ok_or(GoesBack)?, profile.edges.last().ok_or(GoesBack)?);
         let heading = direction(profile.start, first, false);
         let last_but_one = profile.edges.iter().rev().nth(1).map_or(profile.start, Edge::to);
         let leaving = direction(last_but_one, last, true);
         // Beside the contour the nose acts as a larger one; the tip stays where it is on it.
         let radius = insert.radius + grown;
-        let tip = TIP * if radius > 0.0 { insert.radius / radius } else { 0.0 };
+        let tip = point * if radius > 0.0 { insert.radius / radius } else { 0.0 };
         let longer = 2.0 * (radius + allowance.along.abs()) + clearance;
         // In front of a flank is what the contour goes down into.
         let before = match solid {
@@ -174,7 +183,7 @@ impl Turned {
             // Of the two corners of an allowance the one that is further out counts.
             let side = if along.y.abs() < COUNTS { 0.0 } else { -along.y.signum() };
             let wide = DVec2::new(side * allowance.along.abs(), allowance.away);
-            at + wide + along.perp() * radius + TIP * insert.radius
+            at + wide + along.perp() * radius + point * insert.radius
         };
         let (mut begin, mut end) = (touching(profile.start, heading), touching(profile.end(), leaving));
         begin.y = envelope.height(begin.x).map_or(begin.y, |height| height.max(begin.y));

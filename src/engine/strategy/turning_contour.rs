@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 
 use super::action::{Action, Control};
 use super::contour::{Contours, OverContours};
+use super::held::{Held, hold};
 use super::milling::{shape_impossible, too_many};
 use super::pen::{Cutter, Pen};
 use super::signature::{results, strategy};
@@ -190,7 +191,8 @@ impl Action for AreaOfTurningContour {
         if limited {
             profile = within(&profile, start, limit.x)?;
         }
-        let mut insert = insert_of(control, sight)?;
+        let (mut insert, tip) = insert_of(control, sight)?;
+        let whole = insert;
         let mut nose = Insert { edges: None, ..insert };
         if self.undercuts == Some(false) {
             let (front, back) = insert.edges.unwrap_or((UPRIGHT, NEVER_DOWN));
@@ -200,7 +202,7 @@ impl Action for AreaOfTurningContour {
         // Where the contour begins by going down, it goes down from what is in front of it.
         let solid = profile.edges.first().is_some_and(|edge| direction(profile.start, edge, false).y < -SAME);
         let of = |grown: f64| {
-            let cutting = Cutting { allowance: self.allowance(), insert, nose, grown };
+            let cutting = Cutting { allowance: self.allowance(), insert, tip, nose, grown };
             let turned = Turned::of(sight, &profile, &cutting, (start, self.clearance), solid);
             let turned = turned.map_err(|GoesBack| shape_impossible(0.0, 0.0))?;
             Ok::<_, Fault>(if limited && start.y >= limit.y { turned.raised(limit.y) } else { turned })
@@ -216,6 +218,7 @@ impl Action for AreaOfTurningContour {
         let start_z = sight.point(profile.start, 0.0).z;
         let count = turned.cuts_beside.len() as f64;
         control.keep_turned(turned);
+        hold(control, sight, Held::Pointed(whole, tip))?;
         Ok(ContourArea { from: area.from, to: area.to, infeed: area.infeed, left: area.left, count, start_z })
     }
 }

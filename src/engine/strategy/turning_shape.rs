@@ -7,15 +7,16 @@ use std::f64::consts::SQRT_2;
 use glam::{DVec2, DVec3};
 
 use super::action::{Action, Control};
+use super::held::{Held, hold};
 use super::milling::shape_impossible;
 use super::signature::{results, strategy};
 use super::turned::{Sight, Turned};
 use crate::base::expr::{atan2d, tand};
-use crate::engine::region::profile::{Allowance, GoesBack};
+use crate::engine::machine::TurningInsert;
+use crate::engine::region::profile::{Allowance, GoesBack, Insert};
 use crate::engine::region::{Edge, Way};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
-use crate::engine::table::TableKind;
 
 strategy! {
     /// A shoulder is turned: from where the cycle began, or from where its contour begins.
@@ -73,18 +74,17 @@ results! {
     }
 }
 
-/// The insert of the tool in the spindle, as cuts see it.
-pub(super) fn insert_of(control: &dyn Control, sight: Sight) -> Done<crate::engine::region::profile::Insert> {
-    let mut sizes = [0.0; 3];
-    if let Some(tool) = control.tool()
-        && control.has_row(TableKind::Tool, tool)?
-    {
-        for (size, column) in sizes.iter_mut().zip(["RS", "T-ANGLE", "P-ANGLE"]) {
-            *size = control.number(TableKind::Tool, tool, column)?.unwrap_or_default();
-        }
-    }
-    let [radius, angle, point] = sizes;
-    Ok(sight.insert(radius, angle, point))
+/// The insert of the tool in the spindle, as cuts see it, and where its tip is from the centre of its nose, in nose
+/// radii.
+pub(super) fn insert_of(control: &dyn Control, sight: Sight) -> Result<(Insert, DVec2), Fault> {
+    let own = control.insert()?;
+    let tip = sight.tip(own.way).ok_or_else(|| points_elsewhere(&own))?;
+    Ok((sight.insert(own.radius, own.angle, own.point), tip))
+}
+
+/// The fault of an insert that does not point to the part, or not in the direction of the cuts.
+pub(super) fn points_elsewhere(insert: &TurningInsert) -> Fault {
+    Fault::control("insert-direction").arg("tool", insert.tool).arg("orientation", insert.orientation())
 }
 
 /// The area of what is turned, with infeeds that are all the same and not greater than a depth.
@@ -148,7 +148,7 @@ impl Action for TurnShoulder {
 
     fn act(&self, control: &mut dyn Control) -> Done<TurnedArea> {
         let sight = self.sight();
-        let insert = insert_of(control, sight)?;
+        let (insert, tip) = insert_of(control, sight)?;
         let (across, along) = (self.diameter_oversize / 2.0, self.z_oversize);
         let allowance = match self.face {
             true => Allowance { along: across, away: along },
@@ -157,10 +157,11 @@ impl Action for TurnShoulder {
         let profile = self.profile(sight)?;
         let start = sight.seen(self.start.x / 2.0, self.start.z);
         let turned =
-            Turned::new(sight, &profile, (allowance, insert), (start, self.clearance), self.plunges == Some(true));
+            Turned::new(sight, &profile, (allowance, insert, tip), (start, self.clearance), self.plunges == Some(true));
         let turned = turned.map_err(|GoesBack| shape_impossible(0.0, 0.0))?;
         let area = area_of(&turned, self.depth)?;
         control.keep_turned(turned);
+        hold(control, sight, Held::Pointed(insert, tip))?;
         Ok(area)
     }
 }
@@ -175,13 +176,22 @@ pub(super) enum Treated {
     Round(f64),
 }
 
-/// The way through points with treated corners, without the first and the last element.
-pub(super) fn way_through(points: &[(DVec2, Treated)]) -> Result<Way, Fault> {
-    let mut way: Option<Way> = None;
-    for around in points.windows(3) {
-        let &[(before, _), (at, treated), (after, _)] = around else { continue };
+/// A corner of a way, and what becomes of it.
+struct Turning {
+    at: DVec2,
+    into: DVec2,
+    out: DVec2,
+    /// From the direction of the one side to that of the other: the sign of the turn, and the angle, degrees.
+    side: f64,
+    angle: f64,
+    treated: Treated,
+    /// How much of either side it takes, mm.
+    cut: f64,
+}
+
+impl Turning {
+    fn new(before: DVec2, (at, treated): (DVec2, Treated), after: DVec2) -> Self {
         let (into, out) = ((at - before).normalize_or_zero(), (after - at).normalize_or_zero());
-        // From the direction of the one side to that of the other.
         let turn = into.perp_dot(out);
         let angle = atan2d(turn.abs(), into.dot(out));
         let cut = match treated {
@@ -190,11 +200,34 @@ pub(super) fn way_through(points: &[(DVec2, Treated)]) -> Result<Way, Fault> {
             Treated::Chamfer(length) => length.abs(),
             Treated::Round(radius) => radius.abs() * tand(angle / 2.0),
         };
-        let room = before.distance(at).min(at.distance(after));
-        if cut > room + 1e-9 {
-            return Err(shape_impossible(cut, room));
+        Self { at, into, out, side: turn.signum(), angle, treated, cut }
+    }
+}
+
+/// The way through points with treated corners, without the first and the last element.
+///
+/// # Errors
+/// There is no room for what becomes of a corner, alone or beside that of the next one.
+pub(super) fn way_through(points: &[(DVec2, Treated)]) -> Result<Way, Fault> {
+    let mut corners: Vec<Turning> = Vec::with_capacity(points.len());
+    for around in points.windows(3) {
+        let &[(before, _), at, (after, _)] = around else { continue };
+        let corner = Turning::new(before, at, after);
+        let room = before.distance(corner.at).min(corner.at.distance(after));
+        if corner.cut > room + 1e-9 {
+            return Err(shape_impossible(corner.cut, room));
         }
-        let (first, second) = (at - into * cut, at + out * cut);
+        if let Some(last) = corners.last()
+            && last.cut + corner.cut > last.at.distance(corner.at) + 1e-9
+        {
+            let fault = Fault::program("elements-overlap").arg("least", last.cut + corner.cut);
+            return Err(fault.arg("found", last.at.distance(corner.at)));
+        }
+        corners.push(corner);
+    }
+    let mut way: Option<Way> = None;
+    for corner in corners {
+        let (first, second) = (corner.at - corner.into * corner.cut, corner.at + corner.out * corner.cut);
         let way = match &mut way {
             None => way.insert(Way { start: first, edges: Vec::new() }),
             Some(way) => {
@@ -204,11 +237,11 @@ pub(super) fn way_through(points: &[(DVec2, Treated)]) -> Result<Way, Fault> {
                 way
             }
         };
-        if cut > 0.0 {
-            way.edges.push(match treated {
+        if corner.cut > 0.0 {
+            way.edges.push(match corner.treated {
                 Treated::Round(radius) => {
-                    let centre = first + into.perp() * (radius.abs() * turn.signum());
-                    Edge::Arc { to: second, centre, sweep: angle * turn.signum() }
+                    let centre = first + corner.into.perp() * (radius.abs() * corner.side);
+                    Edge::Arc { to: second, centre, sweep: corner.angle * corner.side }
                 }
                 _ => Edge::Line(second),
             });

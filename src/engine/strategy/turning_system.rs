@@ -1,10 +1,10 @@
 //! The coordinate system of turning: the tool as it is measured, in the plane of the rotary axis.
 //!
-//! A precession angle and a reversed tool need a tilting head, which is not executed. Invariant: nothing moves.
+//! The precession angle turns the coordinate system about the rotary axis, and the spindle with it; a reversed tool is turned
+//! round by the spindle (TNC 640 manual, lines 7384-7410). Invariant: no axis moves.
 use super::action::{Action, Control};
 use super::signature::strategy;
 use crate::engine::report::ending::Done;
-use crate::engine::report::fault::Fault;
 
 strategy! {
     /// Aligns the coordinate system and the tool for turning.
@@ -27,31 +27,27 @@ strategy! {
     ResetTurningSystem = "reset-turning-system" {}
 }
 
-/// The fault of an alignment for which the head would have to tilt.
-fn needs_head() -> Fault {
-    Fault::unsupported("unsupported-transformation").arg("name", "tilting")
-}
-
 impl Action for AlignTurningSystem {
     type Results = ();
 
-    fn act(&self, _: &mut dyn Control) -> Done {
-        if self.precession % 360.0 == 0.0 { Ok(()) } else { Err(needs_head().into()) }
+    fn act(&self, control: &mut dyn Control) -> Done {
+        control.align_turning(Some(self.precession), None)
     }
 }
 
 impl Action for ReverseTurningTool {
     type Results = ();
 
-    fn act(&self, _: &mut dyn Control) -> Done {
-        if self.reversed { Err(needs_head().into()) } else { Ok(()) }
+    fn act(&self, control: &mut dyn Control) -> Done {
+        control.align_turning(None, Some(self.reversed))
     }
 }
 
 impl Action for ResetTurningSystem {
     type Results = ();
 
-    fn act(&self, _: &mut dyn Control) -> Done {
+    fn act(&self, control: &mut dyn Control) -> Done {
+        control.end_turning_alignment();
         Ok(())
     }
 }

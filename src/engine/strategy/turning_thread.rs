@@ -8,6 +8,7 @@ use glam::{DVec2, DVec3};
 
 use super::action::{Action, Control};
 use super::contour::{Contours, OverContours};
+use super::held::{Held, hold};
 use super::milling::{shape_impossible, too_many};
 use super::pen::{Cutter, Pen};
 use super::signature::{results, strategy};
@@ -397,7 +398,7 @@ impl Action for ThreadLine {
         let is_outside = self.inside == (from.0 < 0.0);
         let began = sight.seen(self.start.x / 2.0, self.start.z);
         control.keep_thread(TurnedThread::new(sight, surface, began, is_outside, &by)?);
-        Ok(())
+        hold(control, sight, Held::Thread)
     }
 }
 
@@ -414,7 +415,7 @@ impl Action for ThreadOfContour {
         let is_outside = self.inside == (from.y < 0.0);
         let began = sight.seen(self.start.x / 2.0, self.start.z);
         control.keep_thread(TurnedThread::new(sight, sight.seen_way(&way), began, is_outside, &by)?);
-        Ok(())
+        hold(control, sight, Held::Thread)
     }
 }
 

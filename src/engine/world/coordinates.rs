@@ -57,6 +57,9 @@ pub struct System {
     /// Transformations in effect that the engine cannot execute: nothing moves until they end.
     pub unexecuted: BTreeSet<Transformation>,
     changes: Vec<Change>,
+    /// In turning: by how much the system is turned about the rotary axis, degrees, and where the tip as the tables
+    /// have it is beside the programmed position.
+    turned: (f64, DVec3),
     frame: Frame,
     back: Frame,
 }
@@ -76,6 +79,7 @@ impl System {
             unrolled: None,
             unexecuted: BTreeSet::new(),
             changes: Vec::new(),
+            turned: (0.0, DVec3::ZERO),
             frame: Frame::IDENTITY,
             back: Frame::IDENTITY,
         }
@@ -130,6 +134,13 @@ impl System {
     pub fn mirror(&self) -> (DVec3, DVec3) {
         let signs = |change: &Change| if let Change::Mirror(a, b) = change { Some((*a, *b)) } else { None };
         self.changes.iter().find_map(signs).unwrap_or((DVec3::ONE, DVec3::ONE))
+    }
+
+    /// Mirroring and rotation in effect as they act on the working plane about the datum, in the order in which they
+    /// were defined.
+    pub fn turned_about_datum(&self) -> Frame {
+        let turns = self.changes.iter().filter(|change| matches!(change, Change::Rotate(_) | Change::Mirror(..)));
+        turns.fold(Frame::IDENTITY, |frame, change| frame.of(self.frame_of(change)))
     }
 
     /// Whether a transformation is in effect, executed or not.
@@ -229,6 +240,17 @@ impl System {
         self.change(Change::Point(by), by == DVec3::ZERO);
     }
 
+    /// Turns the system about the rotary axis, and puts the tip of the turning tool beside the programmed position.
+    pub(crate) fn set_turned(&mut self, precession: f64, beside: DVec3) {
+        self.turned = (precession, beside);
+        self.rebuild();
+    }
+
+    /// The angle by which the system is turned about the rotary axis, degrees.
+    pub const fn precession(&self) -> f64 {
+        self.turned.0
+    }
+
     pub(crate) fn set_tip_held(&mut self, held: bool) {
         self.tip_held = held;
         self.rebuild();
@@ -278,8 +300,12 @@ impl System {
         for change in &self.changes {
             frame = frame.of(self.frame_of(change));
         }
-        self.frame = frame;
-        self.back = frame.inverse();
+        let (precession, beside) = self.turned;
+        if precession != 0.0 {
+            frame = frame.of(Frame::rotate(Axis::Z, precession));
+        }
+        self.frame = if beside == DVec3::ZERO { frame } else { frame.of(Frame::shift(beside)) };
+        self.back = self.frame.inverse();
     }
 
     fn frame_of(&self, change: &Change) -> Frame {
@@ -306,6 +332,12 @@ impl System {
     /// Axis coordinates of a point given by main, minor and tool axis.
     pub fn axes(&self, plane_point: DVec3) -> DVec3 {
         self.plane.lift(glam::DVec2::new(plane_point.x, plane_point.y), plane_point.z)
+    }
+
+    /// The plane of contours: the working plane, in turning that of the rotary axis and X, in which the insert cuts.
+    pub fn contour_plane(&self) -> WorkingPlane {
+        let turned = self.turning && self.plane.tool == Axis::Z;
+        if turned { WorkingPlane::of_tool_axis(self.plane.secondary) } else { self.plane }
     }
 
     /// Main, minor and tool coordinates of a point given by axes.

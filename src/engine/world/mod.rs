@@ -3,6 +3,7 @@
 //! Start reading at [`state`]. Invariant: nothing moves by itself here and nothing is reported; who moves the machine
 //! is `engine::motion`.
 pub(crate) mod coordinates;
+pub(crate) mod insert;
 pub(crate) mod setter;
 pub(crate) mod state;
 pub(crate) mod stylus;

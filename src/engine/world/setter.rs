@@ -122,6 +122,77 @@ impl Measured<'_> {
     }
 }
 
+/// Deeper than this, mm, is a collision.
+const DEEP: f64 = 1e-6;
+/// A greatest or least place of a curve that bends one way is found in so many steps.
+const STEPS: usize = 80;
+
+/// The spindle on a straight way: its axis beside the centre of the face, and how high the spindle nose is above it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Course {
+    /// Where it begins.
+    pub(crate) from: (DVec2, f64),
+    /// Where it ends.
+    pub(crate) to: (DVec2, f64),
+}
+
+impl Course {
+    fn axis(&self, share: f64) -> DVec2 {
+        self.from.0.lerp(self.to.0, share)
+    }
+
+    fn height(&self, share: f64) -> f64 {
+        self.from.1 + (self.to.1 - self.from.1) * share
+    }
+}
+
+impl Measured<'_> {
+    /// Whether the turning tool gets into the setter on a straight way, or is there at its start; `nearer` is how much
+    /// wider it is taken.
+    pub(crate) fn meets(&self, plate: Plate, course: &Course, nearer: f64) -> bool {
+        let wobble = self.wobble(Pose::Turning) + nearer;
+        self.edges.iter().any(|edge| {
+            // The distance from the face bends one way along the way, and so does how deep the tool is.
+            let beside = |share: f64| distance(plate, course.axis(share)) - wobble - edge.radius;
+            let next = least(&beside, 0.0, 1.0);
+            if beside(next) >= -DEEP {
+                return false;
+            }
+            let (first, last) = (boundary(&beside, next, 0.0), boundary(&beside, next, 1.0));
+            let above = |share: f64| {
+                let radius = (distance(plate, course.axis(share)) - wobble).max(0.0);
+                course.height(share) - edge.length + self.rise(edge, radius)
+            };
+            above(least(&above, first, last)) < -DEEP
+        })
+    }
+}
+
+/// Where a curve that bends upwards is least.
+fn least(curve: &dyn Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    let (mut low, mut high) = (from, to);
+    for _ in 0..STEPS {
+        let third = (high - low) / 3.0;
+        let (a, b) = (low + third, high - third);
+        if curve(a) <= curve(b) { high = b } else { low = a }
+    }
+    let ends = [from, low.midpoint(high), to];
+    ends.into_iter().fold(from, |best, at| if curve(at) < curve(best) { at } else { best })
+}
+
+/// The place nearest to `end` up to which the curve stays below 0 from a place where it is.
+fn boundary(curve: &dyn Fn(f64) -> f64, below: f64, end: f64) -> f64 {
+    if curve(end) < -DEEP {
+        return end;
+    }
+    let (mut inside, mut outside) = (below, end);
+    for _ in 0..STEPS {
+        let middle = inside.midpoint(outside);
+        if curve(middle) < -DEEP { inside = middle } else { outside = middle }
+    }
+    inside
+}
+
 /// How far a point is from the face; 0 on it.
 fn distance(plate: Plate, point: DVec2) -> f64 {
     match plate {

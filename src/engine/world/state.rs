@@ -7,13 +7,14 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::engine::geometry::{Axis, Frame, WorkingPlane};
+use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::machine::{Machine, MemoryReport, SavedKinematics, Survey, Tool};
 use crate::engine::report::fault::Fault;
 use crate::engine::scene::{Answers, Preset, Scene};
 use crate::engine::solid::Path as BallPath;
 use crate::engine::table::{Table, TableError, TableKind};
 use crate::engine::world::coordinates::System;
+use crate::engine::world::insert::Aligned;
 use crate::engine::world::stylus::{OfMachine, ProbeData};
 
 /// How far away a tool is that stands aside, mm.
@@ -41,6 +42,7 @@ pub(crate) struct Pressed {
 struct Kept {
     tables: BTreeMap<TableKind, Arc<Table>>,
     datums: Vec<Arc<Table>>,
+    free: Vec<Arc<Table>>,
     kinematics: Arc<Machine>,
     memories: Arc<Vec<SavedKinematics>>,
     written: Vec<String>,
@@ -62,6 +64,8 @@ pub(crate) struct World<'s> {
     pub machine: DVec3,
     /// The rotary axes in machine coordinates, degrees.
     pub angles: DVec3,
+    /// The parallel axes by their letters: where they are, mm.
+    pub(crate) parallel: BTreeMap<char, f64>,
     /// How far the table has turned the parts since the start, as a frame from the machine to where they were then;
     /// nothing while it is as at the start.
     parts: Option<Frame>,
@@ -71,6 +75,8 @@ pub(crate) struct World<'s> {
     pub(crate) true_head: Option<Frame>,
     /// How far what the rotary axes carry is from where they say, degrees.
     lag: DVec3,
+    /// How often A, B and C have turned.
+    turned: [usize; 3],
     /// What was measured of the rotary axes last.
     pub(crate) survey: Option<Arc<Survey>>,
     /// What was saved, restored, shown or deleted of the kinematics last.
@@ -81,6 +87,8 @@ pub(crate) struct World<'s> {
     pub(crate) triggered: usize,
     /// The probe where it stopped after touching, until it moves.
     pub(crate) pressed: Option<Pressed>,
+    /// The direction in which the tool has touched the tool setter, until it moves.
+    pub(crate) at_setter: Option<DVec3>,
     /// While the table turns a cylinder under the tool: a tilted system stays as it is in the machine, so that its tool
     /// axis remains that of the tool.
     pub(crate) system_stays: bool,
@@ -89,10 +97,14 @@ pub(crate) struct World<'s> {
     /// Where the control believes the tool setter to be since its calibration: the centre of its face in machine
     /// coordinates, and its radius.
     pub(crate) calibrated_setter: Option<(DVec3, f64)>,
+    /// The rotary axes that take part in tilting, where not all of them do.
+    pub(crate) tilting_axes: Option<Vec<RotaryAxis>>,
     /// What machine parameters say of touch probes.
     pub(crate) of_machine: OfMachine,
     /// What the operator will say.
     pub answers: Answers,
+    /// What is set for turning with the tool in the spindle.
+    pub(super) aligned: Aligned,
     tool: Option<Tool>,
     /// The touch probe as the tables describe it, read when it is asked for first; see [`World::probe`].
     probe: OnceCell<Result<ProbeData, Fault>>,
@@ -104,9 +116,12 @@ pub(crate) struct World<'s> {
 impl<'s> World<'s> {
     pub(crate) fn new(scene: &'s Scene, of_machine: OfMachine) -> Result<Self, TableError> {
         let mut tables = BTreeMap::new();
-        for (kind, table) in
-            [(TableKind::Tool, &scene.tools), (TableKind::Probe, &scene.probes), (TableKind::Preset, &scene.presets)]
-        {
+        for (kind, table) in [
+            (TableKind::Tool, &scene.tools),
+            (TableKind::Turning, &scene.turning_tools),
+            (TableKind::Probe, &scene.probes),
+            (TableKind::Preset, &scene.presets),
+        ] {
             tables.insert(kind, Arc::new(table.clone()));
         }
         let system = System::new(WorkingPlane::of_tool_axis(scene.machine.spindle));
@@ -116,25 +131,36 @@ impl<'s> World<'s> {
             here: DVec3::ZERO,
             machine: scene.start,
             angles: scene.start_angles,
+            parallel: scene
+                .machine
+                .parallel
+                .iter()
+                .map(|axis| (axis.letter, 0.0_f64.clamp(axis.min, axis.max)))
+                .collect(),
             parts: None,
             head: None,
             true_head: None,
             lag: DVec3::ZERO,
+            turned: [0; 3],
             survey: None,
             memory_report: None,
             spindle_turned: 0.0,
             triggered: 0,
             pressed: None,
+            at_setter: None,
             system_stays: false,
             all_axes: Axis::ALL.into_iter().all(|axis| scene.machine.axis(axis).is_some()),
             calibrated_setter: None,
+            tilting_axes: None,
             of_machine,
             answers: scene.answers.clone(),
+            aligned: Aligned::default(),
             tool: None,
             probe: OnceCell::new(),
             kept: Arc::new(Kept {
                 tables,
                 datums: scene.datums.iter().cloned().map(Arc::new).collect(),
+                free: scene.free_tables.iter().cloned().map(Arc::new).collect(),
                 kinematics: Arc::new(scene.machine.clone()),
                 memories: Arc::new(scene.saved_kinematics.clone()),
                 written: Vec::new(),
@@ -233,7 +259,12 @@ impl<'s> World<'s> {
         if let Some(truth) = truth {
             self.lag = truth.lag(self.lag, way);
         }
-        let (machine, true_angles) = (self.true_machine(), angles + self.lag);
+        let mut astray = DVec3::ZERO;
+        for (axis, turned) in RotaryAxis::ALL.into_iter().zip(&mut self.turned) {
+            *turned += usize::from(axis.of(way) != 0.0);
+            astray = axis.with(astray, truth.map_or(0.0, |truth| truth.astray(axis, *turned)));
+        }
+        let (machine, true_angles) = (self.true_machine(), angles + self.lag + astray);
         let (table, at_start) = (machine.table(true_angles), machine.table(self.scene.start_angles));
         let head = |machine: &Machine, angles| Some(machine.head(angles)).filter(|head| *head != Frame::IDENTITY);
         let true_head = head(machine, true_angles);
@@ -319,7 +350,7 @@ impl<'s> World<'s> {
     /// The table of a kind; of datum tables the active one.
     pub(crate) fn table(&self, kind: TableKind) -> Result<&Table, TableError> {
         let table = match kind {
-            TableKind::Points => None,
+            TableKind::Points | TableKind::Free => None,
             TableKind::Datum => self.kept.datums.get(self.datum),
             _ => self.kept.tables.get(&kind),
         };
@@ -330,12 +361,31 @@ impl<'s> World<'s> {
     pub(crate) fn table_to_write(&mut self, kind: TableKind) -> Result<&mut Table, TableError> {
         let Kept { tables, datums, written, .. } = Arc::make_mut(&mut self.kept);
         let table = match kind {
-            TableKind::Points => None,
+            TableKind::Points | TableKind::Free => None,
             TableKind::Datum => datums.get_mut(self.datum),
             _ => tables.get_mut(&kind),
         };
         let table = table.map(Arc::make_mut);
         let table = table.ok_or_else(|| TableError::NoTable { file: kind.file_name().to_owned() })?;
+        self.probe.take();
+        if !written.iter().any(|file| file == table.file()) {
+            written.push(table.file().to_owned());
+        }
+        Ok(table)
+    }
+
+    /// The table that a path in a program means.
+    pub(crate) fn table_named(&self, name: &str) -> Result<&Table, TableError> {
+        let Kept { tables, datums, free, .. } = &*self.kept;
+        let found = free.iter().chain(tables.values()).chain(datums).find(|table| table.is_named(name));
+        found.map(Arc::as_ref).ok_or_else(|| TableError::NoTable { file: name.to_owned() })
+    }
+
+    /// The table that a path in a program means, to be written; it counts as written from now on.
+    pub(crate) fn named_table_to_write(&mut self, name: &str) -> Result<&mut Table, TableError> {
+        let Kept { tables, datums, free, written, .. } = Arc::make_mut(&mut self.kept);
+        let found = free.iter_mut().chain(tables.values_mut()).chain(datums).find(|table| table.is_named(name));
+        let table = found.map(Arc::make_mut).ok_or_else(|| TableError::NoTable { file: name.to_owned() })?;
         self.probe.take();
         if !written.iter().any(|file| file == table.file()) {
             written.push(table.file().to_owned());
@@ -358,7 +408,7 @@ impl<'s> World<'s> {
 
     /// Names and texts of the tables that were written.
     pub(crate) fn written(&self) -> Vec<(String, String)> {
-        let all = self.kept.tables.values().chain(&self.kept.datums);
+        let all = self.kept.tables.values().chain(&self.kept.datums).chain(&self.kept.free);
         let text =
             |file: &String| all.clone().find(|table| table.file() == file).map(|table| (file.clone(), table.to_text()));
         let written = |file: &String| match file.as_str() {
@@ -371,12 +421,19 @@ impl<'s> World<'s> {
 
     /// The number of the tool of a name.
     pub(crate) fn tool_named(&self, name: &str) -> Result<Option<f64>, TableError> {
-        self.table(TableKind::Tool)?.find("NAME", name)
+        let found = self.table(TableKind::Tool)?.find("NAME", name)?;
+        if found.is_some() { Ok(found) } else { self.table(TableKind::Turning)?.find("NAME", name) }
     }
 
-    /// Whether tool calls are checked against the table.
+    /// Whether tool calls are checked against the tables.
     pub(crate) fn has_tools(&self) -> bool {
-        self.table(TableKind::Tool).is_ok_and(|table| table.rows().next().is_some())
+        let any = |kind| self.table(kind).is_ok_and(|table| table.rows().next().is_some());
+        any(TableKind::Tool) || any(TableKind::Turning)
+    }
+
+    /// Whether one of the tables of tools has a tool.
+    pub(crate) fn has_tool(&self, number: f64) -> bool {
+        [TableKind::Tool, TableKind::Turning].iter().any(|kind| self.table(*kind).is_ok_and(|own| own.has_row(number)))
     }
 
     /// The data of a tool with the oversizes of a tool call.
@@ -386,11 +443,18 @@ impl<'s> World<'s> {
             let deltas = (delta_radius, delta_length);
             return Ok(Tool { number, radius: delta_radius, length: delta_length, deltas, ..Tool::default() });
         }
+        let of_turning = self.turning_length(number)?;
+        if !table.has_row(number) && self.has_tool(number) {
+            let length = of_turning.unwrap_or_default() + delta_length;
+            let deltas = (delta_radius, delta_length);
+            return Ok(Tool { number, radius: delta_radius, length, deltas, ..Tool::default() });
+        }
         let value = |column| table.number(number, column).map(Option::unwrap_or_default);
+        let length = of_turning.map_or_else(|| Ok::<_, TableError>(value("L")? + value("DL")?), Ok)?;
         Ok(Tool {
             number,
             radius: value("R")? + value("DR")? + delta_radius,
-            length: value("L")? + value("DL")? + delta_length,
+            length: length + delta_length,
             corner: value("R2")? + value("DR2")?,
             point: value("T-ANGLE")?,
             angle: value("ANGLE")?,
@@ -417,6 +481,7 @@ impl<'s> World<'s> {
     /// Puts a tool into the spindle.
     pub(crate) fn take_tool(&mut self, tool: Tool) {
         self.tool = Some(tool);
+        self.align(Aligned::default());
         (self.spindle_turned, self.pressed) = (0.0, None);
         self.probe.take();
         if self.swung() != DVec3::ZERO {
@@ -500,6 +565,11 @@ impl<'s> World<'s> {
     /// The rotary axes in program coordinates.
     pub(crate) fn program_angles(&self) -> DVec3 {
         (self.angles - self.system.angle_datum()) * self.system.mirror().1
+    }
+
+    /// Whether a rotary axis takes part in tilting.
+    pub(crate) fn tilts(&self, axis: RotaryAxis) -> bool {
+        self.tilting_axes.as_ref().is_none_or(|axes| axes.contains(&axis))
     }
 
     /// Whether the machine has all linear axes.

@@ -31,14 +31,14 @@ impl Kind {
 }
 
 /// Units that may be after a number, longest first.
-const UNITS: [&str; 6] = ["mm/min", "mm/r", "m/min", "mm", "%", "°"];
+pub(super) const UNITS: [&str; 6] = ["mm/min", "mm/r", "m/min", "mm", "%", "°"];
 
 /// A degree sign is an ordinal after such a small number in some languages.
 const LARGEST_ORDINAL: f64 = 9.0;
 
 /// The roots of the words for absolute and incremental; they are the same in many languages.
-const REFERENCES: &[(&str, &[&str])] =
-    &[("absolute", &["absolut", "assolut", "absoluut"]), ("incremental", &["incrementa", "inkrementa"])];
+const REFERENCES: [(&str, &[&str]); 2] =
+    [("absolute", &["absolut", "assolut", "absoluut"]), ("incremental", &["incrementa", "inkrementa"])];
 
 /// Where the same word is part of another term: the stepping angle in Italian.
 const OTHER_TERMS: [&str; 2] = ["angolo incrementale", "angolare incrementale"];
@@ -59,13 +59,17 @@ pub(super) fn facts(raw: &str, language: &str) -> BTreeMap<Kind, Vec<String>> {
             at += 1;
         }
     }
-    let lower = OTHER_TERMS.iter().fold(text.to_lowercase(), |text, term| text.replace(term, ""));
-    for (kind, roots) in REFERENCES {
-        let count = roots.iter().map(|root| lower.matches(root).count()).sum::<usize>();
+    for ((kind, _), count) in REFERENCES.iter().zip(references(&text)) {
         facts.entry(Kind::Reference).or_default().extend(std::iter::repeat_n((*kind).to_owned(), count));
     }
     facts.values_mut().for_each(|list| list.sort());
     facts
+}
+
+/// How often a text says absolute, and how often incremental.
+pub(super) fn references(text: &str) -> [usize; 2] {
+    let lower = OTHER_TERMS.iter().fold(text.to_lowercase(), |text, term| text.replace(term, ""));
+    REFERENCES.map(|(_, roots)| roots.iter().map(|root| lower.matches(root).count()).sum())
 }
 
 /// Takes the arguments out of the text; one that occurs twice is one fact.

@@ -1,8 +1,8 @@
 //! Labels and names: no two parameters of a cycle have the same, and none has that of another.
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::base::diag::Diagnostic;
-use crate::language::locale::{Language, Locales};
+use crate::base::diag::{Diagnostic, Place};
+use crate::language::locale::{Key, Language, Locales, Scope};
 use crate::language::text::{CycleText, Vocabulary};
 use crate::spec::{Catalogue, OnControl, Param};
 
@@ -56,10 +56,7 @@ fn report(
     other: &Named,
 ) -> Diagnostic {
     let place = language
-        .raw(
-            crate::language::locale::Key::from((format!("parameter-{}", one.param.is.as_str()).as_str(), "label")),
-            crate::language::locale::Scope::new(cycle, on.id()),
-        )
+        .raw(Key::from((format!("parameter-{}", one.param.is.as_str()).as_str(), "label")), Scope::new(cycle, on.id()))
         .map_or_else(|| one.param.is.place.clone(), |(_, place)| place);
     Diagnostic::error(code, place)
         .arg("language", language.tag())
@@ -153,4 +150,51 @@ fn likeness(label: &str, name: &str) -> f64 {
     };
     let hits = label.iter().filter(|word| name.iter().any(|other| alike(word, other))).count();
     hits as f64 / label.len() as f64
+}
+
+/// Labels that two meanings share in one language and in no other. Shipped labels do so where the manual prints the same word for
+/// both; a label that comes to do so was probably taken from another line.
+pub(super) fn shared(locales: &Locales, found: &mut Vec<Diagnostic>) {
+    type Labels<'l> = BTreeMap<(&'l str, &'l [Box<str>]), (String, Place)>;
+    let labels = |language| -> Labels {
+        let all = Language::keys(language).filter(|(key, _)| key.attribute == Some("label"));
+        let label = |(key, suffixes): (Key<'_>, &'_ [Box<str>])| language.raw(key, scope_of(suffixes));
+        all.filter_map(|(key, suffixes)| Some(((key.id, suffixes), label((key, suffixes))?))).collect()
+    };
+    let all: Vec<(&Language, Labels)> = locales.iter().map(|language| (language, labels(language))).collect();
+    for (language, labels) in &all {
+        let mut by_text: BTreeMap<&str, Vec<&(&str, &[Box<str>])>> = BTreeMap::new();
+        labels.iter().for_each(|(key, (text, _))| by_text.entry(text).or_default().push(key));
+        for (text, keys) in by_text {
+            for (at, one) in keys.iter().enumerate() {
+                for other in keys[..at].iter().filter(|other| other.0 != one.0) {
+                    let agrees = |(own, labels): &(&Language, Labels)| {
+                        let both = labels.get(*one).zip(labels.get(*other));
+                        own.tag() != language.tag() && both.is_some_and(|((a, _), (b, _))| a == b)
+                    };
+                    let Some((_, place)) = labels.get(*one).filter(|_| !all.iter().any(agrees)) else { continue };
+                    let name = |key: &(&str, &[Box<str>])| {
+                        let suffixes: String = key.1.iter().map(|suffix| format!("__{suffix}")).collect();
+                        format!("{}{suffixes}.label", key.0)
+                    };
+                    found.push(
+                        Diagnostic::error("consistency-label-of-another", place.clone())
+                            .arg("language", language.tag())
+                            .arg("label", text)
+                            .arg("key", name(one))
+                            .arg("parameter", name(one))
+                            .arg("other", name(other)),
+                    );
+                }
+            }
+        }
+    }
+}
+
+fn scope_of(suffixes: &[Box<str>]) -> Scope<'_> {
+    match suffixes {
+        [] => Scope::NONE,
+        [one] => Scope { cycle: Some(one), control: Some(one) },
+        [cycle, control, ..] => Scope::new(cycle, control),
+    }
 }

@@ -10,6 +10,7 @@ mod fact;
 mod label;
 mod lexicon;
 mod meaning;
+mod negation;
 mod pair;
 mod term;
 mod used;
@@ -18,13 +19,12 @@ pub use meaning::meanings;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::base::diag::{Diagnostic, Place};
+use crate::base::diag::{Arg, Diagnostic, Place};
 use crate::language::locale::{Key, Language, Locales, Scope};
 use crate::spec::Catalogue;
 
 /// Attributes whose wording is each language's own: printed labels, lists, sources.
-const OWN: [&str; 12] = [
-    "figure",
+const OWN: [&str; 11] = [
     "label",
     "label-aliases",
     "nc",
@@ -41,6 +41,9 @@ const OWN: [&str; 12] = [
 /// Messages whose value is a printed name.
 const NAMES: [&str; 3] = ["parameter-", "cycle-", "unit-"];
 
+/// A language has no variant of a text where the source has one with other facts.
+pub const VARIANT: &str = "consistency-variant";
+
 /// What the languages do not agree on.
 pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     let mut found = Vec::new();
@@ -51,8 +54,39 @@ pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     used::check(catalogue, locales, &mut found);
     choice::check(catalogue, locales, &mut found);
     term::check(locales, &mut found);
+    negation::check(locales, &mut found);
     crate::base::diag::dedupe(&mut found);
     found
+}
+
+/// Labels that are the same for two meanings in one language alone: no mistake by itself, but one where an edit makes them so.
+pub fn shared_labels(locales: &Locales) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    label::shared(locales, &mut found);
+    found
+}
+
+/// Units that may be after a number, longest first.
+pub const UNITS: [&str; 6] = fact::UNITS;
+
+/// How often a text says absolute or incremental, in the words of any language.
+pub fn references(text: &str) -> [usize; 2] {
+    fact::references(text)
+}
+
+/// Variants of source texts for which a language has only a wider text with other facts: the key, the message without
+/// suffixes, and the place of the source text.
+pub fn lacking(locales: &Locales, tag: &str) -> Vec<(String, String, Place)> {
+    let mut found = Vec::new();
+    facts(locales, &mut found);
+    let is_own = |one: &Diagnostic| matches!(one.get("language"), Some(Arg::Text(language)) if language == tag);
+    let lacks = found.into_iter().filter(|one| one.code == VARIANT && is_own(one)).filter_map(|one| {
+        let (Some(Arg::Text(variant)), Some(source)) = (one.get("variant"), one.related.first()) else { return None };
+        let message = variant.split(['.']).next().unwrap_or_default().split("__").next().unwrap_or_default();
+        Some((variant.clone(), (variant.clone(), message.to_owned(), source.1.clone())))
+    });
+    // A text may lack several kinds of facts.
+    lacks.collect::<BTreeMap<_, _>>().into_values().collect()
 }
 
 /// A text of a language, as its file has it.
@@ -73,9 +107,12 @@ pub(crate) fn said<'l>(locales: &'l Locales, key: Key, scope: Scope) -> Vec<Said
     locales.iter().filter_map(said).collect()
 }
 
-/// Every text with every scope that any language distinguishes.
-fn facts(locales: &Locales, found: &mut Vec<Diagnostic>) {
-    let mut keys: BTreeSet<(String, Option<String>, Vec<String>)> = BTreeSet::new();
+/// A message, its attribute, and for what its variant is.
+type Variant = (String, Option<String>, Vec<String>);
+
+/// All sentences with every scope that any language distinguishes.
+fn keys(locales: &Locales) -> BTreeSet<Variant> {
+    let mut keys = BTreeSet::new();
     for language in locales.iter() {
         for (key, suffixes) in language.keys() {
             let printed = key.attribute.is_none() && NAMES.iter().any(|prefix| key.id.starts_with(prefix));
@@ -85,19 +122,30 @@ fn facts(locales: &Locales, found: &mut Vec<Diagnostic>) {
             }
         }
     }
-    for (id, attribute, suffixes) in &keys {
-        let key = Key { id, attribute: attribute.as_deref() };
-        let scope = match suffixes.as_slice() {
-            [] => Scope::NONE,
-            [one] => Scope { cycle: Some(one), control: Some(one) },
-            [cycle, control, ..] => Scope::new(cycle, control),
-        };
-        compare(key, &said(locales, key, scope), found);
+    keys
+}
+
+fn scope_of(suffixes: &[String]) -> Scope<'_> {
+    match suffixes {
+        [] => Scope::NONE,
+        [one] => Scope { cycle: Some(one), control: Some(one) },
+        [cycle, control, ..] => Scope::new(cycle, control),
     }
 }
 
-/// Reports the texts whose facts are not those of most languages.
-fn compare(key: Key, all: &[Said], found: &mut Vec<Diagnostic>) {
+/// The facts of every sentence.
+fn facts(locales: &Locales, found: &mut Vec<Diagnostic>) {
+    for (id, attribute, suffixes) in &keys(locales) {
+        let key = Key { id, attribute: attribute.as_deref() };
+        let scope = scope_of(suffixes);
+        let message = std::iter::once(id).chain(suffixes).map(String::as_str).collect::<Vec<_>>().join("__");
+        let variant = attribute.as_ref().map_or_else(|| message.clone(), |name| format!("{message}.{name}"));
+        compare(key, &variant, &said(locales, key, scope), found);
+    }
+}
+
+/// Reports the texts whose facts are not those of most languages; the variant is the key with the suffixes of the scope.
+fn compare(key: Key, variant: &str, all: &[Said], found: &mut Vec<Diagnostic>) {
     if all.len() < 2 {
         return;
     }
@@ -126,8 +174,16 @@ fn compare(key: Key, all: &[Said], found: &mut Vec<Diagnostic>) {
             }
             let with: Vec<&str> =
                 (0..all.len()).filter(|other| of(*other) == *agreed).map(|other| all[other].language.tag()).collect();
+            // A text that serves for a scope in which the source has one of its own is not wrong: another one is missing.
+            let lacks = !said.exact && source.is_some_and(|at| all[at].exact);
+            let code = if lacks { VARIANT } else { kind.code() };
+            let report = Diagnostic::error(code, said.place.clone());
+            let report = match source.filter(|_| lacks).and_then(|at| all.get(at)) {
+                Some(source) => report.arg("variant", variant).related("said-here", source.place.clone()),
+                None => report,
+            };
             found.push(
-                Diagnostic::error(kind.code(), said.place.clone())
+                report
                     .arg("key", key.to_string())
                     .arg("language", said.language.tag())
                     .arg("found", shown(&own, agreed))

@@ -72,8 +72,10 @@ fn judge(
     let text = prose(&text);
     let original = source.raw(key, scope).map(|(text, _)| prose(&text)).unwrap_or_default();
     for (term, own) in terms.iter().zip(own) {
-        let report =
-            |code| Diagnostic::warning(code, place.clone()).arg("key", key.to_string()).arg("language", language.tag());
+        let report = |code| {
+            let found = Diagnostic::warning(code, place.clone()).arg("key", key.to_string());
+            found.arg("language", language.tag()).arg("concept", own.id)
+        };
         if let Some(word) = own.forbidden.iter().find(|word| has(&text, word)) {
             found.push(report("consistency-forbidden").arg("word", word.as_str()).arg("term", own.word.as_str()));
         }

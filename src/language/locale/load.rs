@@ -75,7 +75,9 @@ fn address(path: &str) -> Option<(&str, &str)> {
         None => path.strip_prefix("locales/")?,
     };
     let (tag, name) = inside.split_once('/')?;
-    (name.ends_with(".ftl") || [LOCK, ORIGINALS, ALIKE].contains(&name) || topic(name).is_some()).then_some((tag, name))
+    // A folder by itself is a language that has nothing yet.
+    (name.is_empty() || name.ends_with(".ftl") || [LOCK, ORIGINALS, ALIKE].contains(&name) || topic(name).is_some())
+        .then_some((tag, name))
 }
 
 /// The topic of a page of prose: `topics/threads.md` is `threads`.
@@ -164,6 +166,9 @@ impl<'d> Reader<'d> {
         let mut topics = BTreeMap::new();
         let mut forms = Forms::of(tag);
         for (name, source) in sources {
+            if name.is_empty() {
+                continue;
+            }
             if name == LOCK {
                 lock = Some(Lock::read(&source, self.diagnostics));
             } else if name == ORIGINALS {

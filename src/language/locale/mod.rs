@@ -48,7 +48,7 @@ pub struct Locales {
 
 impl Locales {
     /// Reads every `locales/<language>/**/*.ftl` and `locales/<language>/source.lock` among the files
-    /// and passes over the rest. All mistakes of all files come back together; what is sound is usable.
+    /// and passes over the rest; the path `locales/<language>/` is a language that may have no file yet. All mistakes of all files come back together; what is sound is usable.
     pub fn load<P, T>(files: impl IntoIterator<Item = (P, T)>) -> (Self, Vec<Diagnostic>)
     where
         P: AsRef<str>,

@@ -15,6 +15,8 @@ use crate::base::diag::{Arg, Diagnostic, Severity};
 #[derive(Clone, Copy, Debug)]
 pub struct Ui<'l> {
     own: Option<&'l Language>,
+    /// The same language as the program carries it, where `own` is that of a working copy.
+    carried: Option<&'l Language>,
     fallback: Option<&'l Language>,
 }
 
@@ -34,13 +36,32 @@ impl<'l> Ui<'l> {
                 set.and_then(|value| locales.language(language_of(value)).ok()).or(fallback)
             }
         };
-        Ok(Self { own, fallback })
+        Ok(Self { own, carried: None, fallback })
+    }
+
+    /// The texts of a working copy, where it has the language, before those that the program carries.
+    ///
+    /// # Errors
+    /// If a language was asked for and neither has it.
+    pub fn of_copy(
+        copy: &'l Locales,
+        carried: &'l Locales,
+        asked: Option<&str>,
+        environment: &[Option<&str>],
+    ) -> Result<Self, LocaleError> {
+        let inside = Self::new(carried, asked, environment);
+        let Ok(own) = Self::new(copy, asked, environment) else { return inside };
+        let fallback = carried.source();
+        // What the environment names may be here and not there.
+        let is_same = |other: &Self| own.own.is_none() || other.tag() == own.tag();
+        let carried = inside.ok().filter(is_same).and_then(|ui| ui.own);
+        Ok(Self { own: own.own.or(carried), carried, fallback })
     }
 
     /// The source language, whatever was asked for.
     pub fn source(locales: &'l Locales) -> Self {
         let fallback = locales.source();
-        Self { own: fallback, fallback }
+        Self { own: fallback, carried: None, fallback }
     }
 
     /// The tag of the language.
@@ -60,16 +81,14 @@ impl<'l> Ui<'l> {
 
     /// The same, or nothing if no language has it.
     pub fn find(&self, key: &str, args: &Args) -> Option<String> {
-        let languages = [self.own, self.fallback].into_iter().flatten();
-        let mut texts = languages.map(|language| language.text(key, &Scope::NONE, args));
+        let mut texts = self.languages().map(|language| language.text(key, &Scope::NONE, args));
         texts.find_map(Result::ok).map(|text| text.into_owned())
     }
 
     /// All codes that some text explains: the messages with the prefix, without it, sorted.
     pub fn codes(&self, prefix: &str) -> Vec<&'l str> {
-        let languages = [self.own, self.fallback].into_iter().flatten();
         let mut codes: Vec<&str> =
-            languages.flat_map(Language::ids).filter_map(|id: &'l str| id.strip_prefix(prefix)).collect();
+            self.languages().flat_map(Language::ids).filter_map(|id: &'l str| id.strip_prefix(prefix)).collect();
         codes.sort_unstable();
         codes.dedup();
         codes
@@ -77,13 +96,17 @@ impl<'l> Ui<'l> {
 
     /// A text as it reads without arguments; its key if no language has it.
     pub fn sketch(&self, key: &str) -> String {
-        let mut languages = [self.own, self.fallback].into_iter().flatten();
-        languages.find_map(|language| language.sketch(key)).unwrap_or_else(|| key.to_owned())
+        self.languages().find_map(|language| language.sketch(key)).unwrap_or_else(|| key.to_owned())
     }
 
     /// The same with words in place of arguments, if words will do.
     pub fn filled(&self, key: &str, word: &dyn Fn(&str) -> String) -> Option<String> {
-        self.own.or(self.fallback)?.filled(key, word)
+        self.languages().find_map(|language| language.filled(key, word))
+    }
+
+    /// In which languages a text is looked for, in this order.
+    fn languages(&self) -> impl Iterator<Item = &'l Language> + use<'l> {
+        [self.own, self.carried, self.fallback].into_iter().flatten()
     }
 
     /// The word for a severity.

@@ -169,6 +169,11 @@ impl<'a> CycleText<'a> {
         self.get(&self.of_cycle(""), &self.cycle.file.name.place)
     }
 
+    /// The name of one of several forms.
+    pub fn form(&self, form: &Name) -> Cow<'a, str> {
+        self.named("form", form)
+    }
+
     /// The name in NC blocks.
     pub fn nc_name(&self) -> Cow<'a, str> {
         self.get(&self.of_cycle(".nc"), &self.cycle.file.name.place)

@@ -52,6 +52,8 @@ pub struct DialogField {
     pub q: String,
     /// The form of the cycle that it belongs to, if there are several.
     pub form: Option<String>,
+    /// The name of that form in the language.
+    pub form_name: Option<String>,
     /// Its name.
     pub name: String,
     /// The question.
@@ -139,6 +141,7 @@ fn field(text: &CycleText, param: &Param) -> DialogField {
     DialogField {
         q: texts.q,
         form: form.map(|form| form.form.as_str().to_owned()),
+        form_name: form.map(|form| text.form(&form.form).into_owned()),
         name: texts.name.into_owned(),
         prompt: texts.prompt.into_owned(),
         help: texts.help.into_owned(),

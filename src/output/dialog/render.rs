@@ -44,7 +44,7 @@ impl Page<'_> {
     }
 
     fn field(&mut self, field: &DialogField) {
-        let form = field.form.as_ref().map_or_else(String::new, |form| format!(" ({form})"));
+        let form = field.form_name.as_ref().map_or_else(String::new, |form| format!(" ({form})"));
         let _ = writeln!(self.text, "\n{}{form}  {}", field.q, field.prompt);
         if field.prompt.trim_end_matches(['?', ' ']) != field.name {
             let _ = writeln!(self.text, "      {}", field.name);

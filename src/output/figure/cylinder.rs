@@ -1,14 +1,11 @@
-//! What is milled on a rotary axis: where the tool is on the part while the table turns, and a cut across the axis.
+//! What is milled on a rotary axis: where the tool is on the part while the table turns, and what is left across the axis.
 //!
 //! Invariant: ways are those on the part; it is drawn as the table holds it at the moment of the figure.
 use glam::{DVec2, DVec3};
 
-use super::frame::Frame;
 use super::half_plane::{SPECK, area, around, corners_of};
-use super::pen::Pen;
-use super::sheet::Subject;
-use super::shot::{Stroke, Way};
 use super::slabs;
+use super::stroke::{Stroke, Way};
 use crate::base::expr::{cosd, sind};
 use crate::engine::run::Turned;
 use crate::engine::scene::Scene;
@@ -146,25 +143,4 @@ fn without(radius: f64, taken: &[Vec<DVec2>]) -> Vec<Vec<DVec2>> {
     let lines = slabs::left([DVec2::splat(-radius), DVec2::splat(radius)], taken);
     let lines = lines.into_iter().map(|line| corners_of(&line));
     lines.filter(|line| line.len() > 2 && area(line).abs() > SPECK).collect()
-}
-
-/// The part cut open, what it will be, and its axis.
-pub(super) fn part(pen: &mut Pen, subject: &Subject<'_>, frame: &Frame) {
-    let Some(round) = &subject.shot.round else { return };
-    let placed = |line: &Vec<DVec2>| line.iter().map(|p| frame.camera.place(*p)).collect::<Vec<_>>();
-    let lines: Vec<Vec<DVec2>> = round.left.iter().map(placed).collect();
-    let data: String = lines.iter().map(|line| Pen::data(line, true)).collect();
-    pen.path("m", &data);
-    pen.hatch(&lines);
-    let middle = frame.camera.place(DVec2::ZERO);
-    pen.circle("v", middle, round.radius * frame.camera.scale);
-    for line in round.finished.iter().map(placed) {
-        pen.area("x", &line);
-    }
-    for line in &lines {
-        pen.area("o", line);
-    }
-    for arm in [DVec2::X, DVec2::Y].map(|axis| axis * 9.0) {
-        pen.line("x", &[middle - arm, middle + arm]);
-    }
 }

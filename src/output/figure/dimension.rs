@@ -9,8 +9,8 @@ use super::frame::{Frame, direction};
 use super::lanes::{Bar, Lane};
 use super::measure::{Measured, Spot};
 use super::pen::{ARROW, Pen, escaped, short, width};
-use super::sheet::{Subject, Words, flat};
-use super::{rotary, setter};
+use super::subject::{Subject, Words, flat};
+use super::{axonometric, rotary, setter};
 use crate::base::expr::{cosd, sind};
 use crate::spec::{DimensionKind, FigureView};
 
@@ -148,6 +148,13 @@ impl Work<'_> {
         let camera = &self.frame.camera;
         let material = [self.frame.material.min, self.frame.material.max].map(|p| camera.place(p)[across]);
         let edge = if side == 0 { material[0].min(material[1]) } else { material[0].max(material[1]) };
+        if let (FigureView::Rotary, 1, Some(round)) = (self.subject.view, axis, &self.subject.shot.round) {
+            // At the round part, or at the tool above it.
+            let half = (round.radius * round.radius - coordinate * coordinate).max(0.0).sqrt();
+            let tool = self.subject.shot.tool.map_or(0.0, |(tool, _)| tool.radius);
+            let out = half.max(tool);
+            return camera.place(DVec2::new(if side == 0 { -out } else { out }, 0.0)).x;
+        }
         if matches!(self.subject.view, FigureView::Plan | FigureView::Turned | FigureView::Rotary)
             || axis == 0
             || (coordinate - self.frame.top).abs() < 1e-6
@@ -197,6 +204,10 @@ impl Work<'_> {
     fn turn(self, measured: &Measured, turn: usize) {
         let (Spot::Coordinate(from), Spot::Coordinate(to)) = (measured.from, measured.to) else { return };
         let (camera, view) = (self.frame.camera, self.subject.view);
+        if let Some(about) = measured.along.filter(|_| view == FigureView::ThreeD) {
+            let at = |p: DVec3| camera.place(flat(p, view));
+            return axonometric::angle(self.pen, self.subject.shot, about, [from, to], self.label, &at);
+        }
         if let Some((known, axis)) = self.subject.shot.rotary.as_ref().zip(rotary::axis(view)) {
             let at = |p: DVec3| camera.place(flat(p, view));
             rotary::angle(self.pen, known, axis, [from, to], turn, self.label, &at);

@@ -7,11 +7,12 @@ use super::lanes::{Bar, Lane, lanes};
 use super::measure::{Measured, Spot, axes};
 use super::pen::{Rect, height, width};
 use super::setter::{self, Setter};
-use super::sheet::{Subject, Words, coordinate, flat, surface};
-use super::shot::{BOTTOM, CORNERS, TOP, Way, number, point};
+use super::shot::{BOTTOM, CORNERS, TOP, number, point};
 use super::slice::{Face, Outline};
+use super::stroke::Way;
+use super::subject::{Subject, Words, coordinate, flat, surface};
 use super::window::Window;
-use super::{rotary, scan};
+use super::{axonometric, bar, rotary, scan};
 use crate::spec::{Along, DimensionKind, FigureView};
 
 /// From the world to the sheet.
@@ -60,7 +61,7 @@ const ROW: f64 = 22.0;
 /// So many lanes to the left and right leave no room for a drawing.
 const MOST_LANES: usize = 8;
 /// The room for axes and legend.
-const FOOT: f64 = 42.0;
+const FOOT: f64 = 48.0;
 
 /// The axis of a lane: 0 for bars that lie, 1 for upright ones; none for dimensions inside the drawing.
 pub(super) fn direction(measured: &Measured, view: FigureView) -> Option<usize> {
@@ -77,8 +78,8 @@ impl Frame {
         let known_edges = CORNERS.iter().all(|place| point(shot, *place).is_some());
         let mut material = content;
         let section = matches!(subject.view, FigureView::Section | FigureView::Side);
-        // At a tool setter, and where a sphere is measured, there is no workpiece.
-        let blank = shot.setter.is_none() && rotary::axis(subject.view).is_none();
+        // At a tool setter, and where a sphere is measured, there is no workpiece; in three dimensions it is drawn otherwise.
+        let blank = shot.setter.is_none() && rotary::axis(subject.view).is_none() && subject.view != FigureView::ThreeD;
         if section && blank {
             material.max.y = top;
             let below = 0.16 * content.size().y;
@@ -97,7 +98,7 @@ impl Frame {
             let more = DVec2::splat(0.12 * content.size().max_element());
             material = Window { min: content.min - more, max: content.max + more };
         }
-        if known_edges {
+        if known_edges && subject.view != FigureView::ThreeD {
             let [least, greatest] = CORNERS.map(|n| point(shot, n).map(|p| flat(p, subject.view)).unwrap_or_default());
             (material.min.x, material.max.x) = (least.x, greatest.x);
             if !section {
@@ -131,7 +132,10 @@ impl Frame {
         frame.find_scale(subject, words);
         if section && faces.is_empty() && blank {
             let edges = [frame.material.min.x, frame.material.max.x];
-            frame.surface = surface(subject, edges, top);
+            frame.surface = match bar::of(shot) {
+                Some(_) => edges.map(|x| DVec2::new(x, top)).to_vec(),
+                None => surface(subject, edges, top),
+            };
         }
         frame
     }
@@ -177,7 +181,10 @@ impl Frame {
             scale,
             origin: DVec2::new(self.window.min.x - (left + slack) / scale, self.window.max.y + above / scale),
         };
-        self.size = DVec2::new(subject.width, above + height + below + FOOT);
+        self.size = DVec2::new(
+            subject.width,
+            above + height + below + if subject.view == FigureView::ThreeD { EDGE } else { FOOT },
+        );
     }
 
     /// Gives dimensions their lanes; how many there are to the left and right, above and below.
@@ -229,6 +236,12 @@ fn directions(subject: &Subject<'_>, words: &Words) -> Vec<Option<usize>> {
 fn content(subject: &Subject<'_>, faces: &[Face]) -> Window {
     let (view, shot) = (subject.view, subject.shot);
     let mut window = Window::EMPTY;
+    if view == FigureView::ThreeD {
+        axonometric::bounds(shot).into_iter().for_each(|p| window.take(flat(p, view)));
+        // Letters stand beyond the ends of the axes.
+        let more = 0.06 * window.size();
+        return Window { min: window.min - more, max: window.max + more };
+    }
     for (n, stroke) in shot.strokes.iter().enumerate() {
         // The tool comes from far away: where from does not matter.
         let skipped = usize::from(n == 0 && stroke.way == Way::Rapid);

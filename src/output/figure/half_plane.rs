@@ -4,10 +4,9 @@
 //! of a thread, what it covers once a revolution.
 use glam::DVec2;
 
-use super::shot::{Stroke, Way};
 use super::slabs;
+use super::stroke::{Stroke, Way};
 use crate::base::expr::{atan2d, cosd, sind};
-use crate::program::table::Table;
 
 /// Points that are nearer to each other are one, mm.
 const SAME: f64 = 1e-5;
@@ -29,6 +28,19 @@ pub(super) struct Stand {
     pub(super) axial: bool,
     /// The pitch of the thread that it cuts, mm.
     pub(super) pitch: Option<f64>,
+}
+
+/// An insert as a tool table describes it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Insert {
+    /// The radius of its nose, mm.
+    pub(super) radius: f64,
+    /// The length of its edges, mm, if it is known.
+    pub(super) length: Option<f64>,
+    /// The width of one for recesses, mm.
+    pub(super) width: Option<f64>,
+    /// The angle of its edge from the direction of the feed, and that of its point, degrees.
+    pub(super) angles: Option<[f64; 2]>,
 }
 
 /// A blank: what is between two places, but for a convex polygon.
@@ -53,14 +65,9 @@ pub(super) struct HalfPlane {
 }
 
 impl HalfPlane {
-    /// What is left of a blank after the ways of a tool of the table, and after later ones.
-    pub(super) fn new(
-        stand: Stand,
-        (tools, tool): (&Table, f64),
-        blank: Blank,
-        [strokes, later]: [&[Stroke]; 2],
-    ) -> Self {
-        let insert = outline(stand, tools, tool);
+    /// What is left of a blank after the ways of an insert, and after later ones.
+    pub(super) fn new(stand: Stand, insert: Insert, blank: Blank, [strokes, later]: [&[Stroke]; 2]) -> Self {
+        let insert = outline(stand, insert);
         let edges = [blank.least, blank.greatest];
         let mut taken: Vec<Vec<DVec2>> = vec![blank.lacks];
         let blank = without(edges, &taken);
@@ -89,8 +96,16 @@ impl HalfPlane {
     /// How far a place is from the surface of the blank or of what is or will be left.
     pub(super) fn distance(&self, place: DVec2) -> f64 {
         let sides = self.lines().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
-        sides.map(|(a, b)| super::measure::distance(place, *a, *b)).fold(f64::INFINITY, f64::min)
+        sides.map(|(a, b)| distance(place, *a, *b)).fold(f64::INFINITY, f64::min)
     }
+}
+
+/// How far a point is from a line between two others.
+pub(super) fn distance(p: DVec2, a: DVec2, b: DVec2) -> f64 {
+    let way = b - a;
+    let share =
+        if way.length_squared() > 0.0 { ((p - a).dot(way) / way.length_squared()).clamp(0.0, 1.0) } else { 0.0 };
+    (p - a - way * share).length()
 }
 
 /// The outlines of what is left of a blank without some polygons, without specks.
@@ -211,19 +226,14 @@ pub(super) fn around(mut points: Vec<DVec2>) -> Vec<DVec2> {
     hull
 }
 
-/// An insert about its tip, as the tool table describes it.
-fn outline(stand: Stand, tools: &Table, tool: f64) -> Vec<DVec2> {
-    let number = |column: &str| tools.number(tool, column).ok().flatten().filter(|number| *number > 0.0);
-    let radius = number("RS").unwrap_or_default();
-    let length = number("LCUTS").unwrap_or(EDGE);
-    match number("CUTWIDTH") {
-        Some(width) => recessing(stand, radius, width, length),
+/// An insert about its tip.
+fn outline(stand: Stand, insert: Insert) -> Vec<DVec2> {
+    let length = insert.length.unwrap_or(EDGE);
+    match insert.width {
+        Some(width) => recessing(stand, insert.radius, width, length),
         None => {
-            let [angle, point] = match (number("T-ANGLE"), number("P-ANGLE")) {
-                (Some(angle), Some(point)) => [angle, point],
-                _ => USUAL,
-            };
-            pointed(stand, radius, [angle, angle + point], length)
+            let [angle, point] = insert.angles.unwrap_or(USUAL);
+            pointed(stand, insert.radius, [angle, angle + point], length)
         }
     }
 }

@@ -2,8 +2,10 @@
 //! ends is a place that the run reached or a face of the workpiece.
 use glam::{DVec2, DVec3};
 
-use super::rotary;
-use super::shot::{CORNERS, CUT, Shot, Stroke, TOP};
+use super::half_plane::distance;
+use super::shot::{BAR, CORNERS, CUT, Shot, TOP, number};
+use super::stroke::Stroke;
+use super::{axonometric, rotary, slice};
 use crate::base::diag::Diagnostic;
 use crate::base::expr::{Value, tand};
 use crate::spec::{Along, Cycle, Dimension, DimensionKind, Figure, FigureView};
@@ -71,7 +73,7 @@ pub(super) const fn along(point: DVec3, axis: Along) -> f64 {
 pub(super) const fn axes(view: FigureView) -> [Along; 2] {
     match view {
         FigureView::Section | FigureView::Side | FigureView::Rotary | FigureView::RotaryB => [Along::Main, Along::Tool],
-        FigureView::Plan | FigureView::RotaryC => [Along::Main, Along::Minor],
+        FigureView::Plan | FigureView::RotaryC | FigureView::ThreeD => [Along::Main, Along::Minor],
         FigureView::RotaryA => [Along::Minor, Along::Tool],
         FigureView::Turned => [Along::Tool, Along::Main],
     }
@@ -171,7 +173,7 @@ fn one(
         (Spot::Coordinate(_), Spot::Coordinate(_)) if !is_angle(kind) => Some(dimension.along.unwrap_or(visible[1])),
         _ => dimension.along,
     };
-    if axis.is_some_and(|axis| !visible.contains(&axis)) {
+    if figure.view != FigureView::ThreeD && axis.is_some_and(|axis| !visible.contains(&axis)) {
         return Err(Wrong::new("figure-axis-not-visible"));
     }
     let [from, to] = [from, to].map(|spot| seen(spot, axis, figure));
@@ -185,7 +187,11 @@ fn one(
     let signed = match (from, to, axis) {
         (Spot::Coordinate(a), Spot::Coordinate(b), _) if kind == DimensionKind::Turn => {
             let rotary = rotary::axis(figure.view).zip(shot.rotary.as_ref());
-            let turned = rotary.and_then(|(axis, rotary)| rotary.between(axis, a, b));
+            let turned = match axis.filter(|_| figure.view == FigureView::ThreeD) {
+                // What is drawn is what the plane is turned by.
+                Some(axis) => axonometric::tilt(shot, axis).filter(|tilt| (b - a - tilt).abs() <= NEAR),
+                None => rotary.and_then(|(axis, rotary)| rotary.between(axis, a, b)),
+            };
             turned.ok_or_else(|| Wrong {
                 code: "figure-place-not-reached",
                 args: vec![("place", format!("{} {}", shown(a), shown(b)))],
@@ -264,8 +270,12 @@ fn coordinate_is_reached(at: f64, axis: Along, shot: &Shot) -> bool {
             near(own) || near(own + reach) || near(own - reach)
         })
     };
+    let middles = slice::middles(shot);
+    let edge = number(shot, BAR + 3).filter(|_| axis == Along::Tool);
     shot.strokes.iter().chain(&shot.later).any(by_stroke)
+        || shot.strokes.iter().flat_map(|stroke| &stroke.points).any(|p| edge.is_some_and(|edge| near(p.z + edge)))
         || shot.contacts.iter().chain(&shot.centres).chain(&shot.datum).any(|point| near(along(*point, axis)))
+        || middles.iter().any(|point| near(along(*point, axis)))
         || blank_coordinates(shot, axis).any(near)
         || shot.round.as_ref().is_some_and(|round| axis != Along::Minor && near(at.signum() * round.radius))
         || shot.turned.as_ref().is_some_and(|turned| turned.has(usize::from(axis == Along::Main), at))
@@ -301,15 +311,8 @@ fn point_is_reached(point: DVec3, shot: &Shot) -> bool {
             .iter()
             .chain(&shot.centres)
             .chain(&shot.datum)
+            .chain(&slice::middles(shot))
             .any(|own| (own.truncate() - at).length() <= ON_WAY)
         || corner()
         || shot.is_on_part(point)
-}
-
-/// How far a point is from a line between two others.
-pub(super) fn distance(p: DVec2, a: DVec2, b: DVec2) -> f64 {
-    let way = b - a;
-    let share =
-        if way.length_squared() > 0.0 { ((p - a).dot(way) / way.length_squared()).clamp(0.0, 1.0) } else { 0.0 };
-    (p - a - way * share).length()
 }

@@ -3,6 +3,8 @@
 //! A figure is run once for a cycle on a control ([`prepare`]); only its words depend on the language ([`Figure::svg`]).
 //! Start with `shot` (the run), then `measure`, `frame` (the layout) and `sheet` (the drawing). Invariant: knows events
 //! and scenes, specifications and texts, and no command; the same data give the same bytes.
+mod axonometric;
+mod bar;
 mod cylinder;
 mod dimension;
 mod frame;
@@ -18,6 +20,8 @@ mod sheet;
 mod shot;
 mod slabs;
 mod slice;
+mod stroke;
+mod subject;
 mod turned;
 mod window;
 
@@ -25,13 +29,13 @@ use std::fmt::Write as _;
 
 use crate::base::diag::Diagnostic;
 use crate::language::text::CycleText;
-use crate::spec::{Catalogue, Cycle, Figure as Declared, OnControl, Shape, dimensions};
+use crate::spec::{Catalogue, Cycle, DimensionKind, Figure as Declared, OnControl, Shape, Worked, dimensions};
 use crate::tools::conform::World;
 
 use measure::Measured;
 use pen::{Rect, escaped, short};
-use sheet::{Subject, Words};
 use shot::Shot;
+use subject::{Subject, Words};
 
 /// The width of a figure in pixels.
 const WIDTH: f64 = 360.0;
@@ -77,8 +81,26 @@ pub enum Medium {
 
 /// Runs and measures all figures of a cycle; also what is wrong with them.
 pub fn prepare<'c>(world: &World<'_>, on: &'c OnControl, cycle: &'c Cycle) -> (Vec<Figure<'c>>, Vec<Diagnostic>) {
+    prepare_all(world, on, cycle, &cycle.file.figures)
+}
+
+/// Runs and measures the pictures of a worked program; also what is wrong with them.
+pub fn prepare_worked<'c>(
+    world: &World<'_>,
+    on: &'c OnControl,
+    worked: &'c Worked,
+) -> (Vec<Figure<'c>>, Vec<Diagnostic>) {
+    on.cycles.get(&worked.key).map_or_else(Default::default, |cycle| prepare_all(world, on, cycle, &worked.figures))
+}
+
+fn prepare_all<'c>(
+    world: &World<'_>,
+    on: &'c OnControl,
+    cycle: &'c Cycle,
+    figures: &'c [Declared],
+) -> (Vec<Figure<'c>>, Vec<Diagnostic>) {
     let (mut ready, mut found) = (Vec::new(), Vec::new());
-    for declared in &cycle.file.figures {
+    for declared in figures {
         let dimensions = dimensions(on, cycle, declared);
         for chosen in choices(cycle, declared) {
             match shot::take(world, on, cycle, declared, &dimensions, chosen) {
@@ -110,6 +132,7 @@ pub fn check(catalogue: &Catalogue, world: &World<'_>, wanted: &dyn Fn(&Cycle) -
     for on in catalogue.controls.values() {
         for cycle in on.cycles.values().filter(|cycle| wanted(cycle)) {
             found.extend(prepare(world, on, cycle).1);
+            found.extend(on.worked_of(cycle.key).flat_map(|worked| prepare_worked(world, on, worked).1));
         }
     }
     crate::base::diag::dedupe(&mut found);
@@ -139,7 +162,11 @@ impl Figure<'_> {
         let labels = params.iter().zip(&self.measured).map(|(param, measured)| match (measured.field, param) {
             (true, Some(param)) => match (&param.coordinates, measured.along) {
                 // A position has a number for each axis.
-                (Some(before), Some(axis)) => format!("{before}{}", self.shot.letter(axis)),
+                (Some(before), Some(axis)) => {
+                    let turns = measured.kind == DimensionKind::Turn;
+                    let letter = if turns { axonometric::letter(&self.shot, axis) } else { self.shot.letter(axis) };
+                    format!("{before}{letter}")
+                }
                 _ => param.word.clone(),
             },
             _ if measured.is_half() => format!("\u{2300} {}", measured.of),
@@ -177,8 +204,10 @@ impl Figure<'_> {
         let shown: Vec<String> =
             params.iter().flatten().map(|param| format!("{}: {}", param.shown, param.name)).collect();
         let [w, h] = [drawn.size.x, drawn.size.y].map(short);
+        // Screen readers do not look into an image; links they must find.
+        let role = if words.links.iter().any(Option::is_some) { "group" } else { "img" };
         let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ciklo-figure\" role=\"img\" viewBox=\"0 0 {w} {h}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ciklo-figure\" role=\"{role}\" viewBox=\"0 0 {w} {h}\" \
              width=\"{w}\" height=\"{h}\">\n<title>{}</title>\n<desc>{}</desc>\n",
             escaped(&title),
             escaped(&shown.join("; ")),

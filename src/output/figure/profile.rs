@@ -3,7 +3,7 @@
 //! Invariant: whatever the tool went through is gone from there upwards, as tools cut that come from above.
 use glam::{DVec2, DVec3};
 
-use super::shot::{Stroke, Way};
+use super::stroke::{Stroke, Way};
 use crate::base::expr::tand;
 
 /// Heights that differ by less are one.

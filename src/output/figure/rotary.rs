@@ -5,7 +5,7 @@
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::pen::{ARROW, Pen, Rect, width};
-use super::shot::{Stroke, Way};
+use super::stroke::{Stroke, Way};
 use crate::base::expr::{cosd, sind};
 use crate::engine::geometry::{RotaryAxis, WorkingPlane};
 use crate::engine::machine::{Carried, Machine};
@@ -52,7 +52,12 @@ pub(super) const fn axis(view: FigureView) -> Option<RotaryAxis> {
         FigureView::RotaryA => Some(RotaryAxis::ALL[0]),
         FigureView::RotaryB => Some(RotaryAxis::ALL[1]),
         FigureView::RotaryC => Some(RotaryAxis::ALL[2]),
-        FigureView::Section | FigureView::Plan | FigureView::Side | FigureView::Turned | FigureView::Rotary => None,
+        FigureView::Section
+        | FigureView::Plan
+        | FigureView::Side
+        | FigureView::Turned
+        | FigureView::Rotary
+        | FigureView::ThreeD => None,
     }
 }
 

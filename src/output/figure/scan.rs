@@ -4,7 +4,8 @@
 use glam::{DVec2, DVec3};
 
 use super::pen::Pen;
-use super::shot::{SCAN, Shot, Way, point};
+use super::shot::{SCAN, Shot, point};
+use super::stroke::Way;
 
 /// The least and the greatest corner of the range, if the figure shows a scan.
 pub(super) fn range(shot: &Shot) -> Option<[DVec3; 2]> {

@@ -6,7 +6,8 @@ use std::fmt::Write as _;
 use glam::{DVec2, DVec3};
 
 use super::pen::{Pen, Rect, short};
-use super::shot::{Shot, Stroke, Way};
+use super::shot::Shot;
+use super::stroke::{Stroke, Turning, Way};
 use crate::base::expr::{cosd, sind};
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::machine::Tool;
@@ -28,17 +29,6 @@ pub(super) struct Setter {
     pub(super) half: f64,
     /// The corners of a cube; none of a disc.
     corners: Vec<DVec3>,
-}
-
-/// How the spindle stands or turns while the tool moves.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Turning {
-    /// +1 clockwise as seen from the spindle, -1 counter-clockwise, 0 standing.
-    pub(super) direction: i8,
-    /// The angle at which it stands, if it was oriented.
-    pub(super) angle: Option<f64>,
-    /// Where the first edge of the tool is while the spindle is at 0, degrees.
-    pub(super) first: f64,
 }
 
 impl Setter {
@@ -153,18 +143,21 @@ pub(super) fn poses(pen: &mut Pen, shot: &Shot, view: FigureView, top: f64, at: 
         }
     }
     if view == FigureView::Plan {
-        if last.turning.direction == 0 { edges(pen, last, *here, radius) } else { turn(pen, last, *here, radius) }
+        match last.turning.direction {
+            0 => edges(pen, &last.tool, last.turning, *here, radius),
+            _ => turn(pen, last, *here, radius),
+        }
     } else if last.turning.direction != 0 {
         turn_from_side(pen, last, DVec2::new(here.x, top), radius);
     }
 }
 
 /// The cutting edges of a tool that stands, as seen from the spindle.
-fn edges(pen: &mut Pen, stroke: &Stroke, centre: DVec2, radius: f64) {
-    let count = stroke.tool.teeth as u32;
-    let Some(angle) = stroke.turning.angle else { return };
+pub(super) fn edges(pen: &mut Pen, tool: &Tool, turning: Turning, centre: DVec2, radius: f64) {
+    let count = tool.teeth as u32;
+    let Some(angle) = turning.angle.filter(|_| turning.direction == 0) else { return };
     for edge in 0..count {
-        let angle = angle + stroke.turning.first + 360.0 / f64::from(count) * f64::from(edge);
+        let angle = angle + turning.first + 360.0 / f64::from(count) * f64::from(edge);
         let way = DVec2::new(cosd(angle), -sind(angle));
         pen.line("o", &[centre + way * radius * 0.45, centre + way * radius]);
         pen.circle("q", centre + way * radius, 2.2);

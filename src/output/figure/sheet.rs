@@ -7,48 +7,16 @@ use std::fmt::Write as _;
 use glam::{DVec2, DVec3};
 
 use super::frame::{Camera, Frame};
-use super::measure::{Measured, Spot, along, axes};
+use super::measure::axes;
 use super::pen::{ARROW, Pen, Rect, short};
-use super::profile;
-use super::shot::{CUT, MARKS, Shot, Stroke, Way, number, point};
+use super::shot::{CUT, MARKS, number, point};
 use super::slice::{self, Face, Outline};
+use super::stroke::{Stroke, Way};
+use super::subject::{Subject, Words, depth, flat};
 use super::window::Window;
-use super::{cylinder, rotary, scan, setter, turned};
+use super::{axonometric, bar, cylinder, rotary, scan, setter, turned};
 use crate::base::expr::tand;
 use crate::spec::{Along, FigureView};
-
-/// What a figure shows, measured.
-pub(super) struct Subject<'s> {
-    pub(super) view: FigureView,
-    pub(super) shot: &'s Shot,
-    pub(super) measured: &'s [Measured],
-    /// The numbers of the marks.
-    pub(super) marks: &'s [u32],
-    /// Whether the blank is round from above.
-    pub(super) round: bool,
-    /// Whether it shows what becomes of a whole program, and with it the datum.
-    pub(super) whole: bool,
-    /// The greatest height of the drawing, in pixels.
-    pub(super) height: f64,
-    /// The width of the sheet, in pixels.
-    pub(super) width: f64,
-}
-
-/// The words on a figure.
-pub(super) struct Words {
-    /// The label of each dimension.
-    pub(super) labels: Vec<String>,
-    /// What each dimension is a link to, if to anything.
-    pub(super) links: Vec<Option<String>>,
-    /// Rapid traverse, feed, probing.
-    pub(super) ways: [String; 3],
-}
-
-/// A point as the view sees it: to the right and upwards.
-pub(super) const fn flat(p: DVec3, view: FigureView) -> DVec2 {
-    let [right, up] = axes(view);
-    DVec2::new(along(p, right), along(p, up))
-}
 
 /// The figure on paper.
 pub(super) struct Drawn {
@@ -60,9 +28,9 @@ pub(super) struct Drawn {
 
 /// Draws a figure.
 pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Drawn {
-    let faces = match rotary::axis(subject.view) {
-        Some(_) => Vec::new(),
-        None => slice::faces(subject.shot, subject.view, depth(subject)),
+    let faces = match (subject.view, rotary::axis(subject.view)) {
+        (FigureView::ThreeD, _) | (_, Some(_)) => Vec::new(),
+        _ => slice::faces(subject.shot, subject.view, depth(subject)),
     };
     let frame = Frame::new(subject, words, &faces);
     let mut sheet = Sheet { subject, frame: &frame, pen: Pen::new(frame.size), view: subject.view };
@@ -73,21 +41,10 @@ pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Drawn {
     sheet.ways();
     sheet.datum();
     super::dimension::all(&mut sheet.pen, subject, words, &frame);
+    sheet.axes();
     sheet.marks();
     sheet.legend(words);
     Drawn { body: sheet.pen.body, size: frame.size, texts: sheet.pen.texts }
-}
-
-/// Where the plane of the view is along the axis that it does not show.
-fn depth(subject: &Subject<'_>) -> f64 {
-    let shot = subject.shot;
-    let tool = shot.tool.map_or(DVec3::ZERO, |(_, tip)| tip);
-    number(shot, CUT).unwrap_or_else(|| match subject.view {
-        FigureView::Plan | FigureView::RotaryC => shot.contacts.first().map_or(tool.z, |contact| contact.z),
-        FigureView::Section | FigureView::Side | FigureView::Rotary | FigureView::RotaryB => tool.y,
-        FigureView::RotaryA => tool.x,
-        FigureView::Turned => 0.0,
-    })
 }
 
 struct Sheet<'s> {
@@ -118,11 +75,21 @@ impl Sheet<'_> {
         if !faces.is_empty() {
             return self.parts(faces);
         }
+        if let Some(bar) = bar::of(self.subject.shot) {
+            return match self.is_from_above() {
+                true => bar::from_above(&mut self.pen, &bar, self.frame),
+                false => bar::cut_open(&mut self.pen, &bar, self.subject, self.frame),
+            };
+        }
         match self.view {
+            FigureView::ThreeD => {
+                let camera = self.frame.camera;
+                axonometric::part(&mut self.pen, self.subject.shot, &|p| camera.place(axonometric::project(p)));
+            }
             FigureView::Plan => self.from_above(),
             FigureView::Section | FigureView::Side => self.cut_open(),
             FigureView::Turned => turned::part(&mut self.pen, self.subject, self.frame),
-            FigureView::Rotary => cylinder::part(&mut self.pen, self.subject, self.frame),
+            FigureView::Rotary => turned::across(&mut self.pen, self.subject, self.frame),
             FigureView::RotaryA | FigureView::RotaryB | FigureView::RotaryC => self.rotary(),
         }
     }
@@ -230,6 +197,13 @@ impl Sheet<'_> {
         if self.view == FigureView::Turned {
             return turned::insert(&mut self.pen, self.subject, self.frame);
         }
+        if self.view == FigureView::ThreeD {
+            return;
+        }
+        if let Some(bar) = bar::of(self.subject.shot) {
+            let above = self.is_from_above();
+            return bar::tool(&mut self.pen, &bar, self.subject, self.frame, above);
+        }
         let Some((tool, tip)) = setter::pose(self.subject.shot) else { return };
         let (scale, place) = (self.camera().scale, self.at(tip));
         let radius = self.subject.shot.ball.unwrap_or(tool.radius) * scale;
@@ -238,6 +212,9 @@ impl Sheet<'_> {
         }
         if self.is_from_above() {
             self.pen.circle("t", place, radius);
+            if self.subject.shot.setter.is_none() {
+                setter::edges(&mut self.pen, &tool, self.subject.shot.turning, place, radius);
+            }
             return;
         }
         let top = self.frame.paper().min.y;
@@ -365,6 +342,30 @@ impl Sheet<'_> {
         }
     }
 
+    /// The axes after the cycle has turned them, where the view shows their plane.
+    fn axes(&mut self) {
+        let (camera, shot) = (self.frame.camera, self.subject.shot);
+        if self.view == FigureView::ThreeD {
+            return axonometric::letters(&mut self.pen, shot, &|p| camera.place(axonometric::project(p)));
+        }
+        let [main, minor, _] = shot.axes;
+        let place = self.at(shot.datum.unwrap_or_default());
+        let turned = [(main, DVec3::X), (minor, DVec3::Y)].iter().any(|(axis, before)| axis.distance(*before) > 1e-6);
+        if self.view != FigureView::Plan || !turned || !self.frame.paper().grown(1.0).holds(place) {
+            return;
+        }
+        for (axis, along) in [(main, Along::Main), (minor, Along::Minor)] {
+            let way = DVec2::new(axis.x, -axis.y).normalize_or_zero();
+            let tip = place + way * 26.0;
+            self.pen.line("a", &[place + way * 5.0, tip]);
+            self.pen.arrow("aa", tip, way);
+            let text = format!("{}\u{2032}", shot.letter(along));
+            let near = [tip + way * 9.0, tip + way.perp() * 10.0, tip - way.perp() * 10.0, tip + way * 16.0];
+            let centre = self.pen.place(&text, &near);
+            self.pen.text("l", &text, centre);
+        }
+    }
+
     fn marks(&mut self) {
         for (n, number) in self.subject.marks.iter().enumerate() {
             let Some(point) = point(self.subject.shot, MARKS + n) else { continue };
@@ -385,7 +386,15 @@ impl Sheet<'_> {
 
     /// Axes, and what the lines mean.
     fn legend(&mut self, words: &Words) {
-        let corner = DVec2::new(self.frame.inner.min.x + 10.0, self.frame.size.y - 9.0);
+        if self.view == FigureView::ThreeD {
+            return;
+        }
+        let used = |way: Way| self.subject.shot.strokes.iter().any(|stroke| stroke.way == way);
+        let ways = [Way::Rapid, Way::Feed, Way::Probe].into_iter().zip(&words.ways).filter(|(way, _)| used(*way));
+        let wide: f64 = ways.clone().map(|(_, word)| 38.0 + Pen::size(word).x).sum();
+        // Below the drawing or, where that is too narrow for all words, more to the left.
+        let left = (self.frame.size.x - 52.0 - wide).min(self.frame.inner.min.x + 10.0).max(16.0);
+        let corner = DVec2::new(left, self.frame.size.y - 9.0);
         let letter = |axis: Along| self.subject.shot.letter(axis);
         let [right, up] = axes(self.view);
         for (end, axis) in [(DVec2::new(22.0, 0.0), right), (DVec2::new(0.0, -22.0), up)] {
@@ -400,10 +409,7 @@ impl Sheet<'_> {
             // The figures of a row stand below one that explains the lines.
             return;
         }
-        for (way, word) in [Way::Rapid, Way::Feed, Way::Probe].into_iter().zip(&words.ways) {
-            if !self.subject.shot.strokes.iter().any(|stroke| stroke.way == way) {
-                continue;
-            }
+        for (way, word) in ways {
             let size = Pen::size(word);
             if x + 34.0 + size.x > self.frame.size.x {
                 (x, y) = (corner.x + 52.0, y - 16.0);
@@ -420,11 +426,6 @@ impl Sheet<'_> {
             x += 38.0 + size.x;
         }
     }
-}
-
-/// The surface of a blank after the strokes, where the view cuts it.
-pub(super) fn surface(subject: &Subject<'_>, edges: [f64; 2], top: f64) -> Vec<DVec2> {
-    profile::surface(&subject.shot.strokes, depth(subject), edges, top)
 }
 
 /// Where the arrowhead of a way is: beyond the middle of its longest straight piece.
@@ -474,12 +475,4 @@ fn clip_pair(a: DVec2, b: DVec2, rect: &Rect) -> Option<(DVec2, DVec2)> {
         }
     }
     (begin <= end).then(|| (a + way * begin, a + way * end))
-}
-
-/// The coordinate of a place along an axis.
-pub(super) const fn coordinate(spot: Spot, axis: Along) -> f64 {
-    match spot {
-        Spot::Coordinate(coordinate) => coordinate,
-        Spot::Point(point) => along(point, axis),
-    }
 }

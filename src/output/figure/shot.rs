@@ -6,9 +6,10 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::cylinder::{Round, Table};
-use super::half_plane::{Blank, HalfPlane, Stand};
+use super::half_plane::{Blank, HalfPlane, Insert, Stand};
 use super::rotary::{self, Rotary};
-use super::setter::{Setter, Turning};
+use super::setter::Setter;
+use super::stroke::{Stroke, Turning, Way};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Value, parse};
 use crate::engine::geometry::{Axis, WorkingPlane};
@@ -38,36 +39,10 @@ const TIP: usize = 7;
 const PITCH: usize = 8;
 /// The radius of a part on a rotary axis.
 const RADIUS: usize = 9;
+/// The axis of the bore that a boring bar goes through, its diameter, that of the bar, and the height of the edge.
+pub(super) const BAR: usize = 10;
 /// The first of the marks; after them, the corners of what a blank lacks.
-pub(super) const MARKS: usize = 10;
-
-/// How a piece of the way is gone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
-    /// At rapid traverse.
-    Rapid,
-    /// At a feed.
-    Feed,
-    /// Towards the workpiece, to touch it.
-    Probe,
-}
-
-/// A piece of the way of the tool tip or of the ball centre.
-#[derive(Clone, Debug)]
-pub(super) struct Stroke {
-    /// How it is gone.
-    pub(super) way: Way,
-    /// Its points; the chords of an arc leave it by 0.04 mm at most.
-    pub(super) points: Vec<DVec3>,
-    /// The tool that goes it.
-    pub(super) tool: Tool,
-    /// Where the table turns what is milled: the direction of the tool at each of the points.
-    pub(super) up: Vec<DVec3>,
-    /// How the spindle stands or turns meanwhile.
-    pub(super) turning: Turning,
-    /// The angles of the rotary axes at its end, in the program.
-    pub(super) angles: DVec3,
-}
+pub(super) const MARKS: usize = 14;
 
 /// A run at a moment.
 #[derive(Debug)]
@@ -84,6 +59,10 @@ pub(super) struct Shot {
     pub(super) tool: Option<(Tool, DVec3)>,
     /// Where the datum is now, if the cycle has set another one.
     pub(super) datum: Option<DVec3>,
+    /// The directions of the main, secondary and tool axis now.
+    pub(super) axes: [DVec3; 3],
+    /// How the spindle stands or turns.
+    pub(super) turning: Turning,
     /// The radius of the ball of the touch probe, if it is one.
     pub(super) ball: Option<f64>,
     /// The tool setter, if a tool is at it that is no touch probe.
@@ -172,6 +151,8 @@ fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
         insert.and_then(|insert| insert.pitch.as_ref()),
         blank.and_then(|blank| blank.radius.as_ref()),
     ];
+    let bar = figure.bar.as_ref();
+    places.extend(bar.map_or([None; 4], |bar| [&bar.at, &bar.bore, &bar.neck, &bar.edge].map(Some)));
     places.extend(figure.marks.iter().map(|mark| Some(&mark.at)));
     places.extend(blank.iter().flat_map(|blank| &blank.without).map(Some));
     places
@@ -270,7 +251,7 @@ pub(super) fn take(
     let wrong = |code: &'static str, place: &Place| {
         Diagnostic::error(code, place.clone()).arg("name", figure.name.as_str()).arg("cycle", cycle.key.to_string())
     };
-    let Some(example) = cycle.file.examples.iter().find(|example| example.name == figure.of) else {
+    let Some(example) = on.cases_of(cycle).find(|example| example.name == figure.of) else {
         return Err(vec![wrong("figure-example-missing", &figure.of.place).arg("example", figure.of.as_str())]);
     };
     // What a cycle makes of the data that another one gives it is in the run of the former.
@@ -298,10 +279,11 @@ pub(super) fn take(
     let (before, after) = events.split_at(end);
     before.iter().for_each(|event| film.see(event));
     film.now = Some(film.strokes.len());
-    let (tool, here, touched, system, table) =
-        (film.tool, film.here, film.contacts.len(), film.system, film.table.clone());
+    let (tool, here, touched, system) = (film.tool, film.here, film.contacts.len(), film.system);
+    let (turning, table) = (film.turning, film.table.clone());
     after.iter().for_each(|event| film.see(event));
-    (film.tool, film.here, film.system, film.table) = (tool, here, system, table);
+    (film.tool, film.here, film.system) = (tool, here, system);
+    (film.turning, film.table) = (turning, table);
     film.contacts.truncate(touched);
     let mut shot = film.end(&scene);
     if rotary::axis(figure.view).is_some() {
@@ -356,7 +338,13 @@ impl Shot {
             axial: insert.and_then(|insert| insert.plunges) == Some(Along::Tool),
             pitch: number(self, PITCH).filter(|pitch| *pitch > 0.0),
         };
-        let tool = (&scene.tools, tool.number);
+        let column = |name: &str| scene.tools.number(tool.number, name).ok().flatten().filter(|number| *number > 0.0);
+        let tool = Insert {
+            radius: column("RS").unwrap_or_default(),
+            length: column("LCUTS"),
+            width: column("CUTWIDTH"),
+            angles: column("T-ANGLE").zip(column("P-ANGLE")).map(<[f64; 2]>::from),
+        };
         let corners = figure.blank.as_ref().map_or(0, |blank| blank.without.len());
         let lacks: Vec<DVec2> = (0..corners).filter_map(|n| half(MARKS + figure.marks.len() + n)).collect();
         self.turned = Some(HalfPlane::new(stand, tool, Blank { least, greatest, lacks }, [&self.strokes, &self.later]));
@@ -520,6 +508,9 @@ impl<'f> Film<'f> {
             rotary
         });
         let datum = own(self.system.transform_point3(DVec3::ZERO));
+        let axes = [(DVec2::X, 0.0), (DVec2::Y, 0.0), (DVec2::ZERO, 1.0)]
+            .map(|(flat, height)| own(self.system.transform_point3(plane.lift(flat, height))) - datum)
+            .map(DVec3::normalize_or_zero);
         let mut strokes: Vec<Stroke> = self.strokes.into_iter().map(placed).collect();
         let later = strokes.split_off(self.now.unwrap_or(strokes.len()).min(strokes.len()));
         Shot {
@@ -529,6 +520,8 @@ impl<'f> Film<'f> {
             centres: self.centres.into_iter().map(own).collect(),
             tool: self.tool.zip(self.here.map(centre)),
             datum: (datum.length() > 1e-9).then_some(datum),
+            axes,
+            turning: self.turning,
             rotary,
             setter: if ball.is_none() { Setter::of(scene, plane, &own) } else { None },
             ball,

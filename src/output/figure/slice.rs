@@ -6,6 +6,7 @@ use glam::{DAffine3, DVec2, DVec3};
 use super::shot::Shot;
 use super::window::Window;
 use crate::base::expr::{cosd, sind};
+use crate::engine::geometry::Frame;
 use crate::engine::solid::Shape;
 use crate::spec::FigureView;
 
@@ -32,6 +33,33 @@ const FAR: f64 = 1000.0;
 /// Corners of a round outline that is no circle.
 const CORNERS: usize = 72;
 
+/// The middles of all parts and of their holes, in the coordinates of the shot.
+pub(super) fn middles(shot: &Shot) -> Vec<DVec3> {
+    fn take(shape: &Shape, frame: DAffine3, all: &mut Vec<DVec3>) {
+        let middle = match shape {
+            Shape::Placed { frame: inner, shape } => return take(shape, frame * affine(inner), all),
+            Shape::Union(parts) | Shape::Difference(parts) => {
+                return parts.iter().for_each(|part| take(part, frame, all));
+            }
+            Shape::Box { min, max } => (*min + *max) / 2.0,
+            Shape::Cylinder { from, to, .. } | Shape::Cone { from, to, .. } => (*from + *to) / 2.0,
+            Shape::Sphere { centre, .. } => *centre,
+            Shape::HalfSpace { .. } | Shape::Mesh(_) => return,
+        };
+        let own = frame.transform_point3(middle);
+        all.push(own);
+    }
+    let mut all = Vec::new();
+    take(&shot.parts, shot.back, &mut all);
+    all.into_iter().map(|p| shot.plane.flat(p).extend(shot.plane.tool.of(p))).collect()
+}
+
+fn affine(frame: &Frame) -> DAffine3 {
+    let rows = frame.rows();
+    let column = |n: usize| DVec3::new(rows[0][n], rows[1][n], rows[2][n]);
+    DAffine3 { matrix3: glam::DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
+}
+
 /// The faces of the parts in the plane of a view at `depth` along the axis that the view does not show.
 pub(super) fn faces(shot: &Shot, view: FigureView, depth: f64) -> Vec<Face> {
     // To (right, up, towards the reader), with the plane at 0.
@@ -41,7 +69,7 @@ pub(super) fn faces(shot: &Shot, view: FigureView, depth: f64) -> Vec<Face> {
         let p = own.transform_point3(p);
         let p = plane.flat(p).extend(plane.tool.of(p));
         match view {
-            FigureView::Plan | FigureView::RotaryC => DVec3::new(p.x, p.y, p.z - depth),
+            FigureView::Plan | FigureView::RotaryC | FigureView::ThreeD => DVec3::new(p.x, p.y, p.z - depth),
             FigureView::Section | FigureView::Side | FigureView::Rotary | FigureView::RotaryB => {
                 DVec3::new(p.x, p.z, depth - p.y)
             }
@@ -151,11 +179,7 @@ fn cut(shape: &Shape, frame: DAffine3, material: bool, faces: &mut Vec<Face>) {
     };
     match shape {
         Shape::Placed { frame: inner, shape } => {
-            let rows = inner.rows();
-            let column = |n: usize| DVec3::new(rows[0][n], rows[1][n], rows[2][n]);
-            let inner =
-                DAffine3 { matrix3: glam::DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) };
-            cut(shape, frame * inner, material, faces);
+            cut(shape, frame * affine(inner), material, faces);
         }
         Shape::Union(all) => all.iter().for_each(|one| cut(one, frame, material, faces)),
         Shape::Difference(all) => {
@@ -169,6 +193,8 @@ fn cut(shape: &Shape, frame: DAffine3, material: bool, faces: &mut Vec<Face>) {
         Shape::Cone { from, to, radius_from, radius_to } => {
             take(round(*from, *to, [*radius_from, *radius_to], frame));
         }
+        // The scenes of specifications have no files.
+        Shape::Mesh(_) => {}
         Shape::Sphere { centre, radius } => {
             let centre = frame.transform_point3(*centre);
             let square = radius * radius - centre.z * centre.z;

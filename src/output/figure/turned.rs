@@ -1,11 +1,12 @@
-//! A part that is turned, on the sheet: half of it cut open above the rotary axis, what it will be, and the insert.
+//! Parts about a rotary axis, on the sheet: half of one that is turned, cut open above the axis, what it will be, and the
+//! insert; one on a rotary table, cut across the axis.
 //!
-//! Invariant: draws what [`half_plane`](super::half_plane) found.
+//! Invariant: draws what [`half_plane`](super::half_plane) and [`cylinder`](super::cylinder) found.
 use glam::DVec2;
 
 use super::frame::Frame;
 use super::pen::{Pen, Rect};
-use super::sheet::{Subject, flat};
+use super::subject::{Subject, flat};
 
 /// What is nearer to the rotary axis lies on it, mm.
 const ON_AXIS: f64 = 1e-3;
@@ -65,5 +66,26 @@ pub(super) fn insert(pen: &mut Pen, subject: &Subject<'_>, frame: &Frame) {
         points.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)));
     if low.x < high.x {
         pen.blocked.push(Rect { min: low, max: high });
+    }
+}
+
+/// The part on a rotary table cut open, what it will be, and its axis.
+pub(super) fn across(pen: &mut Pen, subject: &Subject<'_>, frame: &Frame) {
+    let Some(round) = &subject.shot.round else { return };
+    let placed = |line: &Vec<DVec2>| line.iter().map(|p| frame.camera.place(*p)).collect::<Vec<_>>();
+    let lines: Vec<Vec<DVec2>> = round.left.iter().map(placed).collect();
+    let data: String = lines.iter().map(|line| Pen::data(line, true)).collect();
+    pen.path("m", &data);
+    pen.hatch(&lines);
+    let middle = frame.camera.place(DVec2::ZERO);
+    pen.circle("v", middle, round.radius * frame.camera.scale);
+    for line in round.finished.iter().map(placed) {
+        pen.area("x", &line);
+    }
+    for line in &lines {
+        pen.area("o", line);
+    }
+    for arm in [DVec2::X, DVec2::Y].map(|axis| axis * 9.0) {
+        pen.line("x", &[middle - arm, middle + arm]);
     }
 }

@@ -1,4 +1,4 @@
-//! The manual of a control in a language as a book: EPUB 3.
+//! The manual of a control in a language as a book: its pages in order, its contents, and EPUB 3. Books on paper are in `print`.
 //!
 //! Invariant: the pages of a book are those of the site without what only a site has (switches, search, comparisons), so
 //! that no sentence exists twice; the same input gives the same bytes.
@@ -15,7 +15,7 @@ use super::escape::escape;
 use super::page::Here;
 use super::section::{GLOSSARY, PARAMETERS, Section};
 use super::site::Site;
-use super::{cycle, in_parallel, lists, lock, notes, topic};
+use super::{cycle, in_parallel, lists, lock, notes, programs, topic};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::Args;
 use crate::spec::Group;
@@ -23,38 +23,45 @@ use crate::spec::Group;
 /// A book.
 #[derive(Debug)]
 pub struct Book {
-    /// The name of its file, such as `tnc640-fi.epub`.
+    /// The name of its file, such as `tnc640-fi.epub` or `tnc640-fi.pdf`.
     pub name: String,
     /// The whole file.
     pub bytes: Vec<u8>,
-    /// How many pages the site would have for it.
+    /// How many pages it has; in EPUB, those that the site would have for it.
     pub pages: usize,
 }
 
 /// An entry of the contents.
 #[derive(Serialize)]
-struct Listed {
-    href: String,
-    title: String,
+pub(super) struct Listed {
+    pub(super) href: String,
+    pub(super) title: String,
 }
 
 /// A chapter of the contents.
 #[derive(Serialize)]
-struct Chapter {
-    href: Option<String>,
-    title: String,
-    pages: Vec<Listed>,
+pub(super) struct Chapter {
+    pub(super) href: Option<String>,
+    pub(super) title: String,
+    pub(super) pages: Vec<Listed>,
 }
 
 /// A page to make.
 #[derive(Clone, Copy)]
-enum Page {
+pub(super) enum Page {
     Cycle(usize),
     Topic(usize),
     Parameters,
     Keywords,
     Glossary,
     Notes,
+    Programs,
+}
+
+/// A page that was made.
+pub(super) struct Made {
+    pub(super) page: Page,
+    pub(super) html: String,
 }
 
 /// The name of the first page of a book.
@@ -77,41 +84,49 @@ impl<'a> Site<'a> {
     }
 
     fn book(&self, section: &Section<'a>) -> Result<Book, Vec<Diagnostic>> {
+        let made = self.made_pages(section)?;
+        let mut files = vec![
+            (TITLE.to_owned(), self.frame_page("book-title.html", section, Vec::new())?),
+            (CONTENTS.to_owned(), self.frame_page("book-contents.html", section, self.chapters(section)?)?),
+        ];
+        let pages = made.len();
+        files.extend(made.iter().map(|made| (book_name(file_of(section, made.page)), with_book_links(&made.html))));
+        let name = format!("{}-{}.epub", section.on.id(), section.language.tag());
+        let package = self.package(section, &files)?;
+        let bytes = self.pack(&package, &files).map_err(|error| {
+            vec![Diagnostic::global("book-not-packed").arg("path", name.as_str()).arg("reason", error.to_string())]
+        })?;
+        Ok(Book { name, bytes, pages })
+    }
+
+    /// The pages in the order of reading, as the site has them.
+    pub(super) fn made_pages(&self, section: &Section<'a>) -> Result<Vec<Made>, Vec<Diagnostic>> {
         let pages = pages(section);
-        let made: std::sync::Mutex<Vec<(usize, String, String)>> = std::sync::Mutex::default();
+        let made: std::sync::Mutex<Vec<(usize, Made)>> = std::sync::Mutex::default();
         let faults = in_parallel(pages.len(), &|at| {
-            let Some(page) = pages.get(at) else { return Ok(()) };
-            let html = match *page {
+            let Some(&page) = pages.get(at) else { return Ok(()) };
+            let html = match page {
                 Page::Cycle(entry) => cycle::page(self, section, entry)?,
                 Page::Topic(own) => topic::page(self, section, own)?,
                 Page::Parameters => lists::parameters(self, section)?,
                 Page::Keywords => lists::keywords(self, section)?,
                 Page::Glossary => lists::glossary(self, section)?,
                 Page::Notes => notes::page(self, section)?,
+                Page::Programs => programs::page(self, section)?,
             };
-            lock(&made).push((at, file_of(section, *page), with_book_links(&html)));
+            lock(&made).push((at, Made { page, html }));
             Ok(())
         });
         if !faults.is_empty() {
             return Err(faults);
         }
         let mut made = made.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-        made.sort_by_key(|(at, ..)| *at);
-        let mut files = vec![
-            (TITLE.to_owned(), self.frame_page("book-title.html", section, Vec::new())?),
-            (CONTENTS.to_owned(), self.frame_page("book-contents.html", section, self.chapters(section)?)?),
-        ];
-        files.extend(made.into_iter().map(|(_, file, html)| (file, html)));
-        let name = format!("{}-{}.epub", section.on.id(), section.language.tag());
-        let package = self.package(section, &files)?;
-        let bytes = self.pack(&package, &files).map_err(|error| {
-            vec![Diagnostic::global("book-not-packed").arg("path", name.as_str()).arg("reason", error.to_string())]
-        })?;
-        Ok(Book { name, bytes, pages: pages.len() })
+        made.sort_by_key(|(at, _)| *at);
+        Ok(made.into_iter().map(|(_, made)| made).collect())
     }
 
     /// A page that only books have.
-    fn frame_page(
+    pub(super) fn frame_page(
         &self,
         template: &str,
         section: &Section<'a>,
@@ -128,7 +143,7 @@ impl<'a> Site<'a> {
     }
 
     /// The contents: the groups with their cycles, the topics, the lists.
-    fn chapters(&self, section: &Section<'a>) -> Result<Vec<Chapter>, Vec<Diagnostic>> {
+    pub(super) fn chapters(&self, section: &Section<'a>) -> Result<Vec<Chapter>, Vec<Diagnostic>> {
         let mut chapters = Vec::new();
         for group in Group::ALL {
             let members = section.entries.iter().filter(|entry| entry.cycle.file.group == *group);
@@ -151,11 +166,14 @@ impl<'a> Site<'a> {
         }
         let list = |page: Page, key: &str| {
             Ok::<_, Vec<Diagnostic>>(Chapter {
-                href: Some(file_of(section, page)),
+                href: Some(book_name(file_of(section, page))),
                 title: text(key)?,
                 pages: Vec::new(),
             })
         };
+        if !section.on.worked.is_empty() {
+            chapters.push(list(Page::Programs, "site-worked-programs")?);
+        }
         chapters.push(list(Page::Notes, "site-general-notes")?);
         chapters.push(list(Page::Parameters, "site-parameters-short")?);
         chapters.push(list(Page::Glossary, "site-glossary")?);
@@ -248,18 +266,25 @@ fn pages(section: &Section) -> Vec<Page> {
         |group: Group| (0..section.entries.len()).filter(move |at| section.entries[*at].cycle.file.group == group);
     let cycles = Group::ALL.iter().flat_map(|group| of_group(*group)).map(Page::Cycle);
     let topics = (0..section.topics.len()).map(Page::Topic);
-    cycles.chain(topics).chain([Page::Notes, Page::Parameters, Page::Glossary, Page::Keywords]).collect()
+    let programs = (!section.on.worked.is_empty()).then_some(Page::Programs);
+    cycles
+        .chain(topics)
+        .chain(programs)
+        .chain([Page::Notes, Page::Parameters, Page::Glossary, Page::Keywords])
+        .collect()
 }
 
-fn file_of(section: &Section, page: Page) -> String {
-    book_name(match page {
+/// The name of its file on the site.
+pub(super) fn file_of<'s>(section: &'s Section, page: Page) -> &'s str {
+    match page {
         Page::Cycle(at) => &section.entries[at].file,
         Page::Topic(at) => &section.topics[at].file,
         Page::Parameters => PARAMETERS,
         Page::Keywords => lists::KEYWORDS,
         Page::Glossary => GLOSSARY,
         Page::Notes => notes::PAGE,
-    })
+        Page::Programs => programs::PAGE,
+    }
 }
 
 /// The name of a page in a book.

@@ -9,7 +9,7 @@ use super::view::{
     CheckView, ChoiceView, CycleView, ExampleView, FigureView, FiguresView, Html, LinkView, ParameterTable,
     ParameterView, ResultView, RunView, StepView, TableView,
 };
-use super::{Site, highlight, inline, page};
+use super::{Site, highlight, inline, page, programs};
 use crate::base::diag::Diagnostic;
 use crate::language::label;
 use crate::language::locale::Args;
@@ -26,6 +26,7 @@ pub(super) fn page<'a>(site: &Site<'a>, section: &Section<'a>, at: usize) -> Res
     let maker = Maker { text: &text, section, site, linker: &linker };
     let (mut view, mut faults) = maker.cycle(&entry.name, group);
     view.comparison = site.comparison(section, entry.cycle.key);
+    view.programs = programs::of_cycle(site, section, entry.cycle.key)?;
     let key = entry.cycle.key.to_string();
     let args = Args::new().text("name", entry.name.as_str()).text("key", key.as_str());
     let title = section.text("page-title", &args.text("control", section.on.control.title.as_str()))?.into_owned();
@@ -81,6 +82,7 @@ impl Maker<'_, '_, '_> {
             results: self.results(),
             tables: self.tables(),
             examples,
+            programs: Vec::new(),
             see: cycle.file.see.iter().filter_map(|see| self.see(see)).collect(),
             comparison: None,
         };
@@ -184,16 +186,14 @@ impl Maker<'_, '_, '_> {
             let rows: Vec<_> = cycle.fields(at).map(|(param, _)| self.parameter(param)).collect();
             let several = cycle.file.forms.len() > 1;
             if !rows.is_empty() {
-                tables.push(ParameterTable { title: several.then(|| self.form_title(form, at)), rows });
+                tables.push(ParameterTable { title: several.then(|| self.form_title(form)), rows });
             }
         }
         tables
     }
 
-    fn form_title(&self, form: &crate::spec::Form, at: usize) -> String {
-        let name = self.text.find(&format!("form-{}", form.form.as_str()));
-        let name =
-            name.unwrap_or_else(|| self.text.general("page-form", &Args::new().number("number", at as f64 + 1.0)));
+    fn form_title(&self, form: &crate::spec::Form) -> String {
+        let name = self.text.form(&form.form);
         let codes: Vec<&str> = form.iso.iter().map(|iso| iso.code.as_str()).collect();
         if codes.is_empty() { name.into_owned() } else { format!("{name} ({})", codes.join(", ")) }
     }

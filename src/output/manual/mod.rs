@@ -17,6 +17,9 @@ mod lists;
 mod notes;
 mod overview;
 mod page;
+#[cfg(feature = "pdf")]
+mod print;
+mod programs;
 pub mod search;
 mod section;
 mod site;
@@ -91,6 +94,7 @@ enum Job {
     Keywords(usize),
     Glossary(usize),
     Notes(usize),
+    Programs(usize),
     Search(usize),
     Topic(usize, usize),
     Comparison(usize),
@@ -168,6 +172,9 @@ impl<'a> Site<'a> {
                 Job::Notes(at),
                 Job::Search(at),
             ]);
+            if !section.on.worked.is_empty() {
+                jobs.push(Job::Programs(at));
+            }
             jobs.extend([Job::Dialogs(at), Job::Labels(at), Job::Export(at)]);
             jobs.extend((0..section.entries.len()).map(|entry| Job::Cycle(at, entry)));
             jobs.extend((0..section.topics.len()).map(|topic| Job::Topic(at, topic)));
@@ -276,6 +283,15 @@ impl<'a> Site<'a> {
                 let order = section.entries.len() + section.topics.len();
                 collect(at, order, Found { file: notes::PAGE.to_owned(), title, sentences: search::sentences(&html) });
                 put(&section.path(notes::PAGE), html.as_bytes())
+            }
+            Job::Programs(at) => {
+                let section = &self.sections[at];
+                let html = programs::page(self, section)?;
+                let title = section.text("site-worked-programs", &Args::new())?.into_owned();
+                // After the terms of the glossary.
+                let found = Found { file: programs::PAGE.to_owned(), title, sentences: search::sentences(&html) };
+                collect(at, usize::MAX, found);
+                put(&section.path(programs::PAGE), html.as_bytes())
             }
             Job::Search(at) => {
                 let section = &self.sections[at];

@@ -2,10 +2,10 @@
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
-use super::Site;
 use super::page::{Here, link};
 use super::section::Section;
 use super::view::{GroupView, LinkView, OverviewView, TopicLink};
+use super::{Site, programs};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::Args;
 use crate::spec::{CycleKey, Group, Named};
@@ -15,7 +15,8 @@ pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnos
     let title = section.text("page-overview-title", &args)?.into_owned();
     let topics = section.topics.iter().map(|topic| TopicLink { href: topic.file.clone(), title: topic.title.clone() });
     let topics = topics.collect();
-    let view = OverviewView { groups: groups(section)?, named: named(site, section), topics };
+    let programs = programs::titles(section)?;
+    let view = OverviewView { groups: groups(section)?, named: named(site, section), programs, topics };
     let frame = site.frame(section, title, Here::Every("index.html"))?;
     let context = context! {
         page => Value::from(Serde(&frame)),

@@ -1,7 +1,7 @@
 //! What every page has: title, switches of language and control, neighbours.
-use super::Site;
 use super::section::{Entry, OVERVIEW, Section};
 use super::view::{Html, LinkView, PageView, SwitchView, TrailView};
+use super::{Site, programs};
 use crate::base::diag::{Diagnostic, Source};
 use crate::check::Against;
 use crate::language::locale::{Args, Scope};
@@ -19,6 +19,8 @@ pub(super) enum Here<'h> {
     Cycle(usize),
     /// That of a topic.
     Topic(&'h str),
+    /// That of the worked programs.
+    Programs,
 }
 
 impl Here<'_> {
@@ -26,6 +28,7 @@ impl Here<'_> {
     fn file_in<'s>(&'s self, other: &'s Section, from: &Section) -> Option<&'s str> {
         match self {
             Here::Every(file) => Some(file),
+            Here::Programs => (!other.on.worked.is_empty()).then_some(programs::PAGE),
             Here::Cycle(at) => Some(&other.entry(from.entries.get(*at)?.cycle.key)?.file),
             Here::Topic(name) => Some(&other.topics.iter().find(|topic| topic.id == *name)?.file),
         }
@@ -125,7 +128,7 @@ impl Site<'_> {
         let to_overview = |anchor: &str| Some(format!("{OVERVIEW}{anchor}"));
         Ok(match here {
             Here::Every(OVERVIEW) => vec![step(None, control)],
-            Here::Every(_) => vec![step(to_overview(""), control), step(None, title.to_owned())],
+            Here::Every(_) | Here::Programs => vec![step(to_overview(""), control), step(None, title.to_owned())],
             Here::Topic(name) => {
                 let topics = section.text("site-topics", &Args::new())?.into_owned();
                 let own = section.topics.iter().find(|topic| topic.id == name).map(|topic| topic.title.clone());

@@ -10,7 +10,7 @@ use crate::base::diag::Diagnostic;
 use crate::check::LabelBook;
 use crate::language::locale::{Language, Locales};
 use crate::output::figure::{self, Figure};
-use crate::spec::{Catalogue, Cycle, CycleKey, OnControl};
+use crate::spec::{Catalogue, Cycle, CycleKey, OnControl, Worked};
 use crate::tools::conform::World;
 
 /// A cycle in a language on at least two controls.
@@ -26,13 +26,25 @@ pub(super) struct Comparison {
 #[derive(Default)]
 pub(super) struct Figures<'a> {
     made: BTreeMap<(&'a str, CycleKey), OnceLock<Vec<Figure<'a>>>>,
+    /// Those of worked programs, by control and name.
+    of_programs: BTreeMap<(&'a str, &'a str), OnceLock<Vec<Figure<'a>>>>,
     files: &'a [(String, String)],
 }
 
 impl<'a> Figures<'a> {
     pub(super) fn new(controls: impl Iterator<Item = &'a OnControl>, files: &'a [(String, String)]) -> Self {
-        let all = controls.flat_map(|on| on.cycles.keys().map(|key| ((on.id(), *key), OnceLock::new())));
-        Self { made: all.collect(), files }
+        let (mut made, mut of_programs) = (BTreeMap::new(), BTreeMap::new());
+        for on in controls {
+            made.extend(on.cycles.keys().map(|key| ((on.id(), *key), OnceLock::new())));
+            of_programs.extend(on.worked.iter().map(|worked| ((on.id(), worked.name()), OnceLock::new())));
+        }
+        Self { made, of_programs, files }
+    }
+
+    /// A data file.
+    #[cfg(feature = "pdf")]
+    pub(super) fn file(&self, path: &str) -> Option<&'a str> {
+        self.files.iter().find(|(own, _)| own == path).map(|(_, text)| text.as_str())
     }
 
     /// The figures of a cycle; none that is wrong, which the linter says.
@@ -40,6 +52,15 @@ impl<'a> Figures<'a> {
         let Some(made) = self.made.get(&(on.id(), cycle.key)) else { return &[] };
         let world = World { catalogue: site.catalogue, locales: site.locales, files: self.files };
         made.get_or_init(|| figure::prepare(&world, on, cycle).0)
+    }
+}
+
+impl<'a> Figures<'a> {
+    /// The pictures of a worked program, in the same way.
+    pub(super) fn of_program(&self, site: &Site<'a>, on: &'a OnControl, worked: &'a Worked) -> &[Figure<'a>] {
+        let Some(made) = self.of_programs.get(&(on.id(), worked.name())) else { return &[] };
+        let world = World { catalogue: site.catalogue, locales: site.locales, files: self.files };
+        made.get_or_init(|| figure::prepare_worked(&world, on, worked).0)
     }
 }
 

@@ -84,7 +84,8 @@ pub(super) fn body(markdown: &str, section: &Section) -> String {
     }
     let mut out = String::with_capacity(markdown.len() * 5 / 4);
     html::push_html(&mut out, events.into_iter());
-    out
+    // A program that is wider than the screen is scrolled with the keyboard, too.
+    out.replace("<pre>", "<pre tabindex=\"0\">")
 }
 
 /// The file that a link such as `cycle:TCH-PROBE-412` or `topic:threads` leads to.

@@ -99,6 +99,8 @@ pub(super) struct CycleView<'a> {
     pub(super) results: Vec<ResultView>,
     pub(super) tables: Vec<TableView>,
     pub(super) examples: Vec<ExampleView>,
+    /// Whole programs that define it.
+    pub(super) programs: Vec<WorkedView>,
     pub(super) see: Vec<LinkView>,
     /// The page that compares the controls that have the cycle.
     pub(super) comparison: Option<String>,
@@ -234,11 +236,27 @@ pub(super) struct ExampleView {
     pub(super) iso: Option<Html>,
 }
 
+/// A worked program.
+#[derive(Serialize)]
+pub(super) struct WorkedView {
+    pub(super) id: String,
+    /// The way to it on the page of all programs.
+    pub(super) href: String,
+    pub(super) title: String,
+    /// What it shows, in a sentence.
+    pub(super) shows: String,
+    pub(super) program: Html,
+    /// The cycles that it defines.
+    pub(super) cycles: Vec<LinkView>,
+    pub(super) figures: Vec<FigureView>,
+}
+
 /// An overview.
 #[derive(Serialize)]
 pub(super) struct OverviewView {
     pub(super) groups: Vec<GroupView>,
     pub(super) named: Vec<LinkView>,
+    pub(super) programs: Vec<TopicLink>,
     pub(super) topics: Vec<TopicLink>,
 }
 

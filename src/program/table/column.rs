@@ -43,6 +43,10 @@ pub enum TableKind {
     Datum,
     /// Positions for machining cycles (`.PNT`).
     Points,
+    /// Turning tools, `TOOLTURN.TRN`.
+    Turning,
+    /// Tables whose columns are those of their file (`.TAB`).
+    Free,
 }
 
 /// Columns that controls write into tables of tools and touch probes and that no manual here describes: they are known,
@@ -77,6 +81,9 @@ const WRITTEN: [&str; 28] = [
     "PLC-VAL",
     "CR",
 ];
+
+/// The types of turning tools: for roughing, finishing, threads, recesses, with a round insert, for recess turning.
+const TYPES: [&str; 6] = ["ROUGH", "FINISH", "THREAD", "RECESS", "BUTTON", "RECTURN"];
 
 /// Room for `-99999.999999999` and a blank: the engine's results keep 1e-9 mm.
 const WIDE: usize = 17;
@@ -135,6 +142,31 @@ const TOOL: &[Column] = &[
     text("DOC", 33),
 ];
 
+/// Turning tools: TO, RS, T-ANGLE, P-ANGLE TNC 640 manual line 7304, the cutting width 8821; the other columns are common
+/// knowledge of the trade: lengths along Z, X and Y with their oversizes, the angle of the spindle, the length of the
+/// edge, oversizes of radius and width, the type.
+const TURNING: &[Column] = &[
+    key("T"),
+    text("NAME", 33),
+    length("ZL"),
+    length("XL"),
+    length("YL"),
+    length("DZL"),
+    length("DXL"),
+    length("DYL"),
+    length("RS"),
+    length("DRS"),
+    number("TO"),
+    angle("ORI"),
+    angle("T-ANGLE"),
+    angle("P-ANGLE"),
+    length("CUTLENGTH"),
+    length("CUTWIDTH"),
+    length("DCW"),
+    text("TYPE", 9),
+    text("DOC", 33),
+];
+
 /// TNC 640 manual lines 10661-10671, TNC 320 lines 493-555.
 const PROBE: &[Column] = &[
     key("NO"),
@@ -168,6 +200,9 @@ const PRESET: &[Column] = &[
 /// Point tables: TNC 640 manual 1583-1640.
 const POINTS: &[Column] = &[key("NR"), length("X"), length("Y"), length("Z"), text("FADE", 3)];
 
+/// A freely definable table has what its file has, and a number for each row.
+const FREE: &[Column] = &[key("NR")];
+
 /// TNC 640 manual lines 6422-6450.
 const DATUM: &[Column] = &[
     key("D"),
@@ -190,7 +225,8 @@ impl TableKind {
     }
 
     /// All kinds.
-    pub const ALL: [Self; 5] = [Self::Tool, Self::Probe, Self::Preset, Self::Datum, Self::Points];
+    pub const ALL: [Self; 7] =
+        [Self::Tool, Self::Probe, Self::Preset, Self::Datum, Self::Points, Self::Turning, Self::Free];
 
     /// The columns in their order; the first is the number of the row.
     pub const fn columns(self) -> &'static [Column] {
@@ -200,6 +236,8 @@ impl TableKind {
             Self::Preset => PRESET,
             Self::Datum => DATUM,
             Self::Points => POINTS,
+            Self::Turning => TURNING,
+            Self::Free => FREE,
         }
     }
 
@@ -211,6 +249,8 @@ impl TableKind {
             Self::Preset => ".PR",
             Self::Datum => ".D",
             Self::Points => ".PNT",
+            Self::Turning => ".TRN",
+            Self::Free => ".TAB",
         }
     }
 
@@ -222,6 +262,8 @@ impl TableKind {
             Self::Preset => "PRESET.PR",
             Self::Datum => "DATUM.D",
             Self::Points => "POINTS.PNT",
+            Self::Turning => "TOOLTURN.TRN",
+            Self::Free => "TABLE.TAB",
         }
     }
 
@@ -233,6 +275,8 @@ impl TableKind {
             Self::Preset => "preset",
             Self::Datum => "datum",
             Self::Points => "points",
+            Self::Turning => "turning",
+            Self::Free => "free",
         }
     }
 
@@ -253,6 +297,7 @@ impl TableKind {
         match (self, column) {
             (Self::Tool, "LTOL" | "RTOL" | "LBREAK" | "RBREAK") => Some((0.0, 0.9999)),
             (Self::Tool, "CUT") => Some((0.0, 99.0)),
+            (Self::Turning, "TO") => Some((1.0, 9.0)),
             _ => None,
         }
     }
@@ -264,6 +309,9 @@ impl TableKind {
             (Self::Tool, "T") => Some((0.0, 32767.9)),
             (Self::Tool, "CUT") => Some((0.0, 20.0)),
             (Self::Tool, "R" | "LCUTS" | "RS" | "CUTWIDTH") => Some((0.0, 99999.9999)),
+            (Self::Turning, "T") => Some((0.0, 32767.9)),
+            (Self::Turning, "RS" | "CUTLENGTH" | "CUTWIDTH") => Some((0.0, 99999.9999)),
+            (Self::Turning, "T-ANGLE" | "P-ANGLE") => Some((0.0, 180.0)),
             (Self::Tool, "ANGLE") => Some((0.0, 90.0)),
             (Self::Tool, "T-ANGLE" | "P-ANGLE") => Some((0.0, 180.0)),
             (Self::Probe, "DIST" | "SET_UP") => Some((0.0, 99999.9999)),
@@ -281,8 +329,8 @@ impl TableKind {
     /// Whether the numbers of a column are whole: tools have numbers with a decimal, too.
     pub fn is_whole(self, column: &Column) -> bool {
         match column.quantity {
-            Quantity::Key => self != Self::Tool,
-            _ => matches!(column.name, "CUT" | "TP_NO"),
+            Quantity::Key => !matches!(self, Self::Tool | Self::Turning),
+            _ => matches!(column.name, "CUT" | "TP_NO" | "TO"),
         }
     }
 
@@ -292,7 +340,8 @@ impl TableKind {
             Self::Tool => &["L", "R"],
             Self::Points => &["X", "Y"],
             Self::Preset => &["X", "Y", "Z"],
-            Self::Probe | Self::Datum => &[],
+            Self::Turning => &["ZL", "XL", "TO"],
+            Self::Probe | Self::Datum | Self::Free => &[],
         }
     }
 
@@ -302,6 +351,7 @@ impl TableKind {
         match (self, column) {
             (Self::Tool, "TL") => Some(&["L", "-", "0", "1"]),
             (Self::Tool, "DIRECT.") => Some(&["+", "-"]),
+            (Self::Turning, "TYPE") => Some(&TYPES),
             (Self::Points, "FADE") => Some(&["Y", "N", "-"]),
             (Self::Probe, "F_PREPOS") => Some(&["FMAX_PROBE", "FMAX_MACHINE", "-"]),
             (Self::Probe, "TRACK") => Some(&["ON", "OFF", "-"]),

@@ -73,6 +73,20 @@ impl Table {
         Self { kind, file, unit: TableUnit::Mm, headings, heading: 1, lines, rows: Vec::new(), rising: true, end: 2 }
     }
 
+    /// An empty freely definable table with these columns, each so many characters wide, after the number of the row.
+    pub fn free(file: &str, columns: &[(String, usize)]) -> Self {
+        let (headings, heading) = text::with_columns(TableKind::Free, columns);
+        let kind = TableKind::Free;
+        let lines = vec![Line::new(format!("BEGIN {file} MM")), Line::new(heading), Line::new("[END]".to_owned())];
+        let file = file.to_owned();
+        Self { kind, file, unit: TableUnit::Mm, headings, heading: 1, lines, rows: Vec::new(), rising: true, end: 2 }
+    }
+
+    /// What a column holds, if the table has it.
+    pub fn quantity(&self, column: &str) -> Option<Quantity> {
+        self.heading(column).ok().map(|heading| heading.quantity)
+    }
+
     /// Reads a table. The name of its file is that of the source without the folders of this computer.
     ///
     /// # Errors

@@ -75,12 +75,18 @@ impl Heading {
 
 /// The standard columns of a kind, and the line that heads them.
 pub(super) fn standard(kind: TableKind) -> (Vec<Heading>, String) {
+    with_columns(kind, &[])
+}
+
+/// The standard columns of a kind and others after them, each so wide, and the line that heads them.
+pub(super) fn with_columns(kind: TableKind, others: &[(String, usize)]) -> (Vec<Heading>, String) {
     let (mut headings, mut line, mut start) = (Vec::new(), String::new(), 0);
-    for column in kind.columns() {
-        let (name, quantity) = (column.name.to_owned(), column.quantity);
-        line.push_str(&format!("{name:<width$}", width = column.width));
-        headings.push(Heading { name, start, width: Some(column.width), quantity });
-        start += column.width;
+    let own = kind.columns().iter().map(|column| (column.name, column.width, column.quantity));
+    let others = others.iter().map(|(name, width)| (name.as_str(), *width, Quantity::Text));
+    for (name, width, quantity) in own.chain(others) {
+        line.push_str(&format!("{name:<width$}"));
+        headings.push(Heading { name: name.to_owned(), start, width: Some(width), quantity });
+        start += width;
     }
     if let Some(last) = headings.last_mut() {
         last.width = None;

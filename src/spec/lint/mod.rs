@@ -9,6 +9,7 @@ mod names;
 mod parameter;
 mod reference;
 mod run;
+mod worked;
 pub use habit::equals;
 pub(super) use run::walk;
 
@@ -23,6 +24,7 @@ pub fn lint(catalogue: &Catalogue) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for on in catalogue.controls.values() {
         reference::control(on, &mut found);
+        worked::worked(on, &mut found);
         for cycle in on.cycles.values() {
             lint_cycle(cycle, on, &mut found);
         }

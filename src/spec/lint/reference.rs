@@ -116,7 +116,7 @@ fn expr_names(expr: &Expr) -> Option<String> {
     first
 }
 
-fn unknown_cycle(place: Place, key: CycleKey, on: &OnControl) -> Diagnostic {
+pub(super) fn unknown_cycle(place: Place, key: CycleKey, on: &OnControl) -> Diagnostic {
     Diagnostic::error("spec-unknown-cycle", place).arg("cycle", key.to_string()).arg("control", on.id())
 }
 

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::expect::Expectation;
+use super::part::Part;
 use super::report::{CaseReport, Clause, Mismatch, Verdict};
 use super::{LogTexts, World, show};
 use crate::base::diag::{Diagnostic, Source};
@@ -33,8 +34,24 @@ pub(super) fn execute(
             let program = syntax::parse(&program);
             let mut events: Vec<Event> = Vec::new();
             let engine = Engine::new(&program, on, &scene, &texts).with_catalogue(world.catalogue);
-            let outcome = engine.run(&mut |event| events.push(event));
-            let result = judge(cycle, example, &expectation, &outcome, &events, true);
+            let mut machining = match expectation.part.as_ref().map(|_| Part::follow(&program, &scene)).transpose() {
+                Ok(machining) => machining,
+                Err(mistake) => {
+                    let mismatch = Mismatch::new("part", "a sound case", mistake.code);
+                    found.push(mistake);
+                    return (verdict(Verdict::Fail { mismatches: vec![mismatch] }), Shown::default(), found);
+                }
+            };
+            let outcome = engine.run(&mut |event| {
+                if let Some(machining) = &mut machining {
+                    machining.see(&event);
+                }
+                events.push(event);
+            });
+            let mut result = judge(cycle, example, &expectation, &outcome, &events, true);
+            if let (Some(part), Some(machining)) = (&expectation.part, machining) {
+                part.add_to(&mut result, machining);
+            }
             (verdict(result), outcome.shown, found)
         }
         Err(mistakes) => {

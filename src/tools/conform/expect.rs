@@ -3,6 +3,7 @@
 //! Invariant: an unknown key is a mistake, so that nothing is believed to be checked that is not.
 use std::sync::Arc;
 
+use super::part::Part;
 use super::report::Mismatch;
 use super::show;
 use crate::base::diag::{Diagnostic, Place, Source};
@@ -77,14 +78,18 @@ pub(super) struct Expectation {
     /// Movements: all of them, those at the beginning, those at the end.
     actions: [Option<Vec<Action>>; 3],
     spindle: Option<Vec<String>>,
+    /// What is left of the blank.
+    pub(super) part: Option<Part>,
 }
 
 /// The keys of movements: all, the first ones, the last ones.
 const MOVES: [&str; 3] = ["moves", "first_moves", "last_moves"];
-const KEYS: &[&str] =
-    &["q", "position", "errors", "messages", "end", "table", "log", MOVES[0], MOVES[1], MOVES[2], "spindle", "within"];
+const KEYS: &[&str] = &[
+    "q", "position", "errors", "messages", "end", "table", "log", MOVES[0], MOVES[1], MOVES[2], "spindle", "within",
+    "part",
+];
 
-struct Reader<'r> {
+pub(super) struct Reader<'r> {
     source: &'r Arc<Source>,
     found: Vec<Diagnostic>,
 }
@@ -94,13 +99,13 @@ impl Reader<'_> {
         Place::new(self.source, node.span)
     }
 
-    fn expected(&mut self, node: &Node, expected: &'static str) {
+    pub(super) fn expected(&mut self, node: &Node, expected: &'static str) {
         let shown = node.shown(self.source);
         let diagnostic = Diagnostic::error("spec-expected", self.place(node));
         self.found.push(diagnostic.arg("expected", expected).arg("found", shown));
     }
 
-    fn entries<'n>(&mut self, node: &'n Node, known: Option<&[&str]>) -> Vec<(&'n str, &'n Node)> {
+    pub(super) fn entries<'n>(&mut self, node: &'n Node, known: Option<&[&str]>) -> Vec<(&'n str, &'n Node)> {
         let Kind::Map(entries) = &node.kind else {
             self.expected(node, "mapping");
             return Vec::new();
@@ -116,14 +121,14 @@ impl Reader<'_> {
         entries.iter().map(|(key, node)| (&*key.text, node)).collect()
     }
 
-    fn items<'n>(&mut self, node: &'n Node) -> &'n [Node] {
+    pub(super) fn items<'n>(&mut self, node: &'n Node) -> &'n [Node] {
         if !matches!(node.kind, Kind::List(_)) {
             self.expected(node, "list");
         }
         node.items()
     }
 
-    fn number(&mut self, node: &Node) -> Option<f64> {
+    pub(super) fn number(&mut self, node: &Node) -> Option<f64> {
         let number = node.text().and_then(|text| text.parse::<f64>().ok()).filter(|number| number.is_finite());
         if number.is_none() {
             self.expected(node, "number");
@@ -238,8 +243,9 @@ impl Expectation {
             let listed = node.get(key);
             listed.map(|node| r.items(node).iter().filter_map(|item| r.action(item)).collect())
         });
+        let part = node.get("part").map(|node| Part::read(node, &mut r));
         if r.found.is_empty() {
-            Ok(Self { within, q, position, errors, messages, end, table, log, actions, spindle })
+            Ok(Self { within, q, position, errors, messages, end, table, log, actions, spindle, part })
         } else {
             Err(r.found)
         }

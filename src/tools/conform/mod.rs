@@ -5,6 +5,7 @@
 mod case;
 mod expect;
 mod foreign;
+mod part;
 mod protocol;
 mod report;
 mod show;
@@ -161,7 +162,7 @@ fn jobs<'w>(world: &World<'w>, chosen: &Selection<'_>) -> Vec<Job<'w>> {
     let mut jobs = Vec::new();
     for on in world.catalogue.controls.values().filter(|on| chosen.has_control(on)) {
         for cycle in on.cycles.values().filter(|cycle| chosen.has_cycle(cycle)) {
-            let examples = cycle.file.examples.iter().filter(|example| chosen.has_case(example));
+            let examples = on.cases_of(cycle).filter(|example| chosen.has_case(example));
             jobs.extend(examples.map(|example| Job { on, cycle, example }));
         }
     }

@@ -162,7 +162,7 @@ impl<'c> About<'c> {
 }
 
 /// Kinds of messages by what their identifiers begin with; the first that fits counts.
-const KINDS: [(&str, &str); 28] = [
+const KINDS: [(&str, &str); 31] = [
     ("-", "inserted"),
     ("topics/", "topic"),
     ("cycle-group-", "group"),
@@ -179,8 +179,11 @@ const KINDS: [(&str, &str); 28] = [
     ("guard-", "guard"),
     ("message-", "message"),
     ("figure-", "figure"),
+    ("form-", "form"),
     ("table-", "table"),
     ("title-", "title"),
+    ("program-", "title"),
+    ("comment-", "comment"),
     ("term-", "term"),
     ("log-", "log"),
     ("diag-", "diagnostic"),

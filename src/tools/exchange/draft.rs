@@ -10,6 +10,8 @@ use crate::language::locale::{LocaleError, Locales};
 
 /// What is around a text that is not translated.
 const MARKS: (&str, &str) = ("\u{27e6}", "\u{27e7}");
+/// So often gaps are looked for again.
+const ROUNDS: usize = 3;
 /// Ends of keys of texts that are printed in NC programs, or symbols.
 const BARE: [&str; 5] = [".label", ".nc", ".word", ".symbol", ".more"];
 /// Beginnings of keys of texts that are the same in all languages, or join others.
@@ -20,6 +22,19 @@ const SYMBOLS: [&str; 2] = ["unit-", "list-"];
 /// # Errors
 /// If the source language was not loaded.
 pub fn draft(files: &[(String, String)], tag: &str) -> Result<(Vec<(String, String)>, usize), LocaleError> {
+    let (mut files, mut missing) = filled_once(files, tag)?;
+    // What was filled in may serve where the source has another text.
+    for _ in 0..ROUNDS {
+        let (more, count) = filled_once(&files, tag)?;
+        if count == 0 {
+            break;
+        }
+        (files, missing) = (more, missing + count);
+    }
+    Ok((files, missing))
+}
+
+fn filled_once(files: &[(String, String)], tag: &str) -> Result<(Vec<(String, String)>, usize), LocaleError> {
     let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
     let texts = unit::texts(&locales, tag)?;
     let missing = texts.iter().filter(|text| text.target.is_none()).count();

@@ -17,18 +17,25 @@ use crate::spec::Catalogue;
 /// So often the texts are checked again after some of them were refused.
 const ROUNDS: usize = 6;
 
+/// So often units with unsound ones among them are divided.
+const ATTEMPTS: usize = 24;
+
 /// What the codes of findings about labels begin with; they are at the text of the label.
 const LABEL: &str = "label-";
 
 /// A unit that can be taken over.
-struct Edit {
-    at: usize,
-    text: usize,
-    path: String,
-    pieces: Vec<Piece>,
+#[derive(Clone)]
+pub(super) struct Edit {
+    /// Where it is in the file.
+    pub(super) at: usize,
+    /// Its text, by number.
+    pub(super) text: usize,
+    /// Which variant of it.
+    pub(super) path: String,
+    pub(super) pieces: Vec<Piece>,
 }
 
-type Edits = BTreeMap<String, Edit>;
+pub(super) type Edits = BTreeMap<String, Edit>;
 
 /// Takes over the final units of a file for a language.
 ///
@@ -46,27 +53,59 @@ pub fn import(
     let (of_pages, received) = received.into_iter().partition(|unit| unit.id.starts_with(prose::TOPICS));
     let mut edits = sift(&texts, tag, received, &mut imported);
     drop_incomplete(&texts, tag, &mut edits, &mut imported);
+    settled(catalogue, files, tag, (&locales, before), &texts, edits, &mut imported);
+    prose::import(files, &prose::pages(&locales, tag), of_pages, &mut imported);
+    imported.refused.sort_by_key(|refusal| refusal.at);
+    Ok(imported)
+}
+
+/// Takes over the edits that the checks of texts have nothing against, and refuses the others.
+pub(super) fn settled(
+    catalogue: &Catalogue,
+    files: &[(String, String)],
+    tag: &str,
+    (locales, before): (&Locales, Vec<Diagnostic>),
+    texts: &[Text],
+    mut edits: Edits,
+    imported: &mut Imported,
+) {
     // What is found today matters only where something changes.
-    let before = if edits.is_empty() { Vec::new() } else { findings(catalogue, &locales, tag, before) };
+    let before = if edits.is_empty() { Vec::new() } else { findings(catalogue, locales, tag, before) };
     let known: BTreeSet<String> = before.iter().map(signature).collect();
-    for _ in 0..ROUNDS {
-        imported.files = applied(files, &texts, tag, &edits);
-        if edits.is_empty() {
-            break;
-        }
-        let changed: HashMap<&str, &str> =
-            imported.files.iter().map(|(path, text)| (path.as_str(), text.as_str())).collect();
-        let kept = files.iter().filter(|(path, _)| !changed.contains_key(path.as_str()));
-        let all = kept.map(|(path, text)| (path.as_str(), text.as_str())).chain(changed.iter().map(|(a, b)| (*a, *b)));
+    let new = |edits: &Edits| {
+        let changed = applied(files, texts, tag, edits);
+        let own: HashMap<&str, &str> = changed.iter().map(|(path, text)| (path.as_str(), text.as_str())).collect();
+        let kept = files.iter().filter(|(path, _)| !own.contains_key(path.as_str()));
+        let all = kept.map(|(path, text)| (path.as_str(), text.as_str())).chain(own.iter().map(|(a, b)| (*a, *b)));
         let (after, found) = Locales::load(all);
         let found = findings(catalogue, &after, tag, found);
-        let new: Vec<Diagnostic> = found.into_iter().filter(|found| !known.contains(&signature(found))).collect();
-        if !refuse(&texts, &new, locales.language(tag).is_ok(), &mut edits, &mut imported) {
+        found.into_iter().filter(|found| !known.contains(&signature(found))).collect::<Vec<_>>()
+    };
+    let had = locales.language(tag).is_ok();
+    let mut attempts = ATTEMPTS;
+    for round in 0..=ROUNDS {
+        let found = if edits.is_empty() { Vec::new() } else { new(&edits) };
+        if found.is_empty() {
             break;
         }
-        drop_incomplete(&texts, tag, &mut edits, &mut imported);
-        imported.files = applied(files, &texts, tag, &edits);
+        if !refuse(texts, &found, &mut edits, imported) {
+            // In a new language, what is missing is found in many places.
+            if !had {
+                break;
+            }
+            for (id, why) in culprits(&edits, &new, &mut attempts) {
+                drop_one(&id, why, &mut edits, imported);
+            }
+        }
+        if round == ROUNDS {
+            let first = found.first().map(|found| Box::new(found.clone()));
+            for (id, why) in edits.keys().cloned().zip(std::iter::repeat(first)).collect::<Vec<_>>() {
+                why.into_iter().for_each(|why| drop_one(&id, why, &mut edits, imported));
+            }
+        }
+        drop_incomplete(texts, tag, &mut edits, imported);
     }
+    imported.files = applied(files, texts, tag, &edits);
     let refused: BTreeSet<&str> = imported.refused.iter().map(|refusal| key_of(&refusal.id)).collect();
     let mut confirmed = std::mem::take(&mut imported.confirmed);
     confirmed.extend(edits.values().filter_map(|edit| texts.get(edit.text)).map(|text| text.pair.key.clone()));
@@ -75,9 +114,6 @@ pub fn import(
     confirmed.dedup();
     imported.confirmed = confirmed;
     imported.taken = edits.into_keys().collect();
-    prose::import(files, &prose::pages(&locales, tag), of_pages, &mut imported);
-    imported.refused.sort_by_key(|refusal| refusal.at);
-    Ok(imported)
 }
 
 /// The key of the text that a unit belongs to.
@@ -194,9 +230,26 @@ fn check_codes(own: &Unit, pieces: &[Piece]) -> Result<(), Why> {
         }
     }
     if missing.is_empty() && foreign.is_empty() {
-        return Ok(());
+        return if exchanged(&own.target, pieces) { Err(Why::Exchanged) } else { Ok(()) };
     }
     Err(Why::Codes { missing: missing.join(", "), foreign: foreign.join(", ") })
+}
+
+/// Whether the words are those that are there and only codes have changed places among them.
+fn exchanged(old: &[Piece], new: &[Piece]) -> bool {
+    let words = |pieces: &[Piece]| -> Vec<String> {
+        let words = merged(pieces.to_vec()).into_iter().map(|piece| match piece {
+            Piece::Text(words) => words.trim().to_owned(),
+            Piece::Code(_) => String::new(),
+        });
+        words.collect()
+    };
+    let sorted = |pieces: &[Piece]| {
+        let mut all: Vec<String> = codes(pieces).map(str::to_owned).collect();
+        all.sort_unstable();
+        all
+    };
+    words(old) == words(new) && sorted(old) == sorted(new) && !codes(old).eq(codes(new))
 }
 
 /// Texts that the language does not have yet need all of their units.
@@ -223,6 +276,9 @@ fn findings(catalogue: &Catalogue, locales: &Locales, tag: &str, mut found: Vec<
     }
     found.extend(label::check(catalogue, locales));
     found.extend(consistency::check(catalogue, locales));
+    found.extend(consistency::shared_labels(locales));
+    // What a language lacks is no fault of a text that it has.
+    found.retain(|one| one.code != consistency::VARIANT);
     found
 }
 
@@ -232,43 +288,78 @@ fn signature(found: &Diagnostic) -> String {
     format!("{} {file} {:?}", found.code, found.args)
 }
 
+fn drop_one(id: &str, why: Box<Diagnostic>, edits: &mut Edits, imported: &mut Imported) {
+    if let Some(edit) = edits.remove(id) {
+        imported.refused.push(Refusal { id: id.to_owned(), at: edit.at, why: Why::Found(why) });
+    }
+}
+
 /// Removes the units that new findings are about, and says whether there were any.
-fn refuse(texts: &[Text], new: &[Diagnostic], had: bool, edits: &mut Edits, imported: &mut Imported) -> bool {
+fn refuse(texts: &[Text], new: &[Diagnostic], edits: &mut Edits, imported: &mut Imported) -> bool {
     let mut any = false;
     for found in new {
         let named = message_at(found);
-        let key = match found.get("key") {
-            Some(Arg::Text(key)) => Some(key.to_string()),
+        let said = |name| match found.get(name) {
+            Some(Arg::Text(text)) => Some(text.as_str()),
             _ => None,
         };
+        let key = said("key");
         // Of which attribute, where the finding says that.
-        let of = key.as_deref().and_then(|key| key.split_once('.')).map(|(_, attribute)| attribute);
+        let of = key.and_then(|key| key.split_once('.')).map(|(_, attribute)| attribute);
+        // Where a label is tells which of the variants of its text it is.
+        let by_place = found.code.starts_with(LABEL) && named.is_some();
         let concerns = |edit: &Edit| {
             let Some(text) = texts.get(edit.text) else { return false };
             let (message, attribute) =
                 text.pair.key.split_once('.').map_or((text.pair.key.as_str(), None), |(a, b)| (a, Some(b)));
             let is_named =
                 named.as_deref() == Some(message.trim_start_matches('-')) && (of.is_none() || of == attribute);
-            // Where a label is tells which of the variants of its text it is.
-            let by_place = found.code.starts_with(LABEL) && named.is_some();
-            is_named || !by_place && key.as_deref().is_some_and(|key| key == text.pair.key || key == text.pair.id)
+            is_named || !by_place && key.is_some_and(|key| key == text.pair.key || key == text.pair.id)
         };
-        let mut ids: Vec<String> = edits.iter().filter(|(_, edit)| concerns(edit)).map(|(id, _)| id.clone()).collect();
-        let is_known = imported.refused.iter().any(|refusal| {
-            key.as_deref() == Some(key_of(&refusal.id)) || named.as_deref() == key_of(&refusal.id).split('.').next()
-        });
-        if ids.is_empty() && had && !is_known {
-            // It came with the file, and nothing says with which of the units.
-            ids = edits.keys().cloned().collect();
+        // The other one of two that do not agree, or the word of the glossary that a text does not keep to.
+        let concerns_too = |edit: &Edit| {
+            let Some(text) = texts.get(edit.text) else { return false };
+            let is_label = text.pair.key.ends_with(".label")
+                && matches!(edit.pieces.as_slice(), [Piece::Text(words)] if said("label") == Some(words));
+            // Specifications are named without what the identifiers of their messages begin with.
+            let is_choice = text.pair.id.strip_prefix("choice-").is_some_and(|name| said("name") == Some(name));
+            let named = [("other", &text.pair.key), ("concept", &text.pair.id), ("parameter", &text.pair.id)];
+            is_label || is_choice || named.iter().any(|(name, own)| said(name) == Some(own))
+        };
+        let of_edits = |concerns: &dyn Fn(&Edit) -> bool| -> Vec<String> {
+            edits.iter().filter(|(_, edit)| concerns(edit)).map(|(id, _)| id.clone()).collect()
+        };
+        let mut ids = of_edits(&concerns);
+        if ids.is_empty() {
+            ids = of_edits(&concerns_too);
         }
         for id in ids {
-            if let Some(edit) = edits.remove(&id) {
-                any = true;
-                imported.refused.push(Refusal { id, at: edit.at, why: Why::Found(Box::new(found.clone())) });
-            }
+            any = true;
+            drop_one(&id, Box::new(found.clone()), edits, imported);
         }
     }
     any
+}
+
+/// The units with which findings come that do not say to what they belong, each with the first of them: found by taking over
+/// half of the units, and halves of it. All of them, where only together they are not sound, or after so many attempts.
+fn culprits(
+    edits: &Edits,
+    new: &dyn Fn(&Edits) -> Vec<Diagnostic>,
+    attempts: &mut usize,
+) -> Vec<(String, Box<Diagnostic>)> {
+    let Some(first) = new(edits).into_iter().next() else { return Vec::new() };
+    *attempts = attempts.saturating_sub(1);
+    if edits.len() > 1 && *attempts > 0 {
+        let mut one = edits.clone();
+        let middle = edits.keys().nth(edits.len() / 2).cloned().unwrap_or_default();
+        let other = one.split_off(&middle);
+        let found = [culprits(&one, new, attempts), culprits(&other, new, attempts)].concat();
+        if !found.is_empty() {
+            return found;
+        }
+    }
+    edits.keys().map(|id| (id.clone(), Box::new(first.clone()))).collect()
 }
 
 /// The message in which a finding is.

@@ -13,10 +13,10 @@ mod prose;
 mod pseudo;
 mod received;
 mod status;
+mod termbase;
 mod terms;
 mod unit;
 mod xliff;
-mod xml;
 
 pub use about::{About, Remark};
 pub use draft::draft;
@@ -27,6 +27,7 @@ pub use outcome::{Imported, Refusal, Why};
 pub use pseudo::{Pseudo, pseudo};
 pub use received::{Form, Received, Returned, Unreadable};
 pub use status::{Count, LanguageStatus, Open, State, status};
+pub use termbase::{Row, import_terms, is_terms, read_terms};
 pub use terms::{Concept, Words, concepts, csv, tbx};
 pub use unit::{Unit, units};
 

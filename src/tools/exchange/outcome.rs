@@ -19,6 +19,8 @@ pub enum Why {
         /// Those that do not belong there.
         foreign: String,
     },
+    /// Codes have changed places among the same words.
+    Exchanged,
     /// A page of prose would have other marks or blocks.
     Markup,
     /// Numbers, or words with digits, of a page of prose differ from those of its source.

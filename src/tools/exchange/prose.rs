@@ -11,6 +11,7 @@ use super::markdown::{self, Segment};
 use super::outcome::{Imported, Refusal, Why};
 use super::received::Received;
 use super::unit::Unit;
+use crate::language::consistency;
 use crate::language::locale::Locales;
 
 /// What the keys of pages begin with.
@@ -235,6 +236,7 @@ fn checked(page: &Page, at: usize, unit: &Received, is_twice: bool) -> Result<Op
     }
     same_codes(&own.pieces, old, &pieces)?;
     same_numbers(&own.pieces, old, &pieces)?;
+    same_references(&own.pieces, old, &pieces)?;
     page.put(at, &pieces).map(Some).ok_or(Why::Markup)
 }
 
@@ -296,19 +298,51 @@ fn difference(wanted: &[&str], own: &[&str]) -> (String, String) {
     (more(wanted, own), more(own, wanted))
 }
 
-/// Words with digits, whatever the decimal sign, in the order of the alphabet.
+/// Words with digits, whatever the decimal sign, with the minus before and the unit after them, in the order of the alphabet.
 fn numbers(pieces: &[Piece]) -> Vec<String> {
     let mut all = Vec::new();
     for piece in pieces {
         let Piece::Text(words) = piece else { continue };
         let inside = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | ',');
-        for word in words.split(|c: char| !inside(c)) {
-            let word = word.trim_matches(['.', ',']).replace(',', ".");
-            if word.bytes().any(|byte| byte.is_ascii_digit()) {
-                all.push(word);
+        let mut at = 0;
+        while let Some(start) = words.get(at..).and_then(|rest| rest.find(inside)).map(|found| at + found) {
+            let rest = words.get(start..).unwrap_or_default();
+            let end = start + rest.find(|c| !inside(c)).unwrap_or(rest.len());
+            at = end;
+            let word = words.get(start..end).unwrap_or_default().trim_matches(['.', ',']).replace(',', ".");
+            if !word.bytes().any(|byte| byte.is_ascii_digit()) {
+                continue;
             }
+            let begins_with_digit = word.starts_with(|c: char| c.is_ascii_digit());
+            let (before, after) = (words.get(..start).unwrap_or_default(), words.get(end..).unwrap_or_default());
+            let rest = before.strip_suffix(['-', '\u{2212}']).filter(|_| begins_with_digit);
+            let is_negative = rest.is_some_and(|rest| !rest.ends_with(char::is_alphanumeric));
+            let unit = consistency::UNITS.iter().find(|unit| {
+                let rest = after.trim_start_matches([' ', '\u{a0}', '\u{202f}']).strip_prefix(**unit);
+                // A degree sign right after a number may be an ordinal.
+                let ends = rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric));
+                begins_with_digit && ends && **unit != "°"
+            });
+            let minus = if is_negative { "\u{2212}" } else { "" };
+            all.push(format!("{minus}{word}{}", unit.map_or_else(String::new, |unit| format!(" {unit}"))));
         }
     }
     all.sort_unstable();
     all
+}
+
+/// Words for absolute and incremental are as many as in the translation that is there, or as in the source.
+fn same_references(source: &[Piece], old: Option<&[Piece]>, new: &[Piece]) -> Result<(), Why> {
+    let stated = |pieces: &[Piece]| consistency::references(&markdown::written(pieces, false));
+    let own = stated(new);
+    if old.is_none_or(|old| stated(old) == own) || stated(source) == own {
+        return Ok(());
+    }
+    let names = ["absolute", "incremental"];
+    let more = |a: [usize; 2], b: [usize; 2]| {
+        let all = names.iter().zip(a.iter().zip(b)).filter(|(_, (a, b))| **a > *b).map(|(name, _)| *name);
+        all.collect::<Vec<_>>().join(", ")
+    };
+    let wanted = stated(source);
+    Err(Why::Numbers { missing: more(wanted, own), foreign: more(own, wanted) })
 }

@@ -1,5 +1,6 @@
 //! Files of translators as they come back, whatever their form.
 use super::fluent::Piece;
+pub use crate::base::xml::Unreadable;
 
 /// A form of files for translators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,16 +11,6 @@ pub enum Form {
     Xliff2,
     /// Gettext PO.
     Po,
-}
-
-/// A file that cannot be read, from this byte on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Unreadable {
-    /// The byte.
-    pub at: usize,
-    /// A word for the reason: `form`, `document-type`, `entity`, `encoding`, `depth`, or `xliff` if it is another kind of
-    /// file.
-    pub what: &'static str,
 }
 
 /// A unit as it comes back.

@@ -8,7 +8,7 @@ use crate::language::locale::{Key, Language, Locales, SOURCE_LANGUAGE, Scope};
 /// Kinds of concepts, with what the identifiers of their messages begin with.
 const KINDS: [(&str, &str); 2] = [("term-", "definition"), ("parameter-", "help")];
 /// What is between the words of a list.
-const BETWEEN: &str = " | ";
+pub(super) const BETWEEN: &str = " | ";
 /// The columns of the table.
 const COLUMNS: &str = "concept,language,term,label,forms,forbidden,definition,context\r\n";
 
@@ -38,6 +38,11 @@ pub struct Words {
     pub forbidden: Vec<String>,
     /// What it means.
     pub definition: Option<String>,
+}
+
+/// The attribute that says what a concept means.
+pub(super) fn definition_of(id: &str) -> &'static str {
+    KINDS.iter().find(|(head, _)| id.starts_with(head)).map_or("definition", |(_, name)| name)
 }
 
 /// All concepts in these languages and in the source, in the order of their identifiers.

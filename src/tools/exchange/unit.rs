@@ -11,6 +11,7 @@ use super::fluent::{Pattern, Piece, Select};
 use super::prose::{self, Page};
 use super::status::State;
 use crate::base::diag::Place;
+use crate::language::consistency;
 use crate::language::locale::{LocaleError, Locales, Meanings, Pair, SOURCE_LANGUAGE};
 
 /// What a translator sees.
@@ -138,13 +139,18 @@ const fn place(category: PluralCategory) -> usize {
     }
 }
 
-/// All texts of a language in the order of the source files.
+/// All texts of a language in the order of the source files, then variants for which it has only a text with other facts.
 ///
 /// # Errors
 /// If the source language was not loaded.
 pub(super) fn texts(locales: &Locales, tag: &str) -> Result<Vec<Text>, LocaleError> {
     let pattern = |place: &Place| Pattern::after(place.source.text(), place.span.start..place.span.end);
-    let texts = locales.pairs(tag)?.into_iter().filter_map(|pair| {
+    let mut pairs = locales.pairs(tag)?;
+    if locales.language(tag).is_ok() {
+        let lacks = consistency::lacking(locales, tag).into_iter();
+        pairs.extend(lacks.map(|(key, id, source)| Pair { key, id, source, target: None }));
+    }
+    let texts = pairs.into_iter().filter_map(|pair| {
         let source = pattern(&pair.source)?;
         let target = pair.target.as_ref().and_then(pattern);
         let from = format!("locales/{SOURCE_LANGUAGE}/");

@@ -10,7 +10,7 @@ use super::fluent::{Piece, merged};
 use super::received::{Form, Received, Returned, Unreadable};
 use super::status::State;
 use super::unit::Unit;
-use super::xml::{self, Node};
+use crate::base::xml::{self, Node};
 use crate::language::locale::SOURCE_LANGUAGE;
 
 const HEAD: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";

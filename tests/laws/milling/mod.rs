@@ -6,6 +6,7 @@
 //! program and a scene, which `ciklo run --stock` executes. `PROPTEST_CASES=1000 cargo test --release --test laws milling`
 //! tries more of them.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
+mod contours;
 mod faces;
 mod field;
 mod job;

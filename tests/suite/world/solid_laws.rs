@@ -17,6 +17,7 @@ fn inside(shape: &Shape, p: DVec3) -> bool {
             .split_first()
             .is_some_and(|(first, rest)| inside(first, p) && !rest.iter().any(|shape| inside(shape, p))),
         Shape::Placed { frame, shape } => inside(shape, frame.inverse().point(p)),
+        Shape::Mesh(_) => unreachable!("triangulated surfaces have laws of their own"),
     }
 }
 

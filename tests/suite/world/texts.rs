@@ -1,7 +1,7 @@
 //! Every finding of the world has a text in every language, and gives it the arguments that it shows.
 use ciklo::base::data::embedded;
 use ciklo::base::diag::{Diagnostic, Source};
-use ciklo::engine::scene::Scene;
+use ciklo::engine::scene::{Beside, Scene};
 use ciklo::engine::solid::SolidError;
 use ciklo::engine::table::{Table, TableError, TableKind};
 use ciklo::language::locale::{Args, Locales, Scope};
@@ -22,8 +22,24 @@ const SCENES: &[&str] = &[
 
 const TABLES: &[&str] = &["", "BEGIN X.D MM\nD X\n1 x\n1 2\ny 3\n", "BEGIN X.D MM\nA B\n[END]\n"];
 
+/// A file that no word of STL is in.
+struct NoStl;
+
+impl Beside for NoStl {
+    fn size(&self, _: &str) -> Option<u64> {
+        None
+    }
+
+    fn bytes(&self, _: &str) -> Result<Vec<u8>, Diagnostic> {
+        Ok(b"solid\nfacet abnormal".to_vec())
+    }
+}
+
 fn findings() -> Vec<Diagnostic> {
     let mut all = Vec::new();
+    let model = Source::new("x.yaml", "scene: 1\nparts: [{solid: {stl: x.stl}}]\n");
+    all.extend(Scene::parse(&model, &embedded()).expect_err("a mistake"));
+    all.extend(Scene::parse_beside(&model, &embedded(), Some(&NoStl)).expect_err("a mistake"));
     for text in SCENES {
         all.extend(Scene::parse(&Source::new("x.yaml", *text), &embedded()).expect_err("mistakes"));
     }
@@ -53,6 +69,7 @@ fn findings() -> Vec<Diagnostic> {
         SolidError::Edge(point),
         SolidError::Cusp(point),
         SolidError::Helix(point),
+        SolidError::CutMesh,
     ];
     all.extend(limits.iter().map(|limit| Diagnostic::global(limit.code())));
     all

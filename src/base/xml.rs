@@ -4,34 +4,41 @@
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 
-use super::received::Unreadable;
-
 /// Elements nested deeper than this are refused.
 const DEEPEST: usize = 64;
 
+/// A file that cannot be read, from this byte on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unreadable {
+    /// The byte.
+    pub at: usize,
+    /// A word for the reason: `form`, `document-type`, `entity`, `encoding`, `depth`, or another of who reads the file.
+    pub what: &'static str,
+}
+
 /// An element, or with an empty name a stretch of text.
 #[derive(Debug, Default)]
-pub(super) struct Node {
+pub(crate) struct Node {
     /// The name without its prefix.
-    pub(super) name: String,
-    pub(super) words: String,
+    pub(crate) name: String,
+    pub(crate) words: String,
     attributes: Vec<(String, String)>,
-    pub(super) children: Vec<Node>,
+    pub(crate) children: Vec<Node>,
     /// The byte at which it begins.
-    pub(super) at: usize,
+    pub(crate) at: usize,
 }
 
 impl Node {
-    pub(super) fn attribute(&self, name: &str) -> Option<&str> {
+    pub(crate) fn attribute(&self, name: &str) -> Option<&str> {
         self.attributes.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str())
     }
 
-    pub(super) fn child(&self, name: &str) -> Option<&Self> {
+    pub(crate) fn child(&self, name: &str) -> Option<&Self> {
         self.children.iter().find(|child| child.name == name)
     }
 
     /// All text in it.
-    pub(super) fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         self.children
             .iter()
             .map(|child| if child.name.is_empty() { child.words.clone() } else { child.text() })
@@ -47,7 +54,7 @@ impl Node {
 }
 
 /// The root element of a file.
-pub(super) fn parse(text: &str) -> Result<Node, Unreadable> {
+pub(crate) fn parse(text: &str) -> Result<Node, Unreadable> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader = Reader::from_str(text);
     let mut open: Vec<Node> = vec![Node::default()];

@@ -1,0 +1,111 @@
+//! Worked programs: the page that shows all of a control, and those that a page of a cycle shows.
+//!
+//! Invariant: a program is shown as it is executed; only its names, labels and comments are those of the language.
+use std::collections::BTreeSet;
+
+use minijinja::value::Serde;
+use minijinja::{Value, context};
+
+use super::page::{Here, link};
+use super::section::Section;
+use super::view::{FigureView, WorkedView};
+use super::{Site, highlight};
+use crate::base::diag::{Diagnostic, Source};
+use crate::language::locale::Args;
+use crate::language::text::{CycleText, Vocabulary};
+use crate::output::figure::Medium;
+use crate::program::syntax::{self, BlockKind, CycleKeyword};
+use crate::spec::{CycleKey, Keyword, Worked};
+
+/// The file of the worked programs.
+pub(super) const PAGE: &str = "programs.html";
+
+/// The page with all programs of a control.
+pub(super) fn page<'a>(site: &Site<'a>, section: &Section<'a>) -> Result<String, Vec<Diagnostic>> {
+    let mut views = Vec::new();
+    for worked in section.on.worked.iter() {
+        let figures = figures(site, section, worked)?;
+        views.push(WorkedView { figures, ..view(site, section, worked)? });
+    }
+    let args = Args::new().text("control", section.on.control.title.as_str());
+    let title = section.text("page-programs-title", &args)?.into_owned();
+    let frame = site.frame(section, title, Here::Programs)?;
+    let context = context! {
+        page => Value::from(Serde(&frame)),
+        words => section.words.clone(),
+        programs => Value::from(Serde(&views)),
+    };
+    site.render("programs.html", context)
+}
+
+/// The programs that define a cycle, without their pictures.
+pub(super) fn of_cycle(site: &Site, section: &Section, key: CycleKey) -> Result<Vec<WorkedView>, Vec<Diagnostic>> {
+    let own = section.on.worked.iter().filter(|worked| cycles(worked).contains(&key));
+    own.map(|worked| view(site, section, worked)).collect()
+}
+
+/// The title of each program with the way to it.
+pub(super) fn titles(section: &Section) -> Result<Vec<super::view::TopicLink>, Vec<Diagnostic>> {
+    let link = |worked: &Worked| {
+        let title = section.text(&format!("program-{}", worked.name()), &Args::new())?.into_owned();
+        Ok(super::view::TopicLink { href: href(worked), title })
+    };
+    section.on.worked.iter().map(link).collect()
+}
+
+fn href(worked: &Worked) -> String {
+    format!("{PAGE}#{}", worked.name())
+}
+
+/// The cycles that a program defines.
+fn cycles(worked: &Worked) -> BTreeSet<CycleKey> {
+    let program = syntax::parse(&Source::new("program", worked.text().to_owned()));
+    let key = |keyword: CycleKeyword, number| match keyword {
+        CycleKeyword::CyclDef => CycleKey::new(Keyword::CyclDef, number),
+        CycleKeyword::TchProbe => CycleKey::new(Keyword::TchProbe, number),
+    };
+    let defined = program.blocks().iter().filter_map(|block| match &block.kind {
+        BlockKind::CycleDef(cycle) => Some(key(cycle.keyword, cycle.number)),
+        BlockKind::OldCycleLine(line) => Some(key(line.keyword, line.number)),
+        _ => None,
+    });
+    defined.collect()
+}
+
+fn view(site: &Site, section: &Section, worked: &Worked) -> Result<WorkedView, Vec<Diagnostic>> {
+    let text = |id: String| section.text(&id, &Args::new()).map(|text| text.into_owned());
+    let mut faults = Vec::new();
+    for id in worked.comments() {
+        faults.extend(text(format!("comment-{id}")).err().into_iter().flatten());
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let lines: Vec<String> = worked.text().lines().map(str::to_owned).collect();
+    let relabelled = site.relabelled(section, &lines);
+    let program = Worked::with_comments(&relabelled, &|id| text(format!("comment-{id}")).unwrap_or_default());
+    let entries = cycles(worked).into_iter().filter_map(|key| section.entry(key));
+    Ok(WorkedView {
+        id: worked.name().to_owned(),
+        href: href(worked),
+        title: text(format!("program-{}", worked.name()))?,
+        shows: text(format!("program-{}.shows", worked.name()))?,
+        program: Value::from_safe_string(highlight::html(&program, &|_| false)),
+        cycles: entries.map(link).collect(),
+        figures: Vec::new(),
+    })
+}
+
+/// The pictures of a program.
+fn figures<'a>(site: &Site<'a>, section: &Section<'a>, worked: &'a Worked) -> Result<Vec<FigureView>, Vec<Diagnostic>> {
+    let Some(entry) = section.entry(worked.key) else { return Ok(Vec::new()) };
+    let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
+    let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
+    let view = |figure: &crate::output::figure::Figure<'_>| {
+        let svg = figure.svg(&text, Medium::Page);
+        FigureView { svg: Value::from_safe_string(svg.text), title: svg.title, small: figure.is_of_row() }
+    };
+    let views = site.figures.of_program(site, section.on, worked).iter().map(view).collect();
+    let faults = text.faults();
+    if faults.is_empty() { Ok(views) } else { Err(faults) }
+}

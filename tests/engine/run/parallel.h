@@ -1,0 +1,15 @@
+; control: tnc640
+; What follows each block in brackets is calculated by hand.
+BEGIN PGM PARALLEL MM
+TOOL CALL 1 Z S1000 F300
+L X+0 Y+0 Z+50 R0 FMAX
+FUNCTION PARAXCOMP DISPLAY W
+L W-20 F500 ; [W alone: 500]
+L X+30 Y+40 W-10 F1000 ; [tool 50 mm at 1000, W 10 mm in the same time: 200]
+L IW+5 FMAX ; [to -5, rapid]
+L W-5 F100 ; [nothing]
+L Z+60 U+3 FMAX
+FUNCTION PARAXCOMP OFF
+FUNCTION PARAXMODE OFF
+W+0 F100 ; [a block of the axis alone: 100]
+END PGM PARALLEL MM

@@ -1,0 +1,70 @@
+; control: tnc640
+; What follows each block in brackets is calculated by hand.
+BEGIN PGM TABLES MM
+TOOL CALL 1 Z S1000 F300
+FN 26: TABOPEN TNC:\DATA\TAB1.TAB
+FN 28: TABREAD Q10 = 6/"X,Y" ; [Q10 12.5, Q11 -3]
+FN 28: TABREAD QS10 = 6/"DOC" ; [left]
+Q5 = Q10 * 2
+Q6 = Q11 - 1
+FN 27: TABWRITE 5/"X,Y" = Q5 ; [25 and -4]
+QS7 = "new"
+FN 27: TABWRITE 5/"DOC" = QS7
+; Rows with X above 10, the greatest first: 5 (25), 6 (12.5)
+SQL BIND Q881 "TAB1.X"
+SQL BIND QS882 "TAB1.DOC"
+Q2 = 10
+SQL Q20 "SELECT NR,X,DOC FROM TAB1 WHERE X > :'Q2' ORDER BY X DESC FOR UPDATE" ; [1]
+SQL FETCH Q1 HANDLE Q20 INDEX 1 ; [Q881 12.5, QS882 left, Q1 0]
+SQL FETCH Q1 HANDLE Q20 INDEX 2 ; [only two rows: Q1 1]
+Q881 = 13
+SQL UPDATE Q1 HANDLE Q20 INDEX 1 ; [Q1 0]
+Q881 = 99
+QS882 = "last"
+SQL INSERT Q1 HANDLE Q20 ; [0]
+SQL COMMIT Q1 HANDLE Q20 ; [row 6 gets 13, a row 8 after 7 gets 99]
+SQL FETCH Q1 HANDLE Q20 INDEX 0 ; [the handle has ended: Q1 1]
+SQL BIND Q881
+; The tool table: lengths in the unit of the program.
+SQL SELECT Q30 "SELECT L FROM TOOL WHERE T == 2" ; [90]
+SQL BIND Q883 "TOOL.L"
+SQL Q21 "SELECT L FROM TOOL WHERE T <= 2 AND NOT (L = 80 OR L IS NULL)" ; [2]
+SQL FETCH Q1 HANDLE Q21 ; [Q883 90]
+Q883 = 91
+SQL UPDATE Q1 HANDLE Q21
+SQL ROLLBACK Q1 HANDLE Q21 ; [nothing changes]
+SQL SELECT Q30 "SELECT L FROM 'TNC:\TABLE\TOOL.T' WHERE T = 2" ; [90 as before: no event]
+; A row number that is there already: nothing is written.
+SQL BIND Q884 "TAB1.NR"
+SQL Q22 "SELECT NR FROM TAB1" ; [3]
+Q884 = 6
+SQL INSERT Q1 HANDLE Q22
+SQL COMMIT Q1 HANDLE Q22 ; [1]
+; Columns without a parameter are emptied: QS882 still stands for DOC.
+SQL BIND Q884
+SQL BIND Q885 "TAB1.Y"
+Q885 = 4
+SQL Q23 "SELECT * FROM TAB1 WHERE DOC = 'right' OR DOC IS NULL" ; [4: row 7]
+SQL UPDATE Q1 HANDLE Q23 RESET UNBOUND
+SQL COMMIT Q1 HANDLE Q23 ; [row 7: X empty, Y 4, DOC last]
+; Of the rows of a query one stays.
+SQL Q24 "SELECT Y FROM TAB1 ORDER BY NR" ; [5]
+SQL ROLLBACK Q1 HANDLE Q24 INDEX 1
+SQL FETCH Q1 HANDLE Q24 INDEX 0 ; [row 6: Q885 -3]
+SQL FETCH Q1 HANDLE Q24 INDEX 1 ; [Q1 1]
+; Texts are equal or not.
+QS1 = "A"
+IF QS1 EQU "B" GOTO LBL "SAME"
+Q40 = 1
+LBL "SAME"
+IF QS1 NE "B" GOTO LBL "OTHER"
+Q40 = 2
+LBL "OTHER"
+; A label whose name a parameter has.
+QS2 = "SUBPROGRAM"
+CALL LBL "SUBPROGRAM"
+M30
+LBL QS2
+Q41 = 7
+LBL 0
+END PGM TABLES MM
