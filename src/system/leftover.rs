@@ -209,28 +209,3 @@ fn ignored() -> u64 {
 
 #[cfg(not(unix))]
 fn listen() {}
-
-#[cfg(all(test, unix))]
-mod tests {
-    use std::time::SystemTime;
-
-    use super::*;
-
-    #[test]
-    fn only_what_nobody_holds_is_cleared_away() {
-        let root = tempfile::tempdir().unwrap();
-        let at = |name: &str| root.path().join(name);
-        let long_ago = SystemTime::now() - 10 * YOUNG;
-        for name in [".ciklo-abc123", ".ciklo-held00", ".ciklo-build", ".ciklo-toolong", "part.h"] {
-            fs::write(at(name), "x").unwrap();
-            fs::File::open(at(name)).unwrap().set_modified(long_ago).unwrap();
-        }
-        fs::write(at(".ciklo-young0"), "x").unwrap();
-        let held = fs::File::open(at(".ciklo-held00")).unwrap();
-        assert!(hold(&held));
-        clear(root.path());
-        let mut left: Vec<_> = fs::read_dir(root.path()).unwrap().map(|it| it.unwrap().file_name()).collect();
-        left.sort();
-        assert_eq!(left, [".ciklo-build", ".ciklo-held00", ".ciklo-toolong", ".ciklo-young0", "part.h"]);
-    }
-}

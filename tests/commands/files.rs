@@ -326,3 +326,25 @@ fn tables_and_masks_are_beside_the_program_and_outputs_below_the_folder() {
     let written = ["OUT.TXT", "part/OUT.TXT", "results/LOG/OUT.TXT"];
     assert!(written.iter().all(|name| !folder.path(name).exists()));
 }
+
+/// What a command that was killed has left in the folder goes when the next one writes there, but nothing that is young, that
+/// another process holds, or that has another name.
+#[cfg(unix)]
+#[test]
+fn what_a_killed_command_left_is_cleared_away() {
+    let folder = Folder::new();
+    folder.put("part.h", "0 BEGIN PGM PART MM\n1 L X1 R0 FMAX\n2 END PGM PART MM\n");
+    let long_ago = std::time::SystemTime::now() - Duration::from_secs(600);
+    for name in [".ciklo-abc123", ".ciklo-held00", ".ciklo-build", ".ciklo-toolong"] {
+        folder.put(name, "x");
+        std::fs::File::open(folder.path(name)).unwrap().set_modified(long_ago).unwrap();
+    }
+    folder.put(".ciklo-young0", "x");
+    let held = std::fs::File::open(folder.path(".ciklo-held00")).unwrap();
+    held.lock().unwrap();
+    assert!(folder.command(&["fmt", "part.h"]).status().unwrap().success());
+    let all = std::fs::read_dir(folder.0.path()).unwrap().map(|entry| entry.unwrap().file_name());
+    let mut left: Vec<_> = all.filter(|name| name != "cache").collect();
+    left.sort();
+    assert_eq!(left, [".ciklo-build", ".ciklo-held00", ".ciklo-toolong", ".ciklo-young0", "part.h"]);
+}

@@ -392,7 +392,10 @@ fn rules_are_in_the_order_of_their_names() {
 /// The library and the program are not built for tests inside of them: such tests would never run.
 #[test]
 fn tests_are_not_in_the_sources() {
-    let hidden: Vec<_> =
-        all().into_iter().filter(|(_, text)| text.contains("cfg(test)")).map(|(file, _)| file).collect();
+    let hidden: Vec<_> = all()
+        .into_iter()
+        .filter(|(_, text)| text.contains("cfg(test)") || text.contains("#[test]"))
+        .map(|(file, _)| file)
+        .collect();
     assert!(hidden.is_empty(), "{hidden:?}");
 }

@@ -13,7 +13,7 @@ use crate::engine::geometry::{Axis, RotaryAxis};
 /// Steps at most, and the length of one, mm, after which nothing changes any more.
 const STEPS: usize = 24;
 const DONE: f64 = 1e-13;
-/// Directions are told by positions whose effect is at least this share of the greatest.
+/// Directions are determined by positions whose effect is at least this share of the greatest.
 const TOLD: f64 = 1e-3;
 /// What takes part in a combination that nothing tells with more than this share is not told either.
 const TAKES_PART: f64 = 1e-3;
