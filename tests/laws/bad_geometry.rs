@@ -145,7 +145,7 @@ fn definition(control: &str, case: &Case) -> Option<String> {
     Some(text)
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(400))]
 
     #[test]

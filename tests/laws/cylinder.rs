@@ -411,7 +411,7 @@ fn cases(rounded: bool) -> impl Strategy<Value = Case> {
         )
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(150))]
 
     /// The tool points at the rotary axis; on the development of the surface its centre is its radius and the allowance

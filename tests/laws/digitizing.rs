@@ -476,7 +476,7 @@ fn loops(all: &[Block]) -> Vec<Vec<Point>> {
     found
 }
 
-proptest! {
+laws! {
     #![proptest_config(config(150))]
 
     #[test]

@@ -216,7 +216,7 @@ fn changes(shop: &Shop, machine: &Machine) -> Vec<([f64; 3], [f64; 3])> {
     found.collect()
 }
 
-proptest! {
+laws! {
     #![proptest_config(config(150))]
 
     #[test]

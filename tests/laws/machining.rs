@@ -117,7 +117,7 @@ fn near(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-6
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(48))]
 
     /// A measured hole is the hole.

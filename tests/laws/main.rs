@@ -1,6 +1,9 @@
 //! Laws of the engine over random legal input, and machining proved by the part that is left.
 //!
 //! `cargo test` draws the same cases everywhere; how to search for new ones is in `tests/support/cases.rs`.
+#[macro_use]
+#[path = "../support/laws.rs"]
+mod laws;
 mod bad_geometry;
 #[path = "../support/built.rs"]
 mod built;

@@ -265,7 +265,7 @@ fn wall(setup: &Setup, point: Point, normal: Point) -> String {
 
 const NO_LIMITS: [(u16, f64); 3] = [(281, 0.0), (309, 0.0), (330, 0.0)];
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(150))]
 
     /// 420: the angle of a straight edge, probed along either axis from either side.
@@ -709,7 +709,7 @@ fn deviations_of_a_tool_add_up() {
     assert!(near(cell(&events, "DL").expect("DL"), 0.0));
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(150))]
 
     /// Nearly degenerate geometry: finite values, or an error that says why.

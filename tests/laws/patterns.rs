@@ -325,7 +325,7 @@ fn same(found: &[[f64; 3]], wanted: &[[f64; 2]]) -> bool {
     found.len() == wanted.len() && found.iter().zip(wanted).all(|(a, b)| near(a, b))
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(256))]
 
     /// 220: on a circle, by steps or up to an end, every hole at its angle, for every tool axis.

@@ -412,7 +412,7 @@ fn feature(kind: usize, place: &Place, s: &Sizes) -> Feature {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(1000))]
 
     /// A datum cycle reports the truth, and wherever its datum goes (display, preset table, datum table by either
@@ -481,7 +481,7 @@ proptest! {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(500))]
 
     /// Two cycles that write one row of the preset table each leave the other's coordinates: 417 the height, 412 the rest.

@@ -460,7 +460,7 @@ impl Grid {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(150))]
 
     #[test]

@@ -169,7 +169,7 @@ fn formulas() -> impl Strategy<Value = Formula> {
     (group(), sign(), group()).prop_map(|(first, between, second)| Formula { groups: [first, second], between })
 }
 
-proptest! {
+laws! {
     #![proptest_config(cases::config(150))]
 
     #[test]
@@ -257,7 +257,7 @@ fn samples(from: DVec2, edge: &Edge) -> Vec<DVec2> {
     (0..=count).map(at).collect()
 }
 
-proptest! {
+laws! {
     #![proptest_config(cases::config(60))]
 
     #[test]
@@ -374,7 +374,7 @@ fn distance(way: &Way, point: DVec2) -> f64 {
     far
 }
 
-proptest! {
+laws! {
     #![proptest_config(cases::config(150))]
 
     /// A way beside another one has that distance from it everywhere, begins beside it, and the same holds the other way

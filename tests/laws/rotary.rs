@@ -99,7 +99,7 @@ fn turned(p: (f64, f64), degrees: f64) -> (f64, f64) {
     (p.0 * c - p.1 * s, p.0 * s + p.1 * c)
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(200))]
 
     /// 401, 402, 403 and 405 with a vertical probe: the C axis turns by what the workpiece is off, table or head; without
@@ -227,7 +227,7 @@ proptest! {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(40))]
 
     /// `TABLE ROT`: a table that stands level takes over the rotation of the plane, so that its main axis is that of the

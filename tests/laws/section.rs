@@ -86,7 +86,7 @@ fn has(cells: &[Cell], point: DVec2) -> bool {
     cells.iter().any(|cell| cell.contains(point))
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(60))]
 
     #[test]

@@ -78,7 +78,7 @@ fn follows(stock: &Stock, path: &Path, cutter: &Cutter, slack: f64) {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(24))]
 
     #[test]

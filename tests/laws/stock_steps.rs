@@ -209,7 +209,7 @@ fn stepped(steps: &[(Path, Cutter)], together: usize) -> (Stock, Vec<Cut>) {
     (stock, cuts)
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(32))]
 
     /// What a flat tool has below it is remembered from step to step only while they are carried out together.

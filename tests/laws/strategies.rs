@@ -92,7 +92,7 @@ fn grid(half: DVec2) -> impl Iterator<Item = DVec2> {
     })
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(24))]
 
     /// The whole rectangle is cleared at one height, and the edge of the tool reaches its wall and goes no further.

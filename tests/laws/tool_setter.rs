@@ -121,7 +121,7 @@ fn status(deviations: &[f64]) -> f64 {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(config(150))]
 
     #[test]
@@ -255,7 +255,7 @@ fn width(form: Form, radius: f64, height: f64) -> f64 {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(config(400))]
 
     /// Against samples of the way: a tool that gets into the setter is a collision, whatever its form, and no other one.

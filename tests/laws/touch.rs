@@ -108,7 +108,7 @@ fn least_sphere(points: &[[f64; 3]]) -> [f64; 4] {
     sphere
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(100))]
 
     /// A probe with lobes finds the least-squares circle of the points at which it triggers: those lie farther out by the
@@ -228,7 +228,7 @@ proptest! {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(100))]
 
     /// 444 in a tilted plane: the point is found in the coordinates of the plane, wherever the preset lies on the table and

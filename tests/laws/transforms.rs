@@ -274,7 +274,7 @@ fn table() -> String {
     )
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(3000))]
 
     /// After every block the event that tells the system has the product of the matrices, and a position lies there.
@@ -411,7 +411,7 @@ fn meets(found: [f64; 3], wanted: [f64; 3]) -> bool {
 
 const POINT: [f64; 3] = [10.0, 20.0, 30.0];
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(60))]
 
     /// The angles of Euler: about Z, then about the new X, then about the new Z.

@@ -391,7 +391,7 @@ impl Blank {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(150))]
 
     #[test]

@@ -448,7 +448,7 @@ impl Blank {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(150))]
 
     #[test]

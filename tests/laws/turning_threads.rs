@@ -306,7 +306,7 @@ struct Pass {
     points: Vec<DVec2>,
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(150))]
 
     #[test]

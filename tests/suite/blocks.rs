@@ -162,7 +162,7 @@ fn values_known_only_when_the_program_runs_are_taken() {
     assert!(block(901, &[("Q202", "7")], None).is_ok(), "a choice may be a comparison");
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(256))]
 
     /// Whatever is given as a value, a block is refused or has a line for each parameter.

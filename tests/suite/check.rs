@@ -304,7 +304,7 @@ thread_local! {
     static DATA: Data = Data::new();
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(256))]
 
     /// Whatever a program says, it is checked, and every finding has a place in it.
@@ -453,7 +453,7 @@ fn most_that_rise(numbers: &[usize]) -> u32 {
     (0..1_u32 << numbers.len()).filter(|choice| rises(*choice)).map(u32::count_ones).max().unwrap_or_default()
 }
 
-proptest! {
+laws! {
     #![proptest_config(cases::config(60))]
 
     /// A definition is in order, or one parameter is named that must move: the others have as long an order without it.

@@ -150,7 +150,7 @@ fn block(text: &str) -> String {
     format!("0 BEGIN PGM A MM\n1 {text}\n2 END PGM A MM\n")
 }
 
-proptest! {
+laws! {
     #![proptest_config(cases::config(150))]
 
     /// What is not in a difference is equal in both programs, and a program has no difference from itself.

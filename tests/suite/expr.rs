@@ -104,7 +104,7 @@ fn a_long_chain_is_refused_and_not_followed() {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(256))]
 
     #[test]

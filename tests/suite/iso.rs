@@ -488,7 +488,7 @@ fn these_programs_come_back() {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(300))]
 
     /// Klartext by way of DIN/ISO is the same program.

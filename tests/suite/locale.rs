@@ -578,7 +578,7 @@ fn numbers_are_plain_exact_and_without_negative_zero() {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(256))]
 
     #[test]

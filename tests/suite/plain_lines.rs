@@ -103,7 +103,7 @@ fn parameter() -> impl Strategy<Value = String> {
         .prop_map(|(blank, name, sign, value, gap, label, end)| blank + &name + &sign + &value + &gap + &label + &end)
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(256))]
 
     #[test]

@@ -380,7 +380,7 @@ fn pieces() -> impl Strategy<Value = String> {
     .prop_map(|pieces| pieces.concat())
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(256))]
 
     #[test]
@@ -567,7 +567,7 @@ fn long() -> impl Strategy<Value = String> {
     })
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(200))]
     #[test]
     fn an_edited_document_is_what_the_whole_text_is(

@@ -228,7 +228,7 @@ thread_local! {
     static DATA: Data = Data::new();
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(48))]
 
     /// However a program is laid out, it comes back from any chain of languages.

@@ -475,7 +475,7 @@ fn solutions(
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(config(150))]
 
     #[test]

@@ -167,7 +167,7 @@ fn leads(outline: &Outline, enter: (Form, bool), leave: (Form, bool)) -> Result<
     Ok(())
 }
 
-proptest! {
+laws! {
     #![proptest_config(config(48))]
 
     #[test]

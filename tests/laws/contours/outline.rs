@@ -403,7 +403,7 @@ fn inside(nominal: &[Piece], place: DVec2) -> bool {
     (0..points.len()).filter(|n| crosses(*n)).count() % 2 == 1
 }
 
-proptest! {
+laws! {
     #![proptest_config(config(48))]
 
     #[test]

@@ -40,7 +40,7 @@ fn oriented<'a>(events: impl Iterator<Item = &'a Event>) -> Vec<f64> {
     events.filter_map(angle).collect()
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     /// The hole has the radius of the edge; off the wall, neither the bar nor its one edge touches it on the way out.

@@ -52,7 +52,7 @@ fn near(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-7 * (1.0 + b.abs())
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     /// From rest to rest, in any direction; short ways never reach the feed.

@@ -62,7 +62,7 @@ fn infeeds_that_never_arrive_are_an_error() {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     /// Sums of infeeds, calculated here.

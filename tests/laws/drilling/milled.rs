@@ -290,7 +290,7 @@ fn front() -> impl Strategy<Value = (f64, f64)> {
     (0.1..3.0_f64, 0.5..7.0_f64)
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     #[test]

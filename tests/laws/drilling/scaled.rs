@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 use super::setup::{Change, Setup, config, definition, places, pre_drilled, setup};
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     /// Places, surfaces and depths are scaled, whatever else changes the system; the drill is what it is.

@@ -102,7 +102,7 @@ fn scene(setup: &Setup) -> String {
     setup.scene("{T: 1, L: 100, R: 4}") + "machine_parameters: {displayDepthErr: 0}\n"
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     /// What works downwards and what works upwards are mirror images about the surface, feeds and dwells included.

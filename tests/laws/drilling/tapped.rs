@@ -75,7 +75,7 @@ fn wanted_turning(left: bool, down: bool) -> i8 {
     if left == down { -1 } else { 1 }
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     #[test]

@@ -348,7 +348,7 @@ fn places_of(job: &Job, at: DVec2) -> DVec2 {
     DVec2::new(at.dot(x), at.dot(y)) / (job.view.scale * job.view.scale)
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(150))]
 
     #[test]

@@ -20,7 +20,7 @@ fn without(job: &Job, corner: DVec2, opposite: DVec2, grow: f64, floor: f64) -> 
     Shape::Difference(vec![block, job.rectangle(middle, size, 0.0, 0.0, floor)])
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     /// The strategies meander over the edges or within them, or go back above each line.

@@ -80,7 +80,7 @@ fn pocket(job: &Job, cycle: u16, changes: &[(u16, f64)]) -> String {
     definition(cycle, &values)
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     #[test]
@@ -137,7 +137,7 @@ fn moves(job: &Job, body: &str) -> Result<Vec<(DVec2, f64, f64, bool)>, TestCase
     Ok(found)
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     /// The sign of the depth is the working direction: where the machine allows a positive one, the same moves are made

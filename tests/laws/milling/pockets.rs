@@ -166,7 +166,7 @@ pub(super) fn rectangular(job: &Job, finish: &Finish, pocket: &Rectangle) -> Res
     Ok(())
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     #[test]

@@ -67,7 +67,7 @@ fn outside(job: &Job, centre: DVec2, begin: f64, opening: f64) -> Vec<Shape> {
     vec![edge(begin, -1.0), edge(begin + opening, 1.0)]
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     #[test]

@@ -44,7 +44,7 @@ fn keeps(job: &Job, body: &str, stud: Shape, overlap: f64) -> Result<super::job:
     Ok(done)
 }
 
-proptest! {
+laws! {
     #![proptest_config(config())]
 
     #[test]

@@ -59,7 +59,7 @@ fn working_planes_turn_right_handed() {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(256))]
 
     #[test]

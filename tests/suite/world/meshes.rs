@@ -271,7 +271,7 @@ fn path() -> impl Strategy<Value = Path> {
     ]
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(300))]
 
     #[test]

@@ -127,7 +127,7 @@ fn assert_free(shape: &Shape, centre: DVec3, radius: f64) -> Result<(), TestCase
     Ok(())
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(400))]
 
     #[test]

@@ -208,7 +208,7 @@ fn standard_tables_are_read_back() {
     }
 }
 
-proptest! {
+laws! {
     #![proptest_config(crate::cases::config(256))]
 
     #[test]
