@@ -66,10 +66,13 @@ fn specifications(files: &Files, target: &Path, out: &mut String) -> io::Result<
             continue;
         }
         let Some(tree) = spec::yaml::read(&Source::new(name.as_str(), text.as_str()), &mut found) else { continue };
+        trees.push((name.clone(), tree.clone()));
         let start = bytes.len();
-        spec::tree::write(&tree, &mut bytes);
-        let _ = write!(out, "({at}, {start}, {}), ", bytes.len());
-        trees.push((name.clone(), tree));
+        let (now, later) = spec::tree::parted(tree);
+        spec::tree::write(&now, &mut bytes);
+        let end = bytes.len();
+        later.iter().for_each(|later| spec::tree::write(later, &mut bytes));
+        let _ = write!(out, "({at}, {start}, {end}, {}), ", bytes.len());
     }
     out.push_str("],\n");
     let index = spec::index::write(&trees).filter(|_| found.is_empty());

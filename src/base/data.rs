@@ -16,8 +16,9 @@ pub type Files = Vec<(String, String)>;
 pub struct Prepared {
     /// Path and text of each file, sorted by path.
     pub files: &'static [(&'static str, &'static str)],
-    /// The trees of the specifications: the index of a file, where its tree begins in `trees` and where it ends.
-    pub tree_table: &'static [(usize, usize, usize)],
+    /// The trees of the specifications: the index of a file, where its tree begins in `trees` and where it ends. What
+    /// few ask for is a second tree, from there to the last number.
+    pub tree_table: &'static [(usize, usize, usize, usize)],
     /// All trees; the form is in `spec::tree`.
     pub trees: &'static [u8],
     /// What the specifications hold, a line each; the form is in `spec::index`.

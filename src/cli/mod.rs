@@ -53,7 +53,7 @@ use std::process::ExitCode;
 use clap::ArgMatches;
 
 use crate::base::diag::Diagnostic;
-use crate::language::locale::Ui;
+use crate::language::locale::{Locales, Ui};
 use crate::system;
 use crate::tools::exchange::Pseudo;
 use session::{Output, Session};
@@ -157,7 +157,7 @@ pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let result = match usage::command_line(&ui).try_get_matches_from(words) {
-        Ok(matches) => carry_out(&ui, &mut output, &matches, pseudo),
+        Ok(matches) => carry_out(&ui, &mut output, &matches, &locales, pseudo),
         Err(error) => usage::explain(&error, &ui, &mut output),
     };
     let result = result.and_then(|outcome| output.finish().map(|()| outcome));
@@ -175,11 +175,18 @@ pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-fn carry_out(ui: &Ui, output: &mut Output, matches: &ArgMatches, pseudo: Option<Pseudo>) -> Result<Outcome, Failure> {
+fn carry_out(
+    ui: &Ui,
+    output: &mut Output,
+    matches: &ArgMatches,
+    interface: &Locales,
+    pseudo: Option<Pseudo>,
+) -> Result<Outcome, Failure> {
     let Some((name, own)) = matches.subcommand() else { return Ok(Outcome::Clean) };
     let Some(command) = COMMANDS.iter().find(|command| command.name == name) else { return Ok(Outcome::Clean) };
     let data = matches.get_one::<std::path::PathBuf>(arguments::DATA);
-    let mut session = Session::new(*ui, output, data.map(std::path::PathBuf::as_path)).with_pseudo(pseudo);
+    let data = data.map(std::path::PathBuf::as_path);
+    let mut session = Session::new(*ui, output, interface, data).with_pseudo(pseudo);
     let outcome = (command.run)(&mut session, own);
     session.sound().and(outcome)
 }

@@ -132,6 +132,8 @@ impl Output {
 pub(super) struct Session<'s> {
     pub(super) ui: Ui<'s>,
     pub(super) output: &'s mut Output,
+    /// The program's own texts, which are those of the data if these are the embedded ones.
+    interface: &'s Locales,
     data: Option<&'s Path>,
     pseudo: Option<Pseudo>,
     /// Whether the files are not those of the data.
@@ -142,9 +144,9 @@ pub(super) struct Session<'s> {
 }
 
 impl<'s> Session<'s> {
-    pub(super) fn new(ui: Ui<'s>, output: &'s mut Output, data: Option<&'s Path>) -> Self {
+    pub(super) fn new(ui: Ui<'s>, output: &'s mut Output, interface: &'s Locales, data: Option<&'s Path>) -> Self {
         let (files, mistakes) = (OnceCell::new(), RefCell::default());
-        Self { ui, output, data, pseudo: None, is_replaced: false, files, mistakes }
+        Self { ui, output, interface, data, pseudo: None, is_replaced: false, files, mistakes }
     }
 
     /// The same with a pseudo-language among the others.
@@ -205,8 +207,10 @@ impl<'s> Session<'s> {
 
     /// The languages, in the same way.
     pub(super) fn locales(&self) -> Result<Locales, Failure> {
-        let Some(data) = self.prepared() else { return self.whole_locales() };
-        let locales = Locales::open(data);
+        if self.prepared().is_none() {
+            return self.whole_locales();
+        }
+        let locales = self.interface.clone();
         self.mistakes.borrow_mut().push(locales.mistakes().clone());
         Ok(locales)
     }

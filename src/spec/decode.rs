@@ -7,6 +7,7 @@ use std::sync::Arc;
 use serde_json::{Map, Value, json};
 
 use super::yaml::{Kind, Node};
+use crate::base::demand::Deferred;
 use crate::base::diag::{Diagnostic, Place, Source};
 use crate::base::expr::{Dialect, Expr, QRef, parse};
 
@@ -95,6 +96,20 @@ impl<T: Decode> Decode for Vec<T> {
 impl<T: Decode> Decode for Box<T> {
     fn decode(node: &Node, cx: &mut Context<'_>) -> Option<Self> {
         T::decode(node, cx).map(Box::new)
+    }
+
+    fn schema(defs: &mut Definitions) -> Value {
+        T::schema(defs)
+    }
+}
+
+impl<T: Decode + Default> Decode for Deferred<T> {
+    fn decode(node: &Node, cx: &mut Context<'_>) -> Option<Self> {
+        T::decode(node, cx).map(Self::from)
+    }
+
+    fn absent() -> Option<Self> {
+        T::absent().map(Self::from)
     }
 
     fn schema(defs: &mut Definitions) -> Value {

@@ -8,6 +8,7 @@ use super::figure_form::{Dimension, Figure, NotShown};
 use super::run_form::*;
 use super::vocabulary::*;
 use super::yaml::Node;
+use crate::base::demand::Deferred;
 use crate::base::expr::QRef;
 
 record! {
@@ -436,11 +437,11 @@ record! {
         /// Its run.
         run: Vec<Item>,
         /// Its figures.
-        figures: Vec<Figure>,
+        figures: Deferred<Vec<Figure>>,
         /// Lengths, angles and positions that no figure can show.
-        not_shown: Vec<NotShown>,
+        not_shown: Deferred<Vec<NotShown>>,
         /// Conformance cases.
-        examples: Vec<Example>,
+        examples: Deferred<Vec<Example>>,
     }
 }
 

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::catalogue::{Catalogue, Cycle, CycleKey, OnControl, Outline};
+use super::decode::Decode;
 use super::form::Meaning;
 use super::index::{CycleLine, Index};
 use super::language::LanguageFile;
@@ -60,13 +61,25 @@ struct Reader {
     mistakes: Mistakes,
 }
 
-/// A file as a tree.
+/// A file as a tree, without what few ask for.
 fn file(data: &'static Prepared, path: &str) -> Option<File> {
+    let (source, start, end, _) = entry(data, path)?;
+    Some(File { source, node: tree::read(data.trees.get(start..end)?)? })
+}
+
+/// What few ask for of the file of a cycle.
+fn later(data: &'static Prepared, path: &str) -> Option<File> {
+    let (source, _, start, end) = entry(data, path)?;
+    Some(File { source, node: tree::read(data.trees.get(start..end)?)? })
+}
+
+/// A file, and where its trees begin and end.
+fn entry(data: &'static Prepared, path: &str) -> Option<(Arc<Source>, usize, usize, usize)> {
     let at = data.files.binary_search_by(|(own, _)| (*own).cmp(path)).ok()?;
     let (name, text) = data.files.get(at)?;
     let entry = data.tree_table.binary_search_by_key(&at, |(own, ..)| *own).ok()?;
-    let (_, start, end) = *data.tree_table.get(entry)?;
-    Some(File { source: Source::embedded(name, text), node: tree::read(data.trees.get(start..end)?)? })
+    let (_, start, end, later) = *data.tree_table.get(entry)?;
+    Some((Source::embedded(name, text), start, end, later))
 }
 
 impl Reader {
@@ -180,7 +193,27 @@ impl Cycles {
         self.index.cycles.iter().filter(|line| line.control == self.control)
     }
 
-    fn read(&self, line: &CycleLine<'_>) -> Option<Cycle> {
-        self.files.read(line.path, |file, found| load::cycle(file, &self.control, &self.meanings, found))?
+    fn read(&self, line: &CycleLine<'static>) -> Option<Cycle> {
+        let read = |file: &File, found: &mut Vec<Diagnostic>| load::cycle(file, &self.control, &self.meanings, found);
+        let mut cycle = self.files.read(line.path, read)??;
+        cycle.file.figures = self.later(line.path, "figures");
+        cycle.file.not_shown = self.later(line.path, "not_shown");
+        cycle.file.examples = self.later(line.path, "examples");
+        Some(cycle)
+    }
+
+    /// A part of a cycle that is read when it is asked for.
+    fn later<T: Decode + Default>(&self, path: &'static str, key: &'static str) -> Deferred<T> {
+        let (files, control) = (self.files.clone(), self.control.clone());
+        Deferred::new(move || {
+            let read = || {
+                let file = later(files.data, path)?;
+                let mut found = Vec::new();
+                let part = file.decode_part(file.node.get(key)?, &control, &mut found);
+                files.mistakes.extend(found);
+                part
+            };
+            read().unwrap_or_default()
+        })
     }
 }

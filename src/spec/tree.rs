@@ -10,6 +10,22 @@ const QUOTED: u8 = 1;
 const LIST: u8 = 2;
 const MAP: u8 = 3;
 
+/// The keys of a cycle that only its pages and its conformance cases ask for.
+const LATER: [&str; 3] = ["figures", "not_shown", "examples"];
+
+/// A cycle without what few ask for, and that; the second is nothing for other trees.
+#[allow(dead_code, reason = "the build script writes, the program reads")]
+pub(crate) fn parted(tree: Node) -> (Node, Option<Node>) {
+    let span = tree.span;
+    match tree.kind {
+        Kind::Map(entries) if entries.iter().any(|(key, _)| &*key.text == "cycle") => {
+            let (later, now) = entries.into_iter().partition(|(key, _)| LATER.contains(&&*key.text));
+            (Node { span, kind: Kind::Map(now) }, Some(Node { span, kind: Kind::Map(later) }))
+        }
+        kind => (Node { span, kind }, None),
+    }
+}
+
 /// Appends a tree.
 #[allow(dead_code, reason = "the build script writes, the program reads")]
 pub(crate) fn write(node: &Node, out: &mut Vec<u8>) {

@@ -301,7 +301,7 @@ impl Locales {
         let source = self.language(SOURCE_LANGUAGE)?;
         let translation = self.languages.get(tag);
         let own: HashMap<String, Text> =
-            translation.into_iter().flat_map(texts).map(|text| (text.key.clone(), text)).collect();
+            translation.into_iter().flat_map(|own| texts(own)).map(|text| (text.key.clone(), text)).collect();
         let is_shared = |text: &Text| text.attribute.is_none_or(|name| !OWN.contains(&name));
         let originals = texts(source);
         let mut pairs = Vec::new();

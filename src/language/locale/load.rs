@@ -39,7 +39,9 @@ const DEEPEST_NESTING: usize = 64;
 const MOST_DIGITS_TOGETHER: usize = 18;
 
 /// All languages among the files, with all mistakes in them.
-pub(super) fn languages<P, T>(files: impl IntoIterator<Item = (P, T)>) -> (BTreeMap<String, Language>, Vec<Diagnostic>)
+pub(super) fn languages<P, T>(
+    files: impl IntoIterator<Item = (P, T)>,
+) -> (BTreeMap<String, Arc<Language>>, Vec<Diagnostic>)
 where
     P: AsRef<str>,
     T: AsRef<[u8]>,
@@ -62,7 +64,7 @@ where
         if let Some(parts) = Reader::new(&mut diagnostics).read(&tag, sources) {
             let language = Language::new(parts);
             check::language(&language, &mut diagnostics);
-            languages.insert(tag, language);
+            languages.insert(tag, Arc::new(language));
         }
     }
     (languages, diagnostics)
@@ -96,7 +98,7 @@ pub(super) fn span_in(text: &str, slice: &str) -> Span {
 }
 
 /// All languages of the embedded files.
-pub(super) fn open(data: &'static Prepared, mistakes: &Mistakes) -> BTreeMap<String, Language> {
+pub(super) fn open(data: &'static Prepared, mistakes: &Mistakes) -> BTreeMap<String, Arc<Language>> {
     let language = |&(tag, records): &(&'static str, &'static [u8])| {
         let id = tag.parse().ok()?;
         let forms = Deferred::new(move || Arc::new(embedded_forms(tag, data)));
@@ -126,7 +128,7 @@ pub(super) fn open(data: &'static Prepared, mistakes: &Mistakes) -> BTreeMap<Str
         });
         let entries = Entries::OnDemand(OnDemand::new(data, records, mistakes.clone()));
         let parts = Parts { tag: tag.to_owned(), id, entries, forms, lock, originals, alike, topics };
-        Some((tag.to_owned(), Language::new(parts)))
+        Some((tag.to_owned(), Arc::new(Language::new(parts))))
     };
     data.messages.iter().filter_map(language).collect()
 }

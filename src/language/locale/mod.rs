@@ -23,6 +23,7 @@ pub mod render;
 mod ui;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 pub use accept::{Accept, Accepted};
 pub use args::Args;
@@ -39,10 +40,10 @@ use crate::base::diag::{Arg, Diagnostic, Mistakes};
 /// The tag of the source language, which all others translate.
 pub const SOURCE_LANGUAGE: &str = "en";
 
-/// All languages that were loaded.
-#[derive(Debug)]
+/// All languages that were loaded. A copy shares them, and what was read of them so far.
+#[derive(Clone, Debug)]
 pub struct Locales {
-    languages: BTreeMap<String, Language>,
+    languages: BTreeMap<String, Arc<Language>>,
     mistakes: Mistakes,
 }
 
@@ -77,7 +78,7 @@ impl Locales {
 
     /// The languages, in the order of their tags.
     pub fn iter(&self) -> impl Iterator<Item = &Language> {
-        self.languages.values()
+        self.languages.values().map(Arc::as_ref)
     }
 
     /// The language with that tag.
@@ -85,12 +86,12 @@ impl Locales {
     /// # Errors
     /// [`Fault::UnknownLanguage`] if there is none.
     pub fn language(&self, tag: &str) -> Result<&Language, LocaleError> {
-        self.languages.get(tag).ok_or_else(|| LocaleError::unknown_language(tag))
+        self.languages.get(tag).map(Arc::as_ref).ok_or_else(|| LocaleError::unknown_language(tag))
     }
 
     /// The source language; nothing if its files are not among those loaded.
     pub fn source(&self) -> Option<&Language> {
-        self.languages.get(SOURCE_LANGUAGE)
+        self.languages.get(SOURCE_LANGUAGE).map(Arc::as_ref)
     }
 
     /// Gives findings about texts that a language lacks the place of the text in the source language, and the file in

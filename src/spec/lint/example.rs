@@ -14,7 +14,7 @@ pub(super) fn examples(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
         example.without.iter().for_each(|name| named(cycle, name, found));
     }
     super::names::duplicates(cycle.file.examples.iter().map(|example| &example.name), found);
-    for example in &cycle.file.examples {
+    for example in cycle.file.examples.iter() {
         super::names::slug(&example.name, found);
         form_exists(cycle, example.form.as_ref(), found);
         // Conformance cases may give wrong values on purpose, so only the names are checked.

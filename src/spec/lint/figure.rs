@@ -9,7 +9,7 @@ pub(super) fn figures(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>
     let figures = &cycle.file.figures;
     // Several may be one row, if the choices need different examples.
     duplicates(figures.iter().filter(|figure| figure.each.is_none()).map(|figure| &figure.name), found);
-    for figure in figures {
+    for figure in figures.iter() {
         slug(&figure.name, found);
         parameter(cycle, figure.each, &figure.place, found);
         for (name, _) in &figure.given.0 {
@@ -23,7 +23,7 @@ pub(super) fn figures(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>
             }
         }
     }
-    for reason in &cycle.file.not_shown {
+    for reason in cycle.file.not_shown.iter() {
         parameter(cycle, reason.q, &reason.place, found);
         reason.field.iter().for_each(|field| super::example::named(cycle, field, found));
     }

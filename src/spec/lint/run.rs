@@ -141,7 +141,7 @@ fn guard_uses(guards: &[Guard], used: &mut BTreeSet<Arc<str>>) {
 /// The names of the fragments that a cycle uses.
 pub(super) fn used_fragments(cycle: &Cycle, used: &mut BTreeSet<Arc<str>>) {
     guard_uses(&cycle.file.guards, used);
-    for figure in &cycle.file.figures {
+    for figure in cycle.file.figures.iter() {
         used.extend(figure.dimensions.iter().filter_map(|own| own.r#use.as_ref()).map(|name| Arc::clone(&name.text)));
     }
     for item in &cycle.file.run {
