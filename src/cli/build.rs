@@ -44,7 +44,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     if is_draft {
         draft(session, &languages)?;
     }
-    let (catalogue, locales) = (session.whole_catalogue()?, session.whole_locales()?);
+    let (catalogue, locales) = (session.catalogue()?, session.whole_locales()?);
     let files = session.files()?;
     languages.extend(session.pseudo().filter(|_| languages.is_empty()).map(|kind| kind.tag().to_owned()));
     let controls = cycle::controls(&catalogue, &arguments::all(matches, "control"))?;

@@ -3,7 +3,7 @@
 //! Invariant: a mistake costs the message it is in, never the file, and each has its place.
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use fluent::FluentResource;
 use fluent_syntax::ast::{self, Pattern};
@@ -19,6 +19,7 @@ use super::pattern::{Node, Template, visit};
 use crate::base::data::Prepared;
 use crate::base::demand::Deferred;
 use crate::base::diag::{Diagnostic, Mistakes, Place, Source, Span};
+use crate::base::parallel::together;
 
 /// The file of a language that holds its units and lists.
 const UNITS: &str = "units.ftl";
@@ -58,16 +59,33 @@ where
             Err(_) => diagnostics.push(Diagnostic::error("locale-encoding", start(&Source::new(path.as_ref(), "")))),
         }
     }
-    let mut languages = BTreeMap::new();
-    for (tag, mut sources) in grouped {
-        sources.sort_by(|(a, _), (b, _)| a.cmp(b));
-        if let Some(parts) = Reader::new(&mut diagnostics).read(&tag, sources) {
-            let language = Language::new(parts);
-            check::language(&language, &mut diagnostics);
-            languages.insert(tag, Arc::new(language));
+    let count = grouped.len();
+    let waiting = Mutex::new(grouped.into_iter().enumerate());
+    let read = Mutex::new(Vec::with_capacity(count));
+    together(count, || {
+        let next = || waiting.lock().unwrap_or_else(PoisonError::into_inner).next();
+        while let Some((at, (tag, sources))) = next() {
+            let mut found = Vec::new();
+            let language = language(&tag, sources, &mut found);
+            read.lock().unwrap_or_else(PoisonError::into_inner).push((at, tag, language, found));
         }
+    });
+    let mut read = read.into_inner().unwrap_or_else(PoisonError::into_inner);
+    read.sort_by_key(|(at, ..)| *at);
+    let mut languages = BTreeMap::new();
+    for (_, tag, language, found) in read {
+        diagnostics.extend(found);
+        languages.extend(language.map(|language| (tag, Arc::new(language))));
     }
     (languages, diagnostics)
+}
+
+/// One language of all its files.
+fn language(tag: &str, mut sources: Vec<(String, Arc<Source>)>, found: &mut Vec<Diagnostic>) -> Option<Language> {
+    sources.sort_by(|(a, _), (b, _)| a.cmp(b));
+    let language = Language::new(Reader::new(found).read(tag, sources)?);
+    check::language(&language, found);
+    Some(language)
 }
 
 /// Language and name of a file of ours below `locales/`.

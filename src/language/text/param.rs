@@ -48,6 +48,11 @@ impl<'a> CycleText<'a> {
         }
     }
 
+    /// The name of a parameter of the cycle.
+    pub fn name_of(&self, param: &'a Param) -> Cow<'a, str> {
+        self.get(&format!("parameter-{}", param.is.as_str()), &param.is.place)
+    }
+
     fn label(&self, param: &'a Param, id: &str) -> Option<Cow<'a, str>> {
         match &param.field {
             None => Some(self.get(&format!("{id}.label"), &param.is.place)),

@@ -31,6 +31,7 @@ impl Camera {
 }
 
 /// The layout of a figure.
+#[derive(Debug)]
 pub(super) struct Frame {
     pub(super) size: DVec2,
     pub(super) camera: Camera,

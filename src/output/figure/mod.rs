@@ -26,6 +26,7 @@ mod turned;
 mod window;
 
 use std::fmt::Write as _;
+use std::sync::OnceLock;
 
 use crate::base::diag::Diagnostic;
 use crate::language::text::CycleText;
@@ -34,6 +35,7 @@ use crate::tools::conform::World;
 
 use measure::Measured;
 use pen::{Rect, escaped, short};
+use sheet::Plate;
 use shot::Shot;
 use subject::{Subject, Words};
 
@@ -55,6 +57,8 @@ pub struct Figure<'c> {
     chosen: Option<&'c str>,
     shot: Shot,
     measured: Vec<Measured>,
+    /// As it was drawn first, for the other languages.
+    plate: OnceLock<Plate>,
 }
 
 /// A figure in a language.
@@ -107,7 +111,7 @@ fn prepare_all<'c>(
                 Ok(shot) => {
                     let (measured, wrong) = measure::measure(cycle, declared, &dimensions, &shot);
                     found.extend(wrong);
-                    ready.push(Figure { declared, chosen, shot, measured });
+                    ready.push(Figure { declared, chosen, shot, measured, plate: OnceLock::new() });
                 }
                 Err(wrong) => found.extend(wrong),
             }
@@ -199,7 +203,11 @@ impl Figure<'_> {
             height,
             width,
         };
-        let drawn = sheet::draw(&subject, &words);
+        let plate = self.plate.get_or_init(|| sheet::draw(&subject, &words));
+        let drawn = match plate.has(&words) {
+            true => plate.finished(&subject, &words),
+            false => sheet::draw(&subject, &words).finished(&subject, &words),
+        };
         let title = self.title(text);
         let shown: Vec<String> =
             params.iter().flatten().map(|param| format!("{}: {}", param.shown, param.name)).collect();

@@ -75,6 +75,7 @@ pub(super) fn short(value: f64) -> String {
 }
 
 /// A sheet with what is drawn on it so far.
+#[derive(Clone, Debug)]
 pub(super) struct Pen {
     /// The elements.
     pub(super) body: String,

@@ -26,8 +26,32 @@ pub(super) struct Drawn {
     pub(super) texts: Vec<Rect>,
 }
 
+/// A figure without its legend, which is all that differs between languages where dimensions are called the same.
+#[derive(Debug)]
+pub(super) struct Plate {
+    /// The labels and links of its dimensions.
+    labels: Vec<String>,
+    links: Vec<Option<String>>,
+    frame: Frame,
+    pen: Pen,
+}
+
+impl Plate {
+    /// Whether its dimensions have these labels and links.
+    pub(super) fn has(&self, words: &Words) -> bool {
+        self.labels == words.labels && self.links == words.links
+    }
+
+    /// The figure with its legend.
+    pub(super) fn finished(&self, subject: &Subject<'_>, words: &Words) -> Drawn {
+        let mut sheet = Sheet { subject, frame: &self.frame, pen: self.pen.clone(), view: subject.view };
+        sheet.legend(words);
+        Drawn { body: sheet.pen.body, size: self.frame.size, texts: sheet.pen.texts }
+    }
+}
+
 /// Draws a figure.
-pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Drawn {
+pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Plate {
     let faces = match (subject.view, rotary::axis(subject.view)) {
         (FigureView::ThreeD, _) | (_, Some(_)) => Vec::new(),
         _ => slice::faces(subject.shot, subject.view, depth(subject)),
@@ -43,8 +67,8 @@ pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Drawn {
     super::dimension::all(&mut sheet.pen, subject, words, &frame);
     sheet.axes();
     sheet.marks();
-    sheet.legend(words);
-    Drawn { body: sheet.pen.body, size: frame.size, texts: sheet.pen.texts }
+    let pen = sheet.pen;
+    Plate { labels: words.labels.clone(), links: words.links.clone(), frame, pen }
 }
 
 struct Sheet<'s> {

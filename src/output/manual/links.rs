@@ -22,7 +22,7 @@ pub(super) struct Targets {
     /// Q parameters of any cycle.
     parameters: HashSet<String>,
     /// Terms by the first letters of their first word.
-    terms: HashMap<String, Vec<usize>>,
+    terms: HashMap<Start, Vec<usize>>,
     meanings: Vec<Meaning>,
     /// Files by miscellaneous function.
     functions: HashMap<String, String>,
@@ -47,8 +47,19 @@ impl Meaning {
     }
 }
 
-/// Letters that decide which terms a word is compared with.
-const FIRST: usize = 3;
+/// The letters that decide which terms a word is compared with, in lower case.
+type Start = [Option<char>; 3];
+
+fn start(word: &str) -> Start {
+    let mut letters = word.chars().flat_map(char::to_lowercase);
+    std::array::from_fn(|_| letters.next())
+}
+
+/// Whether a word begins with another one that is in lower case.
+fn begins_with(word: &str, own: &str) -> bool {
+    let mut letters = word.chars().flat_map(char::to_lowercase);
+    own.chars().all(|letter| letters.next() == Some(letter))
+}
 
 impl Targets {
     /// The targets of a control in a language; `pages` are the topics with the files of their pages, `terms` the ids of
@@ -65,7 +76,7 @@ impl Targets {
         };
         let stems = Stems::of(language);
         let mut meanings: Vec<Meaning> = Vec::new();
-        let mut by_start: HashMap<String, Vec<usize>> = HashMap::new();
+        let mut by_start: HashMap<Start, Vec<usize>> = HashMap::new();
         for id in terms {
             let term = language.plain(&format!("{TERM}{id}"), &Scope::control(on.id())).unwrap_or_default();
             let words: Vec<String> = term.split_whitespace().map(str::to_lowercase).collect();
@@ -73,7 +84,7 @@ impl Targets {
             let table = id.strip_suffix("-table");
             let explains = |topic: &crate::spec::Topic| topic.tables.iter().any(|own| Some(own.as_str()) == table);
             let topic = pages.iter().find(|(topic, _)| explains(topic)).map(|(_, file)| (*file).to_owned());
-            by_start.entry(first.chars().take(FIRST).collect()).or_default().push(meanings.len());
+            by_start.entry(start(first)).or_default().push(meanings.len());
             let file = topic.unwrap_or_else(|| format!("{GLOSSARY}#{TERM}{id}"));
             let stems = words.iter().map(|word| stems.stem(word)).collect();
             meanings.push(Meaning { term: words.join(" "), stems, file });
@@ -169,9 +180,8 @@ impl<'l, 'a> Linker<'l, 'a> {
         let targets = &self.section.targets;
         let token = tokens.get(at)?;
         let Ok(number) = token.text.parse::<u32>() else {
-            let word = token.text.to_lowercase();
-            let names_cycle = targets.cycle_words.iter().any(|own| word.starts_with(own.as_str()));
-            *of_cycle = names_cycle || *of_cycle && targets.joining.contains(&word);
+            let names_cycle = targets.cycle_words.iter().any(|own| begins_with(token.text, own));
+            *of_cycle = names_cycle || *of_cycle && targets.joining.contains(&token.text.to_lowercase());
             return None;
         };
         let before = |back: usize| at.checked_sub(back).and_then(|at| tokens.get(at)).map(|token| token.text);
@@ -204,8 +214,7 @@ impl<'l, 'a> Linker<'l, 'a> {
         if let Some(file) = targets.functions.get(first.text) {
             return (Some(file.clone()), 1);
         }
-        let start: String = first.text.chars().take(FIRST).flat_map(char::to_lowercase).collect();
-        for at in targets.terms.get(&start).into_iter().flatten() {
+        for at in targets.terms.get(&start(first.text)).into_iter().flatten() {
             let meaning = &targets.meanings[*at];
             let stems = &meaning.stems;
             let Some(words) = tokens.get(..stems.len()).filter(|_| !self.seen.borrow().contains(at)) else { continue };

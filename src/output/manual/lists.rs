@@ -31,8 +31,7 @@ fn used<'s, 'a>(section: &'s Section<'a>) -> Result<Vec<Used<'s, 'a>>, Vec<Diagn
     let mut faults = Vec::new();
     for entry in &section.entries {
         let names = with_texts(section.on, entry.cycle, section.language, |text| {
-            let named =
-                |param: &crate::spec::Param| (param.q.map(|q| q.to_string()), text.param(param).name.into_owned());
+            let named = |param: &crate::spec::Param| (param.q.map(|q| q.to_string()), text.name_of(param).into_owned());
             text.cycle.params.iter().map(named).collect::<Vec<_>>()
         });
         match names {

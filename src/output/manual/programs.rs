@@ -40,8 +40,9 @@ pub(super) fn page<'a>(site: &Site<'a>, section: &Section<'a>) -> Result<String,
 
 /// The programs that define a cycle, without their pictures.
 pub(super) fn of_cycle(site: &Site, section: &Section, key: CycleKey) -> Result<Vec<WorkedView>, Vec<Diagnostic>> {
-    let own = section.on.worked.iter().filter(|worked| cycles(worked).contains(&key));
-    own.map(|worked| view(site, section, worked)).collect()
+    let own = section.on.worked.iter().zip(section.cycles_of_programs());
+    let own = own.filter(|(_, cycles)| cycles.contains(&key));
+    own.map(|(worked, _)| view(site, section, worked)).collect()
 }
 
 /// The title of each program with the way to it.
@@ -58,7 +59,7 @@ fn href(worked: &Worked) -> String {
 }
 
 /// The cycles that a program defines.
-fn cycles(worked: &Worked) -> BTreeSet<CycleKey> {
+pub(super) fn cycles(worked: &Worked) -> BTreeSet<CycleKey> {
     let program = syntax::parse(&Source::new("program", worked.text().to_owned()));
     let key = |keyword: CycleKeyword, number| match keyword {
         CycleKeyword::CyclDef => CycleKey::new(Keyword::CyclDef, number),

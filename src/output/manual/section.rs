@@ -1,12 +1,13 @@
 //! What all pages of a control in a language share: words, contents and links.
 use std::borrow::Cow;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::sync::OnceLock;
 
 use minijinja::Value;
 use minijinja::value::Serde;
 
-use super::cut;
 use super::links::Targets;
+use super::{cut, programs};
 use crate::base::diag::{Diagnostic, Place};
 use crate::language::locale::{Args, Language, LocaleError, Scope};
 use crate::spec::{Cycle, CycleKey, Group, Keyword, Name, OnControl, Topic};
@@ -31,6 +32,8 @@ pub(super) struct Section<'a> {
     /// What sentences can be linked with.
     pub(super) targets: Targets,
     by_key: HashMap<CycleKey, usize>,
+    /// The cycles of each worked program.
+    programs: OnceLock<Vec<BTreeSet<CycleKey>>>,
 }
 
 /// A page of a cycle.
@@ -103,7 +106,18 @@ impl<'a> Section<'a> {
         let pages: Vec<_> = covered.iter().zip(&topics).map(|(topic, page)| (*topic, page.file.as_str())).collect();
         let targets = Targets::new(on, language, &pages, &terms);
         let words = Value::from(Serde(&words));
-        Ok(Self { on, language, language_name, words, entries, topics, terms, targets, by_key })
+        Ok(Self {
+            on,
+            language,
+            language_name,
+            words,
+            entries,
+            topics,
+            terms,
+            targets,
+            by_key,
+            programs: OnceLock::new(),
+        })
     }
 
     /// The path of a file of this section.
@@ -113,6 +127,11 @@ impl<'a> Section<'a> {
 
     pub(super) fn entry(&self, key: CycleKey) -> Option<&Entry<'a>> {
         self.by_key.get(&key).and_then(|at| self.entries.get(*at))
+    }
+
+    /// The cycles that each worked program defines, in the order of the programs.
+    pub(super) fn cycles_of_programs(&self) -> &[BTreeSet<CycleKey>] {
+        self.programs.get_or_init(|| self.on.worked.iter().map(programs::cycles).collect())
     }
 
     /// The title of a group.
