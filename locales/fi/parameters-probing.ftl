@@ -36,7 +36,7 @@ parameter-probing-stepping-angle = Kulma-askel
 # --- kosketus ---
 parameter-measuring-height = Mittauskorkeus kosketusakselilla
     .label = MITTAUSKORKEUS
-    .help = Kosketuskuulan keskipisteen (kosketuspisteen) koordinaatti kosketusakselilla, jossa mittaus tehdään.
+    .help = Korkeus, jolla mitataan: kosketuskuulan keskipisteen (kosketuspisteen) koordinaatti kosketusakselilla.
 parameter-probing-clearance = Varmuusetäisyys
     .label = VARMUUSETÄIS.
     .label-aliases = VARMUUSETÄISYYS

@@ -74,11 +74,11 @@ figure-side-allowance = Stranska nadmera
 
 figure-rounding = Notranji zaokroževalni polmer
 
-figure-between-points = Pot med točkami tipanja
+figure-between-points = Pot med tipalnimi točkami
 
 figure-no-contact = Pot brez dotika
 
-figure-teeth = Rezila na napravi za merjenje orodja
+figure-teeth = Merjenje rezil
 
 figure-turning-tool = Vrteče se orodje
 
@@ -116,13 +116,13 @@ figure-disengaging = Smer prostega premika
 
 figure-pre-drilled = Predhodno izvrtana vrtina
 
-figure-touch-points = Točke tipanja
+figure-touch-points = Tipalne točke
 
 figure-measuring-axis = Merilna os
 
 figure-traverse-direction = Smer premika
 
-figure-straight-or-circle = Naravnost ali po krožnici
+figure-straight-or-circle = Premočrtno ali po krožnici
 figure-program = Program od zgoraj
 
 figure-wide-slot = Širok utor

@@ -3,7 +3,7 @@
 # --- saved kinematics ---
 parameter-kinematics-memory-mode = Način (0/1/2/3)
     .label = NAČIN
-    .help = Ali se kinematika shrani ali obnovi.
+    .help = Določa, ali se kinematika shrani ali obnovi.
 parameter-kinematics-memory-mode__itnc530 = Način (0/1/2)
 choice-save-kinematics = shranjevanje kinematike
 choice-save-kinematics__itnc530 = shranjevanje aktivne kinematike
@@ -35,7 +35,7 @@ parameter-kinematics-reference-angle__calibrate-on-stud = REFERENČNI KOT
     .help = Kot med glavno osjo obdelovalne ravnine in prvo tipalno točko.
 parameter-length-calibration = Umeritev dolžine (0/1)
     .label = UMERJANJE DOLŽINE
-    .help = Ali krmiljenje po umerjanju polmera umeri tudi dolžino tipalnega sistema.
+    .help = Določa, ali krmiljenje po umerjanju polmera umeri tudi dolžino tipalnega sistema.
 choice-no-length-calibration = brez umerjanja dolžine tipalnega sistema
 choice-length-calibration = umerjanje dolžine tipalnega sistema
 parameter-length-reference = Referenčna točka za dolžino
@@ -56,7 +56,7 @@ parameter-calibration-part-radius = Polmer umeritvenega obroča
     .help = Polmer umeritvenega elementa.
 parameter-calibration-inside-or-outside = Notranje umerjanje=0/zunanje umerjanje=1
     .word = NAČIN MERJENJA:
-    .help = Ali krmiljenje umerja znotraj v obroču ali zunaj na čepu.
+    .help = Določa, ali krmiljenje umerja znotraj v obroču ali zunaj na čepu.
 choice-calibrate-inside = notranje umerjanje
 choice-calibrate-outside = zunanje umerjanje
 

@@ -84,7 +84,7 @@ parameter-cylinder-radius = Polmer valja
     .help = Polmer valja, na katerem se obdeluje kontura.
 parameter-development-dimension-type = Vrsta dimenzioniranja? Stopinja = 0 MM/PALEC = 1
     .label = NAČ. DIMENZIONIRANJA
-    .help = Ali so koordinate rotacijske osi v podprogramu programirane v stopinjah ali v milimetrih (palcih).
+    .help = Določa, ali so koordinate rotacijske osi v podprogramu programirane v stopinjah ali v milimetrih (palcih).
     .prompt = Vrsta dimenzioniranja? Stopinja = 0 MM/PALEC = 1
 parameter-cylinder-slot-width = Širina utora
     .label = ŠIRINA UTORA
@@ -111,7 +111,7 @@ parameter-engraving-font = Vrsta črk
     .help = Trenutno brez funkcije.
 parameter-text-arrangement = Besedilo ravno/na krogu (0/1)
     .label = RAZPOREDIT. BESEDILA
-    .help = Kako je besedilo razporejeno.
+    .help = Določa, kako je besedilo razporejeno.
 parameter-text-rotation = Rotacijski položaj
     .label = ROT. POLOŽAJ
     .help = Središčni kot, če je besedilo razporejeno na krožnem loku.

@@ -63,7 +63,7 @@ parameter-chip-breaks-before-retraction = Štev. lomov ostružkov pred odmikom
 parameter-depth-or-diameter = Izbira globine/premera (0/1)
     .label = IZBIRA GLOBINA/PREMER
     .label-aliases = IZBIRA GLOBINA/ PREMER
-    .help = Ali orodje centrira do vnesene globine ali do vnesenega premera. Za premer mora biti kot konice orodja definiran v stolpcu { $mp-drill-point-angle } preglednice orodij.
+    .help = Določa, ali orodje centrira do vnesene globine ali do vnesenega premera. Za premer mora biti kot konice orodja definiran v stolpcu { $mp-drill-point-angle } preglednice orodij.
 parameter-centring-diameter = Premer (predznak)
     .label = PREMER
     .help = Premer centriranja; njegov predznak je smer obdelave. Deluje samo, če je { $q-depth-or-diameter } = 1.

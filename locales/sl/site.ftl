@@ -69,7 +69,7 @@ site-choose = Izberite krmiljenje in jezik
 
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Cikli krmiljenja { $control }
-page-switched-off-by = Izklop je mogoč s parametrom { $datum }.
+page-switched-off-by = Preverjanje je mogoče izklopiti s parametrom { $datum }.
 
 # Lists, comparisons, topics, search.
 site-parameters-short = Parametri
@@ -84,7 +84,7 @@ site-search-noscript = Za iskanje je potreben JavaScript. V kazalu so vsi cikli 
 site-compare = Primerjava
 site-differs-mark = ≠ označuje razlike
 site-topics = Teme
-site-by-parameter = Po parametrih
+site-by-parameter = Cikli po parametrih
 site-used-in = Uporablja se v
 page-parameters-title = Parametri: { $control }
 page-keywords-title = Kazalo: { $control }
@@ -96,8 +96,8 @@ page-comparison-title = { $key } { $name }: primerjava krmiljenj
 # Razdelki opomb in teme opomb za več ciklov
 site-you-are-here = Tukaj ste
 site-cycles = Cikli
-site-general-notes = Opombe za več ciklov
-site-general-also = Za ta cikel velja tudi:
+site-general-notes = Skupne opombe
+site-general-also = Upoštevajte tudi:
 site-general-intro = Kar velja z istimi besedami za več ciklov, je na tej strani navedeno enkrat. Pod vsako opombo so cikli, za katere velja.
 site-more-in = Več o tem:
 site-disclaimer = Podatki so iz priročnikov krmiljenja. Prednost ima priročnik za stroj: vsak program pred obdelavo preizkusite.
@@ -110,14 +110,14 @@ site-copied = Kopirano
 site-worked-programs = Primeri programov
 site-worked-intro = Celotni programi, ki pokažejo, kako cikli delujejo skupaj. Položaji, vrednosti in orodja so primeri.
 site-show-program = Prikaži program
-site-nc-software = Programska oprema NC od
+site-nc-software = NC-programska oprema od
 site-not-named = ni navedena
-site-home-intro = Cikli krmiljenj HEIDENHAIN: kaj naredijo, njihovi parametri, kaj krmiljenje preverja, rezultati in stavki NC za kopiranje. Vse strani je mogoče brati in preiskovati brez omrežja.
+site-home-intro = Cikli krmiljenj HEIDENHAIN: kaj naredijo, njihovi parametri, kaj krmiljenje preverja, rezultati in NC-stavki za kopiranje. Vse strani je mogoče brati in preiskovati brez omrežja.
 site-home-safety = Strani opisujejo zgoraj navedeno programsko opremo; druga različica lahko deluje drugače. Prednost imajo priročniki za stroj in krmiljenje. Vsak program pred obdelavo preizkusite.
 site-page-missing = Ta stran ne obstaja.
-page-notes-title = Opombe za več ciklov: { $control }
+page-notes-title = Skupne opombe za cikle: { $control }
 page-programs-title = Primeri programov: { $control }
-page-software = Programska oprema NC { $software }
+page-software = NC-programska oprema { $software }
 page-edition = Podatki z dne { $date }
 site-notes-before-the-call = Pred priklicem
 site-notes-positions-and-clearances = Položaji in razdalje
