@@ -273,7 +273,7 @@ diag-program-end-missing =
        *[pgm] END PGM -lausetta
     }.
 diag-programs-call-in-circle = Ohjelma { $name } kutsuu tätä ohjelmaa takaisin, suoraan tai muiden kautta.
-diag-rapid-into-blank = Työkalu ajaa tässä pikaliikkeellä aihioon: Z menee arvoon { $value }, ja aihion yläpinta on arvossa { $top }.
+diag-rapid-into-blank = Työkalu ajaa tässä pikaliikkeellä aihioon: Z menee asemaan { $value }, ja aihion yläpinta on asemassa { $top }.
 diag-repeat-count-wrong = Toistojen määrän on oltava kokonaisluku 0–65534.
 diag-repeat-of-later-label = Labelin { $label } on oltava ennen toistoa, ei sen jäljessä.
 diag-repeated-infeed =
@@ -288,7 +288,7 @@ diag-reset-order-wrong =
        *[shift] Nollapisteen siirto peruutetaan tässä, mutta sen jälkeen käännetty taso on vielä käännettynä.
     }
 diag-retract-missing =
-    Työkalu on vielä arvossa { $value } aihion sisällä tai aivan sen yläpuolella, kun { $what ->
+    Työkalu on vielä asemassa { $value } aihion sisällä tai aivan sen yläpuolella, kun { $what ->
         [change] se vaihdetaan
         [tilt] taso käännetään MOVE-sanalla
         [end] ohjelma päättyy

@@ -26,8 +26,8 @@ say-part-is-scrap__measure-rectangular-pocket = hylky (Q182 = 1), jos jokin sivu
 say-part-needs-rework__measure-rectangular-pocket = jälkityö (Q181 = 1), jos jokin sivu on lyhyempi kuin { $q-first-side-least-length } tai { $q-second-side-least-length }
 say-part-is-scrap__measure-rectangular-stud = hylky (Q182 = 1), jos jokin sivu on lyhyempi kuin { $q-first-side-least-length } tai { $q-second-side-least-length } tai keskipiste poikkeaa enemmän kuin { $q-centre-tolerance-main } tai { $q-centre-tolerance-minor } sallii
 say-part-needs-rework__measure-rectangular-stud = jälkityö (Q181 = 1), jos jokin sivu on pidempi kuin { $q-first-side-greatest-length } tai { $q-second-side-greatest-length }
-result-side-main-deviation = Poikkeama pääakselin sivun pituudesta
-result-side-minor-deviation = Poikkeama sivuakselin sivun pituudesta
+result-side-main-deviation = Sivun pituuden poikkeama pääakselilla
+result-side-minor-deviation = Sivun pituuden poikkeama sivuakselilla
 title-measure-and-rework-rectangular-stud = Suorakulmakaulan mittaus ja silitys mitattujen arvojen mukaan
 title-measure-rectangular-pocket-with-log = Suorakulmataskun mittaus ja tulosten kirjaus pöytäkirjaan
 

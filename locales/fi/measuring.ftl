@@ -21,8 +21,8 @@ step-stop-on-tolerance-error = Ohjaus reagoi toleranssin ylitykseen parametrin {
 say-stop-with-tolerance-error = jos { $q-stop-on-tolerance-error } = 1, se keskeyttää ohjelmanajon ja antaa virheilmoituksen
 say-stop-with-tolerance-error__probing-3d = jos { $q-tolerance-error-reaction } = 1, se keskeyttää ohjelmanajon ja antaa virheilmoituksen
 say-continue-program = muussa tapauksessa ohjelma jatkuu
-result-centre-main-deviation = Poikkeama pääakselin keskipisteestä
-result-centre-minor-deviation = Poikkeama sivuakselin keskipisteestä
+result-centre-main-deviation = Keskipisteen poikkeama pääakselilla
+result-centre-minor-deviation = Keskipisteen poikkeama sivuakselilla
 result-diameter-deviation = Halkaisijan poikkeama
 result-status-good = 1: mittausarvot ovat toleranssin sisäpuolella
 result-status-rework = 1: jälkityö tarpeellinen
@@ -80,12 +80,12 @@ say-surface-is-good = 0 (hyväksytty) muussa tapauksessa
 step-write-surface-log = Ohjaus laatii pöytäkirjan ja tallentaa sen HTML-muodossa.
 step-react-to-tolerance-error = Ohjaus reagoi toleranssin ulkopuolella olevaan pisteeseen parametrin { $q-tolerance-error-reaction } mukaan:
 say-stop-below-nominal = jos { $q-tolerance-error-reaction } = 2 ja piste on asetuskoordinaatin alapuolella, se näyttää ilmoituksen ja keskeyttää ohjelman
-result-position-main-actual = Pääakselin mitattu asema
-result-position-minor-actual = Sivuakselin mitattu asema
-result-position-tool-actual = Työkaluakselin mitattu asema
-result-position-main-deviation = Pääakselin mitattu poikkeama
-result-position-minor-deviation = Sivuakselin mitattu poikkeama
-result-position-tool-deviation = Työkaluakselin mitattu poikkeama
+result-position-main-actual = Mitattu asema pääakselilla
+result-position-minor-actual = Mitattu asema sivuakselilla
+result-position-tool-actual = Mitattu asema työkaluakselilla
+result-position-main-deviation = Mitattu poikkeama pääakselilla
+result-position-minor-deviation = Mitattu poikkeama sivuakselilla
+result-position-tool-deviation = Mitattu poikkeama työkaluakselilla
 result-deviation-3d = Mitattu 3D-poikkeama; pienempi kuin 0: alimitta, suurempi kuin 0: ylimitta
 result-workpiece-status = Työkappaleen tila: −1 = ei määritelty, 0 = hyväksytty, 1 = jälkityö, 2 = hylätty
 guard-zero-normal-vector = Normaalivektorin kaikki komponentit ovat 0.

@@ -43,8 +43,8 @@ result-side-minor-actual = Dejanska vrednost stranske dolžine na pomožni osi
 result-slot-width-actual = Dejanska vrednost izmerjene širine utora
 result-ridge-width-actual = Dejanska vrednost izmerjene širine stojine
 result-centre-axis-actual = Dejanska vrednost položaja srednje osi
-result-corner-main-actual = Dejanska vrednost roba glavne osi
-result-corner-minor-actual = Dejanska vrednost roba pomožne osi
+result-corner-main-actual = Dejanska vrednost roba na glavni osi
+result-corner-minor-actual = Dejanska vrednost roba na pomožni osi
 
 # --- 408 and 409 ---
 cycle-datum-slot-centre = Referenčna točka središča utora

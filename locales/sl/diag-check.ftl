@@ -26,7 +26,7 @@ diag-blank-wrong =
         [cylinder] Valju manjka polmer ali premer oziroma dolžina.
         [second] Za BLK FORM 0.1 ni BLK FORM 0.2.
         [tool] Pri surovcu ni navedena orodna os.
-       *[order] V osi { $axis } mora biti koordinata drugega oglišča surovca večja od koordinate prvega.
+       *[order] Na osi { $axis } mora biti koordinata drugega oglišča surovca večja od koordinate prvega.
     }
 diag-block-numbers = Številka stavka { $number } sledi številki { $before }.
 diag-call-of-def-active-cycle = { $cycle } deluje od definicije; ne sme se priklicati.
@@ -60,7 +60,7 @@ diag-contour-not-selected =
     { $cycle } se tu prikliče, izbrana pa ni bila nobena kontura.
 diag-contour-wrong =
     { $cycle } te konture ne more obdelati: { $what ->
-        [axis] v njej je premik v orodni osi { $word }
+        [axis] v njej je premik po orodni osi { $word }
         [approach] v njej je { $word }
         [tool] v njej je { $word }
         [call] v njej je { $word }
@@ -73,7 +73,7 @@ diag-contour-wrong =
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.
-diag-core-hole-too-large = Premer izvrtine je { $other }, navoja { $value }: za navoj ne ostane materiala.
+diag-core-hole-too-large = Premer vrtine je { $other }, navoja { $value }: za navoj ne ostane materiala.
 diag-corner-wrong =
     Tega vogala ni mogoče obdelati: { $what ->
         [twice] neposredno pred njim je druga zaokrožitev ali posneti rob
@@ -120,7 +120,7 @@ diag-doubtful-value =
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
 diag-empty-word = Beseda { $word } tu nima vrednosti in ne naredi ničesar.
 diag-feed-negative = Pomik je tu negativen.
-diag-feed-zero = Pomik je tu nič.
+diag-feed-zero = Pomik je tu enak nič.
 diag-field-word-missing = Vrednost je tu brez besede; krmiljenje jo prikaže z njo: { $shown }.
 diag-begin-end-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
 diag-free-contour-wrong =
@@ -155,9 +155,9 @@ diag-global-def-wrong =
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
 diag-hole-outside-blank =
     { $what ->
-        [beside] Izvrtina pri { $value }; { $other } je ob surovcu.
+        [beside] Vrtina pri { $value }; { $other } je ob surovcu.
         [surface] Površina pri { $value } je daleč od surovca.
-       *[through] Izvrtina sega do { $value }, daleč skozi surovec.
+       *[through] Vrtina sega do { $value }, daleč skozi surovec.
     }
 diag-iso-incomplete =
     Ta stavek je nepopoln: { $what ->

@@ -23,7 +23,7 @@ explain-texts-unit-codes =
 explain-texts-unit-exchanged =
     Besede prevoda so enake kot danes, le kode so na drugih mestih, zato bi vsaka vrednost veljala za nekaj drugega. Kode vrnite na njihova mesta. Če je novi vrstni red pravilen, spremenite tudi besede ali uredite datoteko Fluent.
 explain-texts-unit-incomplete =
-    Novo besedilo z različicami, na primer za eno in za več izvrtin, je popolno šele, ko so prisotne vse različice: manjkajoča bi pustila vrzel v stavku. Prevedite vse enote, katerih oznaka se začne z istim ključem, in jih označite kot dokončane.
+    Novo besedilo z različicami, na primer za eno in za več vrtin, je popolno šele, ko so prisotne vse različice: manjkajoča bi pustila vrzel v stavku. Prevedite vse enote, katerih oznaka se začne z istim ključem, in jih označite kot dokončane.
 explain-texts-unit-refused =
     Vsaka enota se preveri tako, kot »ciklo lint« preveri besedila jezika: skladnja, izrazi in njihovi skloni, enaka števila, enote in argumenti kot v drugih jezikih ter velike črke, znaki in dolžina oznak. Ta enota bi dodala navedeno ugotovitev. »ciklo explain« s kodo v oklepaju pove o njej več. Enoto popravite in datoteko znova uvozite; že prevzete enote so takrat nespremenjene.
 explain-texts-unit-markup =

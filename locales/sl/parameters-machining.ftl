@@ -103,7 +103,7 @@ parameter-finishing-feed = Pomik pri finem rezkanju
 parameter-dwell-at-top = Čas zadrževanja zgoraj
     .label = ČAS ZADRŽ. ZGORAJ
     .label-aliases = ČAS ZADRŽ. ZG.
-    .help = Čas, ko orodje stoji na varnostni razdalji, potem ko je bilo zaradi hlajenja umaknjeno iz vrtine.
+    .help = Čas, v katerem orodje miruje na varnostni razdalji, potem ko je bilo zaradi hlajenja umaknjeno iz vrtine.
 parameter-dwell-at-bottom = Čas zadrževanja spodaj
     .label = ČAS ZADRŽ. SPODAJ
     .help = Čas, v katerem orodje miruje na dnu vrtine.
@@ -173,10 +173,10 @@ parameter-number-of-operations = Število obdelav
 parameter-pattern-clearance-mode = Premik na varno višino
     .label = PREMIK NA VARNO VIŠINO
     .label-aliases = PREMIK NA VARNOSTNO VIŠINO
-    .help = Na kateri višini se orodje premika med obdelavami.
+    .help = Določa, na kateri višini se orodje premika med obdelavami.
 parameter-pattern-traverse-type = Način premika? Premočrtno=0/krožno=1
     .label = NAČIN PREMIKA
-    .help = Po kakšni poti se orodje premika med obdelavami.
+    .help = Določa, po kakšni poti se orodje premika med obdelavami.
     .prompt = Način premika? Premočrtno=0/krožno=1
 
 # --- coordinate transforms ---
