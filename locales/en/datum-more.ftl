@@ -34,6 +34,7 @@ cycle-datum-outside-circle__tnc426-430 =
 note-stud-diameter-rather-large = Danger of collision! To avoid a collision between the touch probe and the workpiece, enter a nominal diameter of the stud that is too large rather than too small.
 note-small-stepping-angle-less-exact__datum-outside-circle = The smaller the stepping angle { $q-probing-stepping-angle }, the less exactly the control calculates the datum.
 title-datum-at-arc-centre-and-top = Set the datum at the centre of a circle segment and at the top of the workpiece
+title-datum-at-arc-centre-and-top__tnc426-430 = Set the datum at the centre of a circle segment
 
 # --- results ---
 result-side-main-actual = Actual value of side length in main axis

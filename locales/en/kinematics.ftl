@@ -169,7 +169,7 @@ note-reference-head = To match interchangeable heads, insert one as reference he
 note-drift-reference = To compensate drift, clamp the calibration sphere, measure the complete kinematics with this cycle before machining starts, set the preset after the measurement ({ $q-sphere-preset }=2 or 3), then set the presets of the workpieces and start machining. Cycle 452 compensates the drift at intervals.
 note-rotary-m-function = Depending on the configuration of the machine the control cannot position the rotary axes automatically. A special M function of the machine builder is then needed, and its number in { $mp-rotary-axis-m-function }.
 note-angle-optimization-prepared = For optimizing angles the machine builder must have adapted the configuration. It can improve small, compact machines in particular. Ask the machine builder whether it is so and whether the optimization is worthwhile.
-title-save-and-check-kinematics = Save and check the kinematics
+title-save-and-check-kinematics = Check the kinematics
 title-calibration-program = Calibration program
 title-optimize-position-with-backlash = Optimize the position of the rotary axes after automatic datum setting, and measure their backlash
 title-optimize-position-and-angle = Optimize angle and position of the rotary axes after automatic datum setting

@@ -105,7 +105,7 @@ note-start-depends-on-sequence = Alkupiste riippuu myös koneistusjärjestyksest
 # --- 25 ---
 cycle-contour-train = Muotorailo
     .nc = MUOTORAILO
-    .purpose = Työkierto koneistaa avoimia ja suljettuja muotoja yhdessä työkierron 14 kanssa. Muotoa pitkin paikoituslauseilla tehtyyn koneistukseen verrattuna ohjaus valvoo koneistusta, jyrsii kauttaaltaan myötälastulla tai vastalastulla ja voi jyrsiä edestakaisin ja työvaroja käyttäen.
+    .purpose = Työkierto koneistaa avoimia ja suljettuja muotoja yhdessä työkierron 14 kanssa. Toisin kuin paikoituslauseilla ohjelmoidussa muodossa ohjaus valvoo koneistusta, jyrsii kauttaaltaan myötälastulla tai vastalastulla ja voi jyrsiä edestakaisin ja työvaroja käyttäen.
 step-position-over-contour-start = Ohjaus siirtää työkalun varmuuskorkeudelle { $q-contour-clearance-height } ja muodon alkupisteen yläpuolelle.
 step-plunge-beside-contour = Työkalu siirtyy syöttöarvolla { $q-contour-plunging-feed } seuraavaan asetussyvyyteen eli arvon { $q-contour-plunging-depth } verran syvemmälle.
 step-mill-along-contour = Työkalu jyrsii muotoa pitkin syöttöarvolla { $q-contour-milling-feed } ottaen huomioon silitystyövaran { $q-side-allowance }:

@@ -228,7 +228,7 @@ parameter-greatest-measuring-path = Maksimi mittausliike
     .label-aliases = ETÄIS
     .help = Matka, jonka kosketusjärjestelmä siirtyy alkupisteestä. Vahvista näppäimellä ENT.
 parameter-measuring-feed = Mittaussyöttöarvo
-    .help = Mittaussyöttöarvo yksikössä mm/min.
+    .help = Syöttöarvo, jolla kosketusjärjestelmä liikkuu mitattaessa (mm/min).
 parameter-greatest-retraction-path = Maksimi vetäytymisliike
     .help = Matka kosketussuuntaa vastaan kosketusvarren taipumisen jälkeen. Ohjaus vetää kosketusjärjestelmän enintään alkupisteeseen, joten törmäystä ei voi tapahtua.
 parameter-probing-reference-system = PERUSJÄRJESTELMÄ (0=HETK/1=REF)

@@ -34,6 +34,7 @@ cycle-datum-outside-circle__tnc426-430 =
 note-stud-diameter-rather-large = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per l’isola un diametro nominale approssimato per eccesso.
 note-small-stepping-angle-less-exact__datum-outside-circle = Quanto più piccolo è l’angolo incrementale { $q-probing-stepping-angle }, tanto meno precisa è l’origine calcolata dal controllo.
 title-datum-at-arc-centre-and-top = Impostazione dell’origine al centro di un segmento circolare e sul bordo superiore del pezzo
+title-datum-at-arc-centre-and-top__tnc426-430 = Impostazione dell’origine al centro di un segmento circolare
 
 # --- results ---
 result-side-main-actual = Valore reale lunghezza lato asse principale

@@ -188,7 +188,7 @@ note-reference-head = Per la taratura di teste intercambiabili inserirne una com
 note-drift-reference = Per compensare la deriva serrare la sfera calibrata, misurare la cinematica completa con questo ciclo prima dell’inizio della lavorazione, impostare il Preset dopo la misurazione ({ $q-sphere-preset }=2 o 3), quindi impostare i Preset dei pezzi e avviare la lavorazione. Il ciclo 452 compensa la deriva a intervalli regolari.
 note-rotary-m-function = In alcune configurazioni della macchina il controllo non può posizionare da solo gli assi rotativi. Occorre allora una funzione M speciale del costruttore della macchina, con il relativo numero in { $mp-rotary-axis-m-function }.
 note-angle-optimization-prepared = L’ottimizzazione degli angoli presuppone che il costruttore della macchina abbia adattato la configurazione. Può migliorare soprattutto macchine piccole e compatte. Rivolgersi al costruttore della macchina per sapere se è così e se l’ottimizzazione è opportuna.
-title-save-and-check-kinematics = Salvare e verificare la cinematica
+title-save-and-check-kinematics = Verificare la cinematica
 title-calibration-program = Programma di calibrazione
 title-optimize-position-with-backlash = Ottimizzazione della posizione degli assi rotativi dopo l’impostazione automatica dell’origine, con misurazione del gioco
 title-optimize-position-and-angle = Ottimizzazione di angolo e posizione degli assi rotativi dopo l’impostazione automatica dell’origine

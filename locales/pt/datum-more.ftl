@@ -36,6 +36,7 @@ cycle-datum-outside-circle__tnc426-430 =
 note-stud-diameter-rather-large = Perigo de colisão! Para que o apalpador não colida com a peça, é preferível introduzir um diâmetro nominal da ilha demasiado grande a um demasiado pequeno.
 note-small-stepping-angle-less-exact__datum-outside-circle = Quanto menor for o passo angular { $q-probing-stepping-angle }, menos exato é o ponto de referência que o comando calcula.
 title-datum-at-arc-centre-and-top = Memorizar o ponto de referência no centro de um segmento de círculo e no lado superior da peça
+title-datum-at-arc-centre-and-top__tnc426-430 = Memorizar o ponto de referência no centro de um segmento de círculo
 
 # --- results ---
 result-slot-width-actual = Valor real da largura da ranhura medida

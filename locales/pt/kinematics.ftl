@@ -169,7 +169,7 @@ note-reference-head = Para ajustar cabeças intercambiáveis, monte uma delas co
 note-drift-reference = Para compensar a deriva, fixe a esfera de calibração, meça a cinemática completa com este ciclo antes de iniciar a maquinação, memorize o preset depois da medição ({ $q-sphere-preset }=2 ou 3), memorize então os presets das peças e inicie a maquinação. O ciclo 452 compensa a deriva a intervalos regulares.
 note-rotary-m-function = Consoante a configuração da máquina, o comando pode não conseguir posicionar automaticamente os eixos rotativos. É então necessária uma função M especial do fabricante da máquina, com o seu número em { $mp-rotary-axis-m-function }.
 note-angle-optimization-prepared = Para a otimização dos ângulos, o fabricante da máquina tem de ter adaptado a configuração. Esta pode trazer melhorias sobretudo em máquinas pequenas e compactas. Pergunte ao fabricante da máquina se isso foi feito e se a otimização é conveniente.
-title-save-and-check-kinematics = Guardar e verificar a cinemática
+title-save-and-check-kinematics = Verificar a cinemática
 title-calibration-program = Programa de calibração
 title-optimize-position-with-backlash = Otimizar a posição dos eixos rotativos depois da memorização automática do ponto de referência e medir a sua folga
 title-optimize-position-and-angle = Otimizar o ângulo e a posição dos eixos rotativos depois da memorização automática do ponto de referência

@@ -35,7 +35,8 @@ cycle-datum-outside-circle__tnc426-430 =
     .purpose = Izmeri središče krožnega čepa in ga določi kot referenčno točko. Na zahtevo ga krmiljenje zapiše še v preglednico ničelnih točk.
 note-stud-diameter-rather-large = Nevarnost kolizije! Da tipalni sistem ne trči v obdelovanec, za želeni premer čepa vnesite raje preveliko kot premajhno vrednost.
 note-small-stepping-angle-less-exact__datum-outside-circle = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna referenčno točko.
-title-datum-at-arc-centre-and-top = Določitev referenčne točke v središču krožnega odseka in na zgornjem robu obdelovanca
+title-datum-at-arc-centre-and-top = Določitev referenčne točke v središču krožnega odseka in na površini obdelovanca
+title-datum-at-arc-centre-and-top__tnc426-430 = Določitev referenčne točke v središču krožnega odseka
 
 # --- results ---
 result-side-main-actual = Dejanska vrednost stranske dolžine na glavni osi

@@ -6,8 +6,8 @@ cycle-datum-bolt-hole-circle = Referenčna točka središča krožne luknje
     .purpose = Z merjenjem treh vrtin izračuna središče krožne luknje in ga določi kot referenčno točko. Na zahtevo ga krmiljenje zapiše še v preglednico ničelnih točk ali preglednico prednastavitev.
 cycle-datum-bolt-hole-circle__tnc426-430 =
     .purpose = Z merjenjem treh vrtin izračuna središče krožne luknje in ga določi kot referenčno točko. Na zahtevo ga krmiljenje zapiše še v preglednico ničelnih točk.
-title-datum-at-top-and-bolt-hole-circle = Določitev referenčne točke na zgornjem robu obdelovanca in v središču krožne luknje
-title-top-and-bolt-hole-circle-into-datum-table = Zapis zgornjega roba obdelovanca in središča krožne luknje v preglednico ničelnih točk
+title-datum-at-top-and-bolt-hole-circle = Določitev referenčne točke na površini obdelovanca in v središču krožne luknje
+title-top-and-bolt-hole-circle-into-datum-table = Zapis površine obdelovanca in središča krožne luknje v preglednico ničelnih točk
 
 # --- 417 ---
 cycle-datum-probe-axis = Referenčna točka osi tipalnega sistema
@@ -23,7 +23,7 @@ note-datum-set-in-probe-axis = Krmiljenje referenčno točko določi na osi tipa
 note-positioning-logic__datum-probe-axis = Pozicionirna logika: če je najnižja točka tipalne glave pod varno višino { $q-clearance-height }, krmiljenje tipalni sistem najprej po osi tipalnega sistema umakne na varno višino in ga nato v obdelovalni ravnini pozicionira na prvo tipalno točko. Če je nad varno višino, krmiljenje tipalni sistem najprej v obdelovalni ravnini pozicionira na prvo tipalno točko in ga nato po osi tipalnega sistema premakne neposredno na merilno višino.
 note-no-transformation-with-probe-axis-datum__datum-probe-axis = Če cikel tipalnega sistema določa referenčno točko ({ $q-measured-value-transfer } = 0) in hkrati uporablja tipanje po osi tipalnega sistema (Q381 = 1), ne sme biti aktivno nobeno preračunavanje koordinat.
 result-measured-point-actual = Dejanska vrednost izmerjene točke
-title-datum-at-top-and-arc-centre = Določitev referenčne točke na zgornjem robu obdelovanca in v središču krožnega odseka
+title-datum-at-top-and-arc-centre = Določitev referenčne točke na površini obdelovanca in v središču krožnega odseka
 
 # --- 418 ---
 cycle-datum-four-holes = Referenčna točka središča 4 vrtin

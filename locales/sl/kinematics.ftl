@@ -186,7 +186,7 @@ note-reference-head = Za uskladitev menjalnih glav eno namestite kot referenčno
 note-drift-reference = Za izravnavo zdrsa vpnite { -calibration-sphere(case: "accusative") }, s tem ciklom pred začetkom obdelave izmerite celotno kinematiko, po meritvi določite prednastavitev ({ $q-sphere-preset } = 2 ali 3), nato določite prednastavitve obdelovancev in začnite obdelavo. Cikel 452 v časovnih presledkih izravnava zdrs.
 note-rotary-m-function = Glede na konfiguracijo stroja krmiljenje rotacijskih osi morda ne more pozicionirati samodejno. Tedaj sta potrebni posebna M-funkcija proizvajalca stroja in njena številka v { $mp-rotary-axis-m-function }.
 note-angle-optimization-prepared = Za optimiranje kotov mora proizvajalec stroja prilagoditi konfiguracijo. Optimiranje lahko koristi zlasti majhnim, kompaktnim strojem. Pri proizvajalcu stroja preverite, ali je to storjeno in ali je optimiranje smiselno.
-title-save-and-check-kinematics = Shranjevanje in preverjanje kinematike
+title-save-and-check-kinematics = Preverjanje kinematike
 title-calibration-program = Program za umerjanje
 title-optimize-position-with-backlash = Optimiranje položaja rotacijskih osi po samodejni določitvi referenčne točke in merjenje njihove zračnosti
 title-optimize-position-and-angle = Optimiranje kota in položaja rotacijskih osi po samodejni določitvi referenčne točke

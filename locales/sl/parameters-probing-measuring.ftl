@@ -222,7 +222,7 @@ parameter-greatest-measuring-path = Najdaljša pot meritve
     .word = ABST
     .help = Pot, za katero se tipalni sistem premakne od začetne točke. Potrdite s tipko ENT.
 parameter-measuring-feed = Merilni pomik
-    .help = Pomik pri tipanju v mm/min.
+    .help = Pomik, s katerim se tipalni sistem premika med meritvijo (mm/min).
 parameter-greatest-retraction-path = Najdaljša pot odmika
     .help = Pot v nasprotni smeri tipanja po odklonu tipalne glave. Krmiljenje umakne tipalni sistem največ do začetne točke, zato do kolizije ne more priti.
 parameter-probing-reference-system = Referenčni sistem? (0=IST/1=REF)
