@@ -23,7 +23,7 @@ step-retract-and-treat-datum__tnc426-430 = The control returns the touch probe t
 step-store-actual-values = The control stores the actual values in the result parameters.
 note-pocket-sides-rather-small = Danger of collision! To avoid a collision between the touch probe and the workpiece, enter 1st and 2nd side lengths of the pocket that are too small rather than too large.
 note-stud-sides-rather-large = Danger of collision! To avoid a collision between the touch probe and the workpiece, enter 1st and 2nd side lengths of the stud that are too large rather than too small.
-title-introduction-to-probing = NC block of the introduction to the touch-probe cycles
+title-introduction-to-probing = Another example
 
 # --- 413 ---
 cycle-datum-outside-circle = Datum at centre of round stud (outside of circle)

@@ -101,7 +101,7 @@ result-measured-angle = Mitattu kulma koneistustason pääakselin suhteen
 # --- 431 ---
 cycle-measure-plane = Tason mittaus
     .nc = TASON MITTAUS
-    .purpose = Työkierto mittaa tason kulmat mittaamalla kolme pistettä ja tallentaa arvot parametreihin.
+    .purpose = Työkierto määrittää tason kulmat kolmesta mitatusta pisteestä ja tallentaa arvot parametreihin.
 step-measure-first-point-of-plane = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun ensimmäiseen kosketuspisteeseen pikaliikkeellä (arvo sarakkeesta { $mp-positioning-feed }) ja paikoituslogiikalla ja mittaa siellä tason ensimmäisen pisteen. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran kosketussuuntaa vastaan.
 step-measure-first-point-of-plane__tnc426-430 = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun ensimmäiseen kosketuspisteeseen pikaliikkeellä (arvo koneparametrista { $mp-positioning-feed } tai { $mp-analog-positioning-feed }) ja paikoituslogiikalla ja mittaa siellä tason ensimmäisen pisteen. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran kosketussuuntaa vastaan.
 step-measure-second-point-of-plane = Kosketusjärjestelmä palaa varmuuskorkeudelle { $q-clearance-height } ja siirtyy koneistustasossa toiseen kosketuspisteeseen, jossa ohjaus mittaa tason toisen pisteen todellisarvon.

@@ -23,7 +23,7 @@ step-retract-and-treat-datum__tnc426-430 = Il controllo riporta il sistema di ta
 step-store-actual-values = Il controllo memorizza i valori reali nei parametri di risultato.
 note-pocket-sides-rather-small = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per il 1° e il 2° lato della tasca lunghezze approssimate per difetto.
 note-stud-sides-rather-large = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per il 1° e il 2° lato dell’isola lunghezze approssimate per eccesso.
-title-introduction-to-probing = Blocco NC dell’introduzione ai cicli di tastatura
+title-introduction-to-probing = Altro esempio
 
 # --- 413 ---
 cycle-datum-outside-circle = Impostazione origine cerchio esterno (isola)

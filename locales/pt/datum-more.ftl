@@ -25,7 +25,7 @@ step-retract-and-treat-datum__tnc426-430 = O comando faz regressar o apalpador �
 step-store-actual-values = O comando guarda os valores reais nos parâmetros de resultado.
 note-pocket-sides-rather-small = Perigo de colisão! Para que o apalpador não colida com a peça, é preferível introduzir longitudes lado 1 e lado 2 da caixa demasiado pequenas a demasiado grandes.
 note-stud-sides-rather-large = Perigo de colisão! Para que o apalpador não colida com a peça, é preferível introduzir longitudes lado 1 e lado 2 da ilha demasiado grandes a demasiado pequenas.
-title-introduction-to-probing = Frase NC da introdução aos ciclos de apalpação
+title-introduction-to-probing = Outro exemplo
 
 # --- 413 ---
 cycle-datum-outside-circle = Ponto referência círculo exterior

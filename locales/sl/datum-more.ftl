@@ -24,7 +24,7 @@ step-retract-and-treat-datum__tnc426-430 = Krmiljenje vrne tipalni sistem na var
 step-store-actual-values = Krmiljenje shrani dejanske vrednosti v parametre rezultatov.
 note-pocket-sides-rather-small = Nevarnost kolizije! Da tipalni sistem ne trči v obdelovanec, za 1. in 2. stransko dolžino žepa vnesite raje premajhno kot preveliko vrednost.
 note-stud-sides-rather-large = Nevarnost kolizije! Da tipalni sistem ne trči v obdelovanec, za 1. in 2. stransko dolžino čepa vnesite raje preveliko kot premajhno vrednost.
-title-introduction-to-probing = NC-stavek iz uvoda v cikle tipalnega sistema
+title-introduction-to-probing = Še en primer
 
 # --- 413 ---
 cycle-datum-outside-circle = Referenčna točka zunaj kroga

@@ -13,10 +13,10 @@ choice-delete-saved-kinematics = izbris niza podatkov
 parameter-kinematics-memory-location = Oznaka pomnilnika
     .label = OZNAKA POMNILNIKA
     .label-aliases = MESTO POMNILNIKA
-    .help = Številka ali ime niza podatkov, največ 16 znakov. Na voljo je 16 pomnilniških mest. V načinu 2 nima funkcije. V načinih 1 in 3 (obnovitev in izbris) lahko vsebuje nadomestne znake. Če nadomestnim znakom ustreza več nizov podatkov, se obnovijo srednje vrednosti njihovih podatkov (način 1) oziroma se po potrditvi vsi izbrišejo (način 3). Nadomestni znaki: ? je posamezen nedoločen znak, $ posamezna črka, # posamezna nedoločena števka, * poljubno dolg niz znakov.
+    .help = Številka ali ime niza podatkov, največ 16 znakov. Na voljo je 16 pomnilniških mest. V načinu 2 nima vpliva. V načinih 1 in 3 (obnovitev in izbris) lahko vsebuje nadomestne znake. Če nadomestnim znakom ustreza več nizov podatkov, se obnovijo srednje vrednosti njihovih podatkov (način 1) oziroma se po potrditvi vsi izbrišejo (način 3). Nadomestni znaki: ? je posamezen nedoločen znak, $ posamezna črka, # posamezna nedoločena števka, * poljubno dolg niz znakov.
 parameter-kinematics-memory-location__itnc530 = Mesto pomnilnika (0…9)
     .label = MESTO POMNILNIKA
-    .help = Številka pomnilniškega mesta, na katero se shrani celotna kinematika ali s katerega se shranjena kinematika obnovi. V načinu 2 nima funkcije.
+    .help = Številka pomnilniškega mesta, na katero se shrani celotna kinematika ali s katerega se shranjena kinematika obnovi. V načinu 2 nima vpliva.
 
 # --- preset compensation ---
 parameter-sphere-touch-points__preset-compensation = Število merilnih točk
