@@ -74,7 +74,7 @@ log-deviation-3d = 3D-poikkeama
 log-workpiece-status = Työkappaleen tila
 log-status-undefined = ei määritelty
 log-status-good = hyväksytty
-log-status-rework = jälkityö
+log-status-rework = jälkityöstö
 log-status-scrap = hylätty
 
 # --- kinematics ---
