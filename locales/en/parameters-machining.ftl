@@ -103,13 +103,13 @@ parameter-dwell-at-bottom = Dwell time at depth
 # --- milling of pockets ---
 parameter-machining-operation = Machining operation
     .label = MACHINING OPERATION
-    .help = What is machined. Side and floor are finished only where the respective allowance ({ $q-side-allowance }, { $q-floor-allowance }) is defined.
+    .help = Defines what is machined. Side and floor are finished only where the respective allowance ({ $q-side-allowance }, { $q-floor-allowance }) is defined.
 parameter-first-side-length = 1st side length
     .label = FIRST SIDE LENGTH
     .help = Length of the pocket parallel to the main axis of the working plane.
 parameter-second-side-length = 2nd side length
     .label = 2ND SIDE LENGTH
-    .help = Length of the pocket parallel to the minor axis of the working plane.
+    .help = Length of the pocket parallel to the secondary axis of the working plane.
 parameter-corner-radius = Corner radius
     .label = CORNER RADIUS
     .help = Radius of the pocket corners. With 0 the control takes the tool radius as corner radius.
@@ -136,7 +136,7 @@ parameter-path-overlap = Path overlap factor
     .help = This factor times the tool radius is the stepover k. PREDEF takes the value from the GLOBAL DEF block.
 parameter-plunging-strategy = Plunging strategy
     .label = PLUNGE
-    .help = How the tool enters the material. PREDEF takes the value from the GLOBAL DEF block.
+    .help = Defines how the tool enters the material. PREDEF takes the value from the GLOBAL DEF block.
 
 # --- patterns ---
 parameter-pitch-circle-centre-main = Centre in 1st axis
@@ -144,7 +144,7 @@ parameter-pitch-circle-centre-main = Centre in 1st axis
     .help = Centre of the pitch circle in the main axis of the working plane.
 parameter-pitch-circle-centre-minor = Centre in 2nd axis
     .label = CENTER IN 2ND AXIS
-    .help = Centre of the pitch circle in the minor axis of the working plane.
+    .help = Centre of the pitch circle in the secondary axis of the working plane.
 parameter-pitch-circle-diameter = Pitch circle diameter
     .label = PITCH CIRCLE DIAMETR
     .help = Diameter of the pitch circle.
@@ -156,13 +156,13 @@ parameter-pattern-stopping-angle = Stopping angle
     .help = Angle between the main axis of the working plane and the starting point of the last machining operation on the pitch circle; it does not apply to full circles. It must differ from the starting angle { $q-pattern-starting-angle }. If it is greater than the starting angle, machining proceeds counter-clockwise, otherwise clockwise.
 parameter-pattern-stepping-angle = Stepping angle
     .label = STEPPING ANGLE
-    .help = Angle between two machining operations on the pitch circle. With 0 the control computes it from starting angle, stopping angle and number of operations. If it is entered, the stopping angle { $q-pattern-stopping-angle } is not considered. The sign gives the direction (− = clockwise).
+    .help = Angle between two machining operations on the pitch circle. With 0 the control computes it from starting angle, stopping angle and number of operations. If it is entered, the stopping angle { $q-pattern-stopping-angle } is ignored. The sign gives the direction (− = clockwise).
 parameter-number-of-operations = Number of operations
     .label = NR OF REPETITIONS
     .help = Number of machining operations on the pitch circle.
 parameter-pattern-clearance-mode = Move to clearance height
     .label = MOVE TO CLEARANCE
-    .help = At which height the tool moves between the machining operations.
+    .help = Defines at which height the tool moves between the machining operations.
 parameter-pattern-traverse-type = Type of traverse
     .label = TYPE OF TRAVERSE
     .help = Path function with which the tool moves between the machining operations.

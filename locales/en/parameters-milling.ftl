@@ -9,7 +9,7 @@ parameter-slot-length = Slot length
     .help = Longer side of the slot, parallel to the main axis of the working plane.
 parameter-milled-slot-width = Slot width
     .label = SLOT WIDTH
-    .help = Width of the slot, parallel to the minor axis of the working plane. If it equals the tool diameter, the control only roughs (it mills an oblong hole). Greatest slot width for roughing: twice the tool diameter.
+    .help = Width of the slot, parallel to the secondary axis of the working plane. If it equals the tool diameter, the control only roughs (it mills an oblong hole). Greatest slot width for roughing: twice the tool diameter.
 parameter-angle-of-rotation__slot =
     .help = Angle by which the whole slot is rotated. The centre of rotation is the position of the tool when the cycle is called.
 parameter-angle-of-rotation__line-pattern =
@@ -36,10 +36,10 @@ parameter-blank-first-side-length = Workpiece blank side length 1
     .help = Length of the stud blank parallel to the main axis of the working plane. Enter a value greater than the 1st side length { $q-stud-first-side-length }. If the two differ by more than the permitted stepover (tool radius times path overlap { $q-path-overlap }), the control takes several stepovers. It always computes a constant stepover.
 parameter-stud-second-side-length = 2nd side length
     .label = 2ND SIDE LENGTH
-    .help = Length of the stud parallel to the minor axis of the working plane.
+    .help = Length of the stud parallel to the secondary axis of the working plane.
 parameter-blank-second-side-length = Workpiece blank side length 2
     .label = WORKPC. BLANK SIDE 2
-    .help = Length of the stud blank parallel to the minor axis of the working plane. Enter a value greater than the 2nd side length { $q-stud-second-side-length }. If the two differ by more than the permitted stepover (tool radius times path overlap { $q-path-overlap }), the control takes several stepovers. It always computes a constant stepover.
+    .help = Length of the stud blank parallel to the secondary axis of the working plane. Enter a value greater than the 2nd side length { $q-stud-second-side-length }. If the two differ by more than the permitted stepover (tool radius times path overlap { $q-path-overlap }), the control takes several stepovers. It always computes a constant stepover.
 parameter-corner-radius__rectangular-stud =
     .help = Radius of the stud corners.
 parameter-side-allowance__rectangular-stud =
@@ -49,7 +49,7 @@ parameter-stud-position = Stud position
     .help = Position of the stud with respect to the tool position when the cycle is called.
 parameter-stud-approach-position = Approach position
     .label = APPROACH POSITION
-    .help = Where the tool approaches the stud.
+    .help = Defines where the tool approaches the stud.
 parameter-finished-part-diameter = Diameter of finished part
     .label = FINISHED PART DIA.
     .help = Diameter of the finished stud.
@@ -108,7 +108,7 @@ parameter-number-of-lines = Number of lines
 parameter-starting-point-main__line-pattern =
     .help = Coordinate of the starting point in the main axis of the working plane.
 parameter-starting-point-minor__line-pattern =
-    .help = Coordinate of the starting point in the minor axis of the working plane.
+    .help = Coordinate of the starting point in the secondary axis of the working plane.
 parameter-set-up-clearance__line-pattern =
     .help = Distance between the tool tip and the workpiece surface. It also applies to the machining cycle that the pattern calls.
 parameter-surface-coordinate__line-pattern =
@@ -122,7 +122,7 @@ parameter-starting-point-main = Starting point in 1st axis
     .help = Coordinate of the starting point of the surface to be machined, in the main axis of the working plane.
 parameter-starting-point-minor = Starting point in 2nd axis
     .label = STARTNG PNT 2ND AXIS
-    .help = Coordinate of the starting point of the surface to be machined, in the minor axis of the working plane.
+    .help = Coordinate of the starting point of the surface to be machined, in the secondary axis of the working plane.
 parameter-starting-point-tool = Starting point in 3rd axis
     .label = STARTNG PNT 3RD AXIS
     .help = Height in the spindle axis at which the surface is milled.
@@ -135,14 +135,14 @@ parameter-first-side-length__multipass-milling =
 parameter-first-side-length__face-milling =
     .help = Length of the surface to be machined in the main axis of the working plane. The sign determines the direction of the first milling path with respect to the starting point in the 1st axis.
 parameter-second-side-length__multipass-milling =
-    .help = Length of the surface to be milled in the minor axis of the working plane, from the starting point in the 2nd axis.
+    .help = Length of the surface to be milled in the secondary axis of the working plane, from the starting point in the 2nd axis.
 parameter-second-side-length__face-milling =
-    .help = Length of the surface to be machined in the minor axis of the working plane. The sign determines the direction of the first stepover with respect to the starting point in the 2nd axis.
+    .help = Length of the surface to be machined in the secondary axis of the working plane. The sign determines the direction of the first stepover with respect to the starting point in the 2nd axis.
 parameter-number-of-cuts = Number of cuts
     .label = NUMBER OF CUTS
     .help = Number of lines in which the control moves the tool over the width.
 parameter-number-of-cuts__ruled-surface =
-    .help = Number of lines that the control machines between the points 1 and 4, or between the points 2 and 3.
+    .help = Number of lines that the control machines between points 1 and 4, or between points 2 and 3.
 parameter-stepover-feed = Stepover feed rate
     .label = STEPOVER FEED RATE
     .help = Traversing speed of the tool while it moves to the next line. For a stepover within the material enter a value less than { $q-milling-feed }; for a stepover above the workpiece { $q-stepover-feed } may be greater than { $q-milling-feed }.
@@ -155,39 +155,39 @@ parameter-surface-second-point-main = 2nd point in 1st axis
     .help = Coordinate of the end point of the surface to be milled, in the main axis of the working plane.
 parameter-surface-second-point-minor = 2nd point in 2nd axis
     .label = 2ND POINT 2ND AXIS
-    .help = Coordinate of the end point of the surface to be milled, in the minor axis of the working plane.
+    .help = Coordinate of the end point of the surface to be milled, in the secondary axis of the working plane.
 parameter-surface-second-point-tool = 2nd point in 3rd axis
     .label = 2ND POINT 3RD AXIS
     .help = Coordinate of the end point of the surface to be milled, in the spindle axis.
 parameter-surface-third-point-main = 3rd point in 1st axis
     .label = 3RD POINT 1ST AXIS
-    .help = Coordinate of the point 3 in the main axis of the working plane.
+    .help = Coordinate of point 3 in the main axis of the working plane.
 parameter-surface-third-point-minor = 3rd point in 2nd axis
     .label = 3RD POINT 2ND AXIS
-    .help = Coordinate of the point 3 in the minor axis of the working plane.
+    .help = Coordinate of point 3 in the secondary axis of the working plane.
 parameter-surface-third-point-tool = 3rd point in 3rd axis
     .label = 3RD POINT 3RD AXIS
-    .help = Coordinate of the point 3 in the spindle axis.
+    .help = Coordinate of point 3 in the spindle axis.
 parameter-surface-fourth-point-main = 4th point in 1st axis
     .label = 4TH POINT 1ST AXIS
-    .help = Coordinate of the point 4 in the main axis of the working plane.
+    .help = Coordinate of point 4 in the main axis of the working plane.
 parameter-surface-fourth-point-minor = 4th point in 2nd axis
     .label = 4TH POINT 2ND AXIS
-    .help = Coordinate of the point 4 in the minor axis of the working plane.
+    .help = Coordinate of point 4 in the secondary axis of the working plane.
 parameter-surface-fourth-point-tool = 4th point in 3rd axis
     .label = 4TH POINT 3RD AXIS
-    .help = Coordinate of the point 4 in the spindle axis.
+    .help = Coordinate of point 4 in the spindle axis.
 parameter-milling-feed__ruled-surface =
     .help = Traversing speed of the tool while milling. The control takes the first cut at half the programmed value.
 parameter-face-milling-strategy = Machining strategy
     .label = STRATEGY
-    .help = How the control machines the surface.
+    .help = Defines how the control machines the surface.
 parameter-end-point-tool = End point in 3rd axis
     .label = END POINT 3RD AXIS
     .help = Coordinate in the spindle axis to which the surface is face-milled.
 parameter-max-plunging-depth = Maximum plunging depth
     .label = MAX. PLUNGING DEPTH
-    .help = Greatest depth that the tool advances with one infeed. The control computes the actual plunging depth from the difference between end point and starting point in the tool axis so that all infeeds are equal; it considers the finishing allowance { $q-floor-allowance }.
+    .help = Greatest depth that the tool advances with one infeed. The control computes the actual plunging depth from the difference between end point and starting point in the tool axis so that all infeeds are equal; it takes the finishing allowance { $q-floor-allowance } into account.
 parameter-floor-allowance__face-milling =
     .help = Depth of the last infeed.
 parameter-max-path-overlap = Maximum path overlap factor
@@ -209,10 +209,10 @@ choice-tool-at-left-slot-end = Tool position = left end of slot
 choice-tool-at-left-slot-arc-centre = Tool position = centre of left slot arc
 choice-tool-at-right-slot-arc-centre = Tool position = centre of right slot arc
 choice-tool-at-right-slot-end = Tool position = right end of slot
-choice-tool-position-not-considered = The tool position is not considered. The position of the slot follows from the entered centre of the pitch circle and the starting angle
-choice-slot-begins-at-tool = Tool position = centre of left slot arc. The starting angle { $q-slot-starting-angle } refers to this position. The entered centre of the pitch circle is not considered
-choice-slot-middle-at-tool = Tool position = centre of the middle axis. The starting angle { $q-slot-starting-angle } refers to this position. The entered centre of the pitch circle is not considered
-choice-slot-ends-at-tool = Tool position = centre of right slot arc. The starting angle { $q-slot-starting-angle } refers to this position. The entered centre of the pitch circle is not considered
+choice-tool-position-not-considered = The tool position is ignored. The position of the slot follows from the entered centre of the pitch circle and the starting angle
+choice-slot-begins-at-tool = Tool position = centre of left slot arc. The starting angle { $q-slot-starting-angle } refers to this position. The entered centre of the pitch circle is ignored
+choice-slot-middle-at-tool = Tool position = centre of the middle axis. The starting angle { $q-slot-starting-angle } refers to this position. The entered centre of the pitch circle is ignored
+choice-slot-ends-at-tool = Tool position = centre of right slot arc. The starting angle { $q-slot-starting-angle } refers to this position. The entered centre of the pitch circle is ignored
 choice-tool-at-stud-centre = Tool position = centre of stud
 choice-approach-right-of-stud = Right of the stud (default setting)
 choice-approach-at-lower-left-corner = Lower left corner
@@ -239,10 +239,10 @@ parameter-tilting-angles = Rotary axis and angle
     .help = Rotary axes with their tilt angles; the rotary axes A, B and C are programmed with soft keys.
     .prompt = Rotary axis and angle?
 parameter-tilting-feed = Feed rate
-    .help = Traversing speed of the rotary axis when the control positions it by itself.
+    .help = Traversing speed of the rotary axis when the control positions it automatically.
     .prompt = Feed rate? F=
 parameter-tilting-clearance = Set-up clearance
-    .help = The control positions the swivel head so that the position at the end of the tool, extended by the set-up clearance, does not change with respect to the workpiece. It is entered if the control positions the rotary axes by itself.
+    .help = The control positions the swivel head so that the position at the end of the tool, extended by the set-up clearance, does not change with respect to the workpiece. It is entered if the control positions the rotary axes automatically.
     .prompt = Set-up clearance?
 
 # --- special functions ---
@@ -258,7 +258,7 @@ parameter-orientation-angle = Angle of orientation
 parameter-contour-tolerance = Tolerance value T
     .help = Permitted deviation from the programmed contour in millimetres (in inches in inch programs).
 parameter-hsc-mode = HSC mode, finishing=0, roughing=1
-    .help = Filter that the control activates.
+    .help = Defines which filter the control activates.
 parameter-rotary-axis-tolerance = Tolerance for rotary axes TA
     .help = Permitted deviation of rotary axes in degrees while M128 (FUNCTION TCPM) is active. The control always reduces the feed rate so that with movements in several axes the slowest one moves at its greatest feed rate. Rotary axes are usually much slower than linear axes. A greater tolerance (such as 10°) can considerably shorten the machining time of multi-axis programs, because the control need not always move the rotary axes to the given nominal position. The contour is not damaged; only the position of the rotary axis with respect to the workpiece surface changes.
 

@@ -3,7 +3,7 @@
 # --- recess turning and recessing ---
 parameter-recess-clearance = Set-up clearance
     .label = SAFETY CLEARANCE
-    .help = Reserved, at present without function.
+    .help = Reserved, currently without function.
 parameter-flank-angle__extended-radial-recess-turning =
     .help = Angle between the flank at the contour starting point and the perpendicular to the rotary axis.
 parameter-flank-angle__extended-radial-recessing =

@@ -100,9 +100,9 @@ step-cut-thread-along-contour = The control cuts the thread parallel to the defi
 step-lift-off-thread = The control lifts the tool off at rapid traverse by the set-up clearance.
 step-infeed-at-angle = The control makes an infeed. The infeeds follow the infeed angle { $q-thread-infeed-angle }.
 until-thread-depth-reached = the depth of the thread is reached
-step-make-air-cuts = The control makes as many air cuts as { $q-number-of-air-cuts } defines.
+step-make-air-cuts = The control makes the number of air cuts defined in { $q-number-of-air-cuts }.
 step-infeed-for-next-start = For the next start the control takes the tool back to the first infeed. The cut begins at an angle of the spindle that is turned by the spacing of the starts.
-until-all-thread-starts-cut = as many thread starts as { $q-number-of-thread-starts } defines have been cut
+until-all-thread-starts-cut = all { $q-number-of-thread-starts } thread starts have been cut
 
 # --- conditions ---
 condition-cutting-limit-wanted = { $q-cutting-limit } = 1
@@ -113,12 +113,12 @@ condition-end-diameter-given = { $q-taper-dimensioning } defines the taper with 
 condition-end-z-given = { $q-taper-dimensioning } defines the taper with the Z coordinate of the contour end
 
 # --- errors ---
-guard-recess-offset-too-great = The lateral offset is more than 80 % of the effective cutting width, which is the cutting width less twice the cutting radius.
+guard-recess-offset-too-great = The lateral offset is more than 80% of the effective cutting width, which is the cutting width less twice the cutting radius.
 
 # --- notes: grooves ---
 note-recess-turning-alternates = In recess turning, recesses to the plunging depth and roughing cuts alternate. Machining thus needs as few retractions and infeeds as possible.
 note-groove-extended-scope = Extended scope: a chamfer or a rounding can be added at the start and at the end of the contour; angles can be defined for the side walls of the groove; radii can be added at the corners of the contour.
-note-recess-cuts-get-shorter = After the second infeed the control shortens each further cut by 0.1 mm. This reduces the lateral load on the tool. If an offset width { $q-recess-offset-width } is entered in the cycle, the cut is shortened by that value instead. The material left over is removed with one recessing movement at the end of recessing. If the lateral offset exceeds 80 % of the effective cutting width (cutting width − 2 × cutting radius), the control shows an error message.
+note-recess-cuts-get-shorter = After the second infeed the control shortens each further cut by 0.1 mm. This reduces the lateral load on the tool. If an offset width { $q-recess-offset-width } is entered in the cycle, the cut is shortened by that value instead. The material left over is removed with one recessing movement at the end of recessing. If the lateral offset exceeds 80% of the effective cutting width (cutting width − 2 × cutting radius), the control shows an error message.
 title-groove-with-chamfers = Groove with chamfers in a turned shoulder (worked program)
 
 # --- notes: threads ---
@@ -142,4 +142,4 @@ note-thread-retracts-directly = Danger of collision! The tool retracts on the di
 note-contour-by-cycle-14 = The contour is described in a subprogram, with path functions or FK functions. Before the cycle call, program cycle 14 (contour) to define the number of the subprogram.
 note-local-parameters-in-contour = If local parameters QL are used in the contour subprogram, they must also be assigned or calculated in the contour subprogram.
 note-cutting-limit-limits-area = The cutting limit limits the area of the contour that is machined. Approach and departure paths may cross the cutting limit.
-note-cutting-limit-by-tool-position = The position of the tool before the cycle call affects how the cutting limit acts: the control removes the material on the side of the cutting limit on which the tool stands before the cycle call.
+note-cutting-limit-by-tool-position = The position of the tool before the cycle call affects how the cutting limit acts: the control removes the material on the side of the cutting limit on which the tool is before the cycle call.
