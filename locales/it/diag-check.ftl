@@ -4,7 +4,7 @@ diag-approach-twice = Qui ci si avvicina al profilo con la correzione del raggio
 diag-approach-without-compensation =
     { $what ->
         [approach] Qui ci si avvicina al profilo senza RL o RR.
-       *[departure] Qui ci si allontana dal profilo, ma nessuna compensazione del raggio è attiva.
+       *[departure] Qui ci si allontana dal profilo, ma nessuna correzione del raggio è attiva.
     }
 diag-arc-in-unequal-scaling = { $cycle } scala gli assi di questo arco con fattori diversi: il risultato non è un arco.
 diag-arc-too-narrow = Il raggio { $radius } all’interno del profilo è inferiore a quello dell’utensile, { $tool }.
@@ -40,9 +40,9 @@ diag-compensation-at-cycle =
     { $cycle } viene eseguito qui con la correzione del raggio attiva.
 diag-compensation-left-on = Qui la correzione del raggio è ancora attiva.
 diag-compensation-on-arc = La correzione del raggio non deve iniziare su un arco.
-diag-compensation-other-side = Lo stesso profilo è stato lavorato prima con la compensazione del raggio opposta: qui l’utensile è sull’altro lato.
+diag-compensation-other-side = Lo stesso profilo è stato lavorato prima con la correzione del raggio opposta: qui l’utensile è sull’altro lato.
 diag-compensation-switched = La correzione del raggio cambia lato qui senza R0 intermedio.
-diag-contour-at-rapid = Qui l’utensile percorre in rapido un profilo con compensazione del raggio.
+diag-contour-at-rapid = Qui l’utensile percorre in rapido un profilo con correzione del raggio.
 diag-contour-data-missing = { $cycle } viene chiamato, ma { $data } non è stato definito prima.
 diag-contour-def-wrong =
     { $what ->
@@ -155,7 +155,7 @@ diag-global-def-wrong =
 diag-guard = Il controllo non accetta questi valori.
 diag-hole-outside-blank =
     { $what ->
-        [beside] Il foro in { $value }; { $other } è accanto al pezzo grezzo.
+        [beside] Il foro in { $value }; { $other } è fuori dal pezzo grezzo.
         [surface] La superficie a { $value } è lontana dal pezzo grezzo.
        *[through] Il foro arriva a { $value }, ben oltre il pezzo grezzo.
     }
@@ -181,7 +181,7 @@ diag-labels-of-unknown-language =
     }
 diag-languages-mixed = La maggior parte delle etichette è in una lingua ({ $language }); le definizioni in queste righe sono in un’altra ({ $others }): { $lines }.
 diag-loop-endless = Questo salto chiude una ripetizione che non termina mai.
-diag-machine-coordinates-compensated = Qui si programmano coordinate macchina (M91, M92) con compensazione del raggio.
+diag-machine-coordinates-compensated = Qui si programmano coordinate macchina (M91, M92) con correzione del raggio.
 diag-machine-coordinates-missing = Altrove il programma si disimpegna a { $value } con M91; qui M91 manca, e la quota vale dall’origine del pezzo.
 diag-main-runs-into-subprogram = Il programma principale prosegue qui nel sottoprogramma { $label }: non lo termina né M2 né M30.
 diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value }, sotto il fondo a { $floor } lasciato in quel punto da { $milling }.

@@ -1,7 +1,7 @@
 # Parole delle figure.
 
 figure-section = Sezione
-figure-plan = Vista dall'alto
+figure-plan = Vista dall’alto
 figure-chip-breaking = Rottura truciolo
 figure-deepened-start = Punto di partenza abbassato
 figure-centring-diameter = Centrinatura fino al diametro
@@ -46,15 +46,15 @@ cli-examples-figure =
     ciklo figure 205 --control tnc640 --lang sl --out figures
 cli-coverage-figures = { $count } di { $of } lunghezze, angoli e posizioni senza figura: { $ids }
 
-diag-figure-example-missing = La figura { $name } di { $cycle } deve essere disegnata dall'esempio { $example }, che il ciclo non possiede.
-diag-figure-moment-never = L'esecuzione della figura { $name } di { $cycle } non arriva mai al momento da mostrare ({ $reason }).
+diag-figure-example-missing = La figura { $name } di { $cycle } deve essere disegnata dall’esempio { $example }, che il ciclo non possiede.
+diag-figure-moment-never = L’esecuzione della figura { $name } di { $cycle } non arriva mai al momento da mostrare ({ $reason }).
 diag-figure-no-value = La figura { $figure } di { $cycle } mostra { $name } tra punti che in quel momento non hanno valore.
 diag-figure-no-centre = La figura { $figure } di { $cycle } mostra { $name } come angolo, ma il centro manca o non è un punto.
 diag-figure-axis-not-visible = La figura { $figure } di { $cycle } mostra { $name } lungo un asse che la vista non contiene.
 diag-figure-mixed-places = La figura { $figure } di { $cycle } mostra { $name } tra una coordinata e un punto: i due estremi devono essere dello stesso tipo.
-diag-figure-measured-otherwise = La figura { $figure } di { $cycle } mostra { $name } tra punti che nell'esecuzione distano { $measured }; il valore è { $value }.
-diag-figure-nothing-to-see = La figura { $figure } di { $cycle } mostra { $name } con il valore 0: non c'è nulla da vedere.
-diag-figure-place-not-reached = La figura { $figure } di { $cycle } mostra { $name } fino a un punto ({ $place }) che né l'utensile né il pezzo raggiungono.
+diag-figure-measured-otherwise = La figura { $figure } di { $cycle } mostra { $name } tra punti che nell’esecuzione distano { $measured }; il valore è { $value }.
+diag-figure-nothing-to-see = La figura { $figure } di { $cycle } mostra { $name } con il valore 0: non c’è nulla da vedere.
+diag-figure-place-not-reached = La figura { $figure } di { $cycle } mostra { $name } fino a un punto ({ $place }) che né l’utensile né il pezzo raggiungono.
 diag-figure-none = Il ciclo { $cycle } non ha figure su questo controllo numerico.
 diag-figure-parameter-not-shown = Nessuna figura di { $cycle } mostra { $name } e la specifica non ne indica il motivo.
 figure-teeth = Taglienti sul sistema di tastatura utensile

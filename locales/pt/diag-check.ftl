@@ -40,9 +40,9 @@ diag-compensation-at-cycle =
     { $cycle } é executado aqui com a correção de raio ativa.
 diag-compensation-left-on = A correção de raio ainda está aqui ativa.
 diag-compensation-on-arc = A correção de raio não pode começar num arco.
-diag-compensation-other-side = O mesmo contorno foi maquinado antes com a compensação do raio oposta: aqui a ferramenta está do outro lado.
+diag-compensation-other-side = O mesmo contorno foi maquinado antes com a correção de raio oposta: aqui a ferramenta está do outro lado.
 diag-compensation-switched = A correção de raio muda aqui de lado sem R0 pelo meio.
-diag-contour-at-rapid = A ferramenta percorre aqui em avanço rápido um contorno com compensação do raio.
+diag-contour-at-rapid = A ferramenta percorre aqui em avanço rápido um contorno com correção de raio.
 diag-contour-data-missing = { $cycle } é chamado, mas { $data } não foi definido antes.
 diag-contour-def-wrong =
     { $what ->
@@ -76,8 +76,8 @@ diag-coordinate-out-of-place = { $path } não aceita estas coordenadas.
 diag-core-hole-too-large = O furo tem o diâmetro { $other }, a rosca { $value }: não fica material para a rosca.
 diag-corner-wrong =
     Esta esquina não se pode maquinar: { $what ->
-        [twice] segue-se diretamente a outro arredondamento ou chanfro
-        [arc] um chanfro tem de estar entre duas retas, mas um dos elementos é um arco
+        [twice] segue-se diretamente a outro arredondamento ou chanfre
+        [arc] um chanfre tem de estar entre duas retas, mas um dos elementos é um arco
         [first] não a precede nenhum elemento de contorno
         [alone] não se lhe segue nenhum elemento de contorno
         [back] a reta seguinte volta para trás ao longo da anterior

@@ -39,7 +39,7 @@ diag-move-limit = A execução foi terminada: foram executados mais de { NUMBER(
 diag-no-cycle-to-call = É chamado um ciclo, mas não foi definido nenhum ciclo de maquinação.
 diag-no-such-parameter = Não existe o parâmetro { $q }.
 diag-number-too-large = O resultado é demasiado grande para o formato numérico.
-diag-orientation-missing = A compensação do raio ao tornear precisa da orientação (TO) da ferramenta { $tool }: indica onde está a ponta em relação ao centro do raio.
+diag-orientation-missing = A correção de raio ao tornear precisa da orientação (TO) da ferramenta { $tool }: indica onde está a ponta em relação ao centro do raio.
 diag-outside-domain = { $function } não está definido para { NUMBER($value) }.
 diag-parameter-missing = Falta { $q } em { $cycle }.
 diag-parameter-out-of-range = { $q } não aceita o valor { NUMBER($value) }.
@@ -107,7 +107,7 @@ diag-contour-depth =
     }
 diag-contour-elements = Os contornos têm, no total, mais de { NUMBER($limit) } elementos.
 diag-contour-empty = O subprograma do label { $label } não descreve nenhum contorno que delimite uma área.
-diag-contour-lead = Um contorno que um ciclo maquina não pode conter { $word }: o ciclo aproxima-se dele e afasta-se por si próprio.
+diag-contour-lead = Um contorno que um ciclo maquina não pode conter { $word }: o ciclo aproxima-se dele e afasta-se automaticamente.
 diag-contour-not-defined = Nenhum ciclo indicou ainda os subprogramas do contorno.
 diag-contour-open = O contorno do label { $label } está aberto: termina a { NUMBER($distance) } mm do ponto inicial.
 diag-contour-side-missing = O contorno do label { $label } não tem correção de raio RL ou RR, que indica se se trata de uma caixa ou de uma ilha.

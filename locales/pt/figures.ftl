@@ -36,7 +36,7 @@ figure-side-allowance = Medida excedente lateral
 figure-rounding = Raio das esquinas interiores
 figure-between-points = Percurso entre os pontos de apalpação
 figure-no-contact = Percurso sem contacto
-way-rapid = marcha rápida
+way-rapid = avanço rápido
 way-feed = avanço
 way-probing = apalpação
 

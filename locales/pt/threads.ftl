@@ -29,7 +29,7 @@ note-overrides-while-tapping = Enquanto o ciclo é executado, o potenciómetro d
 note-right-hand-with-m3 = Ligue o cabeçote com M3 para roscas à direita, com M4 para roscas à esquerda.
 note-feed-from-speed-and-pitch = Determine o avanço com F = S × p. F: avanço (mm/min), S: rotações do cabeçote (rpm), p: passo de rosca (mm).
 note-retract-after-interruption = Se durante a roscagem for premida a tecla externa de paragem, o comando mostra uma softkey com que se pode retirar a ferramenta.
-note-feed-follows-spindle-speed = O comando calcula o avanço a partir das rotações do cabeçote. Se durante a roscagem se rodar o potenciómetro do avanço, o comando adapta por si o avanço. O potenciómetro das rotações do cabeçote não está ativo.
+note-feed-follows-spindle-speed = O comando calcula o avanço a partir das rotações do cabeçote. Se durante a roscagem se rodar o potenciómetro do avanço, o comando adapta automaticamente o avanço. O potenciómetro das rotações do cabeçote não está ativo.
 note-spindle-stopped-after-tapping = No fim do ciclo, o cabeçote fica parado. Ligue-o de novo com M3 (ou M4) antes da maquinação seguinte.
 note-retract-by-soft-key = Se durante a roscagem for premida a tecla externa de paragem, o comando mostra a softkey de deslocação manual. Depois de a premir, a ferramenta pode ser retirada de forma controlada com a tecla de direção positiva do eixo do cabeçote ativo.
 note-retraction-speed-is-limited = Se em { $q-retraction-speed-factor } estiver definido um fator de rotações para um recuo mais rápido, o comando limita as rotações ao maior valor permitido na gama de velocidades ativa.
@@ -95,12 +95,12 @@ guard-thread-near-hole-depth = A profundidade da rosca tem de ser menor do que a
 # --- thread milling: notes ---
 note-thread-approach-on-half-circle = A aproximação ao diâmetro da rosca faz-se num semicírculo, do centro para fora. Se o diâmetro da ferramenta for quatro vezes menor do que o diâmetro da rosca, a ferramenta é previamente posicionada de lado.
 note-compensation-before-approach = Antes da aproximação, o comando faz um movimento de compensação no eixo da ferramenta, que é, no máximo, de metade do passo de rosca. Certifique-se de que há espaço suficiente no furo.
-note-thread-depth-moves-start = Se a profundidade da rosca for alterada, o comando altera por si o ponto de partida do movimento helicoidal.
+note-thread-depth-moves-start = Se a profundidade da rosca for alterada, o comando altera automaticamente o ponto de partida do movimento helicoidal.
 note-depths-give-direction = Os sinais dos parâmetros de profundidade determinam a direção da maquinação, por esta ordem: 1. profundidade da rosca { $q-thread-depth }, 2. profundidade de rebaixamento { $q-countersinking-depth }, 3. profundidade frontal { $q-depth-at-front }.
 note-depths-give-direction__thread-drilling-milling = Os sinais dos parâmetros de profundidade determinam a direção da maquinação, por esta ordem: 1. profundidade da rosca { $q-thread-depth }, 2. profundidade total do furo { $q-total-hole-depth }, 3. profundidade frontal { $q-depth-at-front }.
 note-two-depths-give-direction = Os sinais dos parâmetros de profundidade determinam a direção da maquinação, por esta ordem: 1. profundidade da rosca { $q-thread-depth }, 2. profundidade frontal { $q-depth-at-front }.
-note-depth-zero-leaves-out-step = Se uma das profundidades for introduzida com 0, o comando não executa esse passo de trabalho.
-note-no-countersinking-depth-for-front = Para um rebaixamento frontal, defina a profundidade de rebaixamento { $q-countersinking-depth } com 0.
+note-depth-zero-leaves-out-step = Se for introduzido 0 numa das profundidades, o comando não executa esse passo de trabalho.
+note-no-countersinking-depth-for-front = Para um rebaixamento frontal, defina a profundidade de rebaixamento { $q-countersinking-depth } como 0.
 note-thread-depth-above-countersinking-depth = Introduza uma profundidade da rosca { $q-thread-depth } menor do que a profundidade de rebaixamento { $q-countersinking-depth } em, pelo menos, um terço do passo de rosca.
 note-thread-depth-above-hole-depth = Introduza uma profundidade da rosca { $q-thread-depth } menor do que a profundidade total do furo { $q-total-hole-depth } em, pelo menos, um terço do passo de rosca.
 note-helix-goes-into-workpiece = O tipo de fresagem (sentido sincronizado ou sentido contrário) resulta da rosca (à direita ou à esquerda) e do sentido de rotação da ferramenta, porque a única direção de maquinação possível é da superfície da peça para dentro da peça.

@@ -6,7 +6,7 @@ help-tool-check-complete = Determina se se trata da primeira medição da ferram
 help-additional-tooth-measurement = Determina se, além disso, as navalhas são medidas individualmente. Podem medir-se no máximo 20 navalhas.
 help-additional-tooth-measurement__itnc530 = Determina se, além disso, as navalhas são medidas individualmente. Podem medir-se no máximo 99 navalhas.
 help-additional-tooth-measurement__tnc426-430 = Determina se, além disso, as navalhas são medidas individualmente.
-help-calibration-tool-height = Posição no eixo do cabeçote à qual a ferramenta de calibração não pode colidir com peças nem com dispositivos de fixação. Refere-se ao ponto de referência ativo da peça. Se, com o valor introduzido, a ponta da ferramenta de calibração ficasse abaixo da aresta superior do prato, o comando posiciona-a automaticamente acima do prato (zona de segurança definida em { $mp-setter-safety-distance }).
+help-calibration-tool-height = Posição no eixo do cabeçote à qual a ferramenta de calibração não pode colidir com peças nem com dispositivos de fixação. Refere-se ao ponto de referência ativo da peça. Se, com o valor introduzido, a ponta da ferramenta de calibração ficar abaixo da aresta superior do prato, o comando posiciona-a automaticamente acima do prato (zona de segurança definida em { $mp-setter-safety-distance }).
 parameter-tool-check__tool-radius =
     .help = { help-tool-check-radius }
 parameter-tool-check__tool-radius-old =
@@ -68,8 +68,8 @@ step-store-tool-radius = O comando guarda o resultado:
 say-overwrite-tool-radius = com { $q-tool-check }=0, substitui o raio da ferramenta { $mp-tool-radius } em TOOL.T e põe a 0 o valor delta { $mp-delta-radius }
 say-enter-delta-radius = com { $q-tool-check }=1, compara o raio medido com o raio da ferramenta { $mp-tool-radius }, introduz o desvio, com o seu sinal, como valor delta { $mp-delta-radius } e em Q116 e bloqueia a ferramenta (estado L) se for excedida a tolerância de desgaste ou de rotura
 result-tool-radius-deviation = Desvio do raio da ferramenta
-note-diamond-coated-cylinders = As ferramentas cilíndricas com superfície de diamante podem ser medidas com o cabeçote parado. Para isso, defina na tabela de ferramentas o número de navalhas { $mp-teeth } com 0 e adapte o parâmetro de máquina { $mp-tool-measurement-config }. Consulte o manual da máquina.
-note-diamond-coated-cylinders__itnc530 = As ferramentas cilíndricas com superfície de diamante podem ser medidas com o cabeçote parado. Para isso, defina na tabela de ferramentas o número de navalhas { $mp-teeth } com 0 e adapte o parâmetro de máquina { $mp-calibration-behaviour }. Consulte o manual da máquina.
+note-diamond-coated-cylinders = As ferramentas cilíndricas com superfície de diamante podem ser medidas com o cabeçote parado. Para isso, defina na tabela de ferramentas o número de navalhas { $mp-teeth } como 0 e adapte o parâmetro de máquina { $mp-tool-measurement-config }. Consulte o manual da máquina.
+note-diamond-coated-cylinders__itnc530 = As ferramentas cilíndricas com superfície de diamante podem ser medidas com o cabeçote parado. Para isso, defina na tabela de ferramentas o número de navalhas { $mp-teeth } como 0 e adapte o parâmetro de máquina { $mp-calibration-behaviour }. Consulte o manual da máquina.
 note-two-ways-to-measure-tool = A ferramenta pode ser medida de duas formas: com a ferramenta a rodar, ou com a ferramenta a rodar e depois navalha a navalha.
 
 # --- 33 and 483 ---
@@ -95,10 +95,10 @@ title-first-measurement-rotating = Primeira medição com a ferramenta a rodar
 title-check-teeth = Verificação com medição individual das navalhas
 
 # --- 30 and 480 ---
-cycle-calibrate-tool-probe = Calibrar o apalpador TT 120
+cycle-calibrate-tool-probe = Calibrar o apalpador de ferramentas
     .nc = CALIBRAR TT
     .purpose = Calibra automaticamente o apalpador de ferramentas com uma ferramenta de calibração cilíndrica. O comando determina também a excentricidade da ferramenta de calibração. Guarda os valores de calibração e tem-nos em conta nas medições de ferramentas posteriores.
-cycle-calibrate-tool-probe-old = Calibrar o apalpador TT 120
+cycle-calibrate-tool-probe-old = Calibrar o apalpador de ferramentas
     .nc = CALIBRAR TT
     .purpose = Calibra automaticamente o apalpador de ferramentas com uma ferramenta de calibração cilíndrica. O comando determina também a excentricidade da ferramenta de calibração. Guarda os valores de calibração e tem-nos em conta nas medições de ferramentas posteriores. Formato antigo do ciclo 480.
 guard-tool-call-missing__calibrate-tool-probe = Não está chamada nenhuma ferramenta. Chame a ferramenta de calibração com TOOL CALL.

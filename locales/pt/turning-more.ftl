@@ -64,7 +64,7 @@ step-recess-to-first-depth = O comando ranhura até à primeira profundidade de 
 step-rough-groove-lengthwise = O comando desbasta a zona entre a posição de partida e o ponto final em direção longitudinal, com o avanço { $q-turning-roughing-feed }.
 step-rough-groove-crosswise = O comando desbasta a zona entre a posição de partida e o ponto final em direção transversal, com o avanço { $q-turning-roughing-feed }.
 step-choose-side-of-next-recess = A direção de maquinação { $q-recess-direction } determina onde se faz o passo seguinte:
-say-lift-off-and-return = { $q-recess-direction } = 1 (só numa direção): o comando afasta a ferramenta a distância de segurança, fá-la voltar em avanço rápido e aproxima-a de novo do contorno com o avanço definido
+say-lift-off-and-return = { $q-recess-direction } = 1 (só numa direção): o comando afasta a ferramenta no valor da distância de segurança, fá-la voltar em avanço rápido e aproxima-a de novo do contorno com o avanço definido
 say-infeed-at-both-sides = { $q-recess-direction } = 0 (nas duas direções): o passo faz-se dos dois lados
 step-recess-to-next-depth = A ferramenta ranhura até à profundidade de passo seguinte.
 until-groove-depth-reached = seja atingida a profundidade da ranhura
