@@ -21,8 +21,8 @@ step-probe-third-and-fourth-point = The control positions the touch probe at the
 step-retract-and-treat-datum = The control returns the touch probe to the clearance height { $q-clearance-height } and processes the measured datum as defined in { $q-measured-value-transfer } and { $q-datum-row-number }:
 step-retract-and-treat-datum__tnc426-430 = The control returns the touch probe to the clearance height { $q-clearance-height } and processes the measured datum as defined in { $q-datum-row-number }:
 step-store-actual-values = The control stores the actual values in the result parameters.
-note-pocket-sides-rather-small = Danger of collision! To avoid a collision between the touch probe and the workpiece, enter 1st and 2nd side lengths of the pocket that are too small rather than too large.
-note-stud-sides-rather-large = Danger of collision! To avoid a collision between the touch probe and the workpiece, enter 1st and 2nd side lengths of the stud that are too large rather than too small.
+note-pocket-sides-rather-small = Danger of collision! To avoid a collision between the touch probe and the workpiece, enter lengths of the 1st and 2nd side of the pocket that are too small rather than too large.
+note-stud-sides-rather-large = Danger of collision! To avoid a collision between the touch probe and the workpiece, enter lengths of the 1st and 2nd side of the stud that are too large rather than too small.
 title-introduction-to-probing = NC block of the introduction to the touch-probe cycles
 
 # --- 413 ---

@@ -25,7 +25,7 @@ step-approach-digitizing-start = The control moves automatically to the starting
 step-approach-workpiece-downwards = The touch probe moves towards the part in the negative direction of the tool axis. The control stores the coordinates of the position at which the touch probe contacts the part.
 step-scan-meander = From the MIN point the touch probe moves along the part in the positive direction of the line axis to the boundary of the range, moves by the line spacing and returns along the next line; at the other end it moves by the line spacing again. This is repeated until the whole range has been digitized.
 step-return-to-clearance-after-digitizing = At the end the touch probe returns to the clearance height.
-title-meander-with-rotary-axis = Meander with a rotary axis as line direction
+title-meander-with-rotary-axis = Meander with a rotary axis as the line direction
 
 # --- 7 and 17 ---
 cycle-digitize-contour-lines = Contour lines
@@ -88,7 +88,7 @@ note-corner-reduction-entered-by-control = Answer the question for the feed rate
 
 # --- notes: rotary axes ---
 note-rotary-axes-touch-trigger = With a touch-trigger probe, rotary axes can be digitized in meanders (cycle 6), in lines (cycle 8) or in contour lines (cycle 7). In each case enter the rotary axis in the cycle RANGE. The control interprets the values of rotary axes as degrees.
-note-rotary-axes-analog = With an analog touch probe, rotary axes can only be digitized with cycle 18 LINE. The rotary axis is defined as column axis.
+note-rotary-axes-analog = With an analog touch probe, rotary axes can only be digitized with cycle 18 LINE. The rotary axis is defined as the column axis.
 note-digitizing-range-with-rotary-axis = For digitizing with a rotary axis, enter the rotary axis in the range. The control interprets its values as degrees. The file of digitized data contains the axes that the range defines; no BLK FORM is output, because rotary axes cannot be displayed graphically.
 note-digitizing-display-of-rotary-axis = While digitizing and while milling, the display mode of the rotary axis must be the same (reduced to a value below 360°, or not reduced).
 note-meander-with-rotary-axis = If a linear axis (such as X) is the direction of lines, at the end of a line the control moves the rotary axis (such as A) of the cycle RANGE by the line spacing; the touch probe then oscillates in the Z/X plane, for example. If a rotary axis (such as A) is the direction of lines, at the end of a line the control moves the linear axis (such as X) by the line spacing; the touch probe then oscillates in the Z/A plane, for example.

@@ -11,7 +11,7 @@ step-rapid-out-of-hole = The tool leaves the bottom of the hole at rapid travers
 say-rapid-to-second-set-up-clearance = to the 2nd set-up clearance { $q-second-set-up-clearance }, if one is entered
 say-rapid-back-to-set-up-clearance = otherwise to the set-up clearance { $q-set-up-clearance }
 note-position-over-hole-centre = Program a positioning block to the starting point (the centre of the hole) in the working plane with radius compensation R0.
-note-point-table-hole-centres = If the cycle is called with a point table, the points of the working plane are the hole centres. To use the spindle-axis coordinate of the table as coordinate of the starting point, enter 0 as workpiece surface coordinate { $q-surface-coordinate }.
+note-point-table-hole-centres = If the cycle is called with a point table, the points of the working plane are the hole centres. To use the spindle-axis coordinate of the table as the coordinate of the starting point, enter 0 as the workpiece surface coordinate { $q-surface-coordinate }.
 
 # --- 205 ---
 cycle-universal-pecking = Universal pecking

@@ -1,8 +1,8 @@
 # Cycles that determine and compensate a misaligned workpiece.
 
 # --- run, shared ---
-step-position-offset-at-first-touch-point = The control positions the touch probe at the first touch point, at rapid traverse (value from the column { $mp-positioning-feed }) and with positioning logic. It offsets the touch probe by the set-up clearance opposite to the direction of traverse.
-step-position-offset-at-first-touch-point__tnc426-430 = The control positions the touch probe at the first touch point, at rapid traverse (value from { $mp-positioning-feed } or { $mp-analog-positioning-feed }) and with positioning logic. It offsets the touch probe by the set-up clearance opposite to the direction of traverse.
+step-position-offset-at-first-touch-point = The control positions the touch probe at the first touch point, at rapid traverse (value from the column { $mp-positioning-feed }) and with positioning logic, offset by the set-up clearance opposite to the direction of traverse.
+step-position-offset-at-first-touch-point__tnc426-430 = The control positions the touch probe at the first touch point, at rapid traverse (value from { $mp-positioning-feed } or { $mp-analog-positioning-feed }) and with positioning logic, offset by the set-up clearance opposite to the direction of traverse.
 step-travel-to-and-probe-second-point = The touch probe moves to the second touch point and carries out the second probing there.
 step-retract-and-carry-out-basic-rotation = The control returns the touch probe to the clearance height { $q-clearance-height } and carries out the basic rotation that it has determined.
 note-basic-rotation-reset-at-start = The control resets an active basic rotation at the start of the cycle.

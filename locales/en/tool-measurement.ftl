@@ -5,7 +5,7 @@ parameter-tool-check = Measure tool=0 / check tool=1
     .label = CHECK
     .word = CHECK:
     .prompt = Measure tool=0 / check tool=1
-    .help = Defines whether the tool is measured for the first time, or a tool that has been measured before is checked. The first measurement overwrites the tool length { $mp-tool-length } in the central tool file TOOL.T and sets the delta value { $mp-delta-length } to 0. A check compares the measured length with the tool length { $mp-tool-length }; the deviation, with its sign, is entered as delta value { $mp-delta-length } and is also available in Q115. If the delta value is greater than the wear or breakage tolerance permitted for the tool length, the control locks the tool (status L in TOOL.T).
+    .help = Defines whether the tool is measured for the first time, or a tool that has been measured before is checked. The first measurement overwrites the tool length { $mp-tool-length } in the central tool file TOOL.T and sets the delta value { $mp-delta-length } to 0. A check compares the measured length with the tool length { $mp-tool-length }; the deviation, with its sign, is entered as the delta value { $mp-delta-length } and is also available in Q115. If the delta value is greater than the wear or breakage tolerance permitted for the tool length, the control locks the tool (status L in TOOL.T).
 choice-tool-first-measurement = measure the tool for the first time
 choice-tool-check = check a tool that has been measured before
 parameter-tool-status-parameter = Parameter number for result?
@@ -45,7 +45,7 @@ say-measure-tooth-by-tooth = tooth by tooth with { $q-tooth-measurement }=1: the
 say-measure-rotating-or-stationary = otherwise, if the diameter of the tool is larger than the measuring surface, with the tool rotating: the tool is offset from the centre of the touch probe by { $mp-setter-offset-radius } of the tool table and moves, rotating, onto the measuring surface, so that the longest tooth is found. If the diameter is smaller, and for drills and ball-nose cutters, with the tool stationary: it moves to the centre above the measuring surface and then, with the spindle stopped, onto the surface; for this { $mp-setter-offset-radius } in the tool table is 0
 step-store-tool-length = The control stores the result:
 say-overwrite-tool-length = with { $q-tool-check }=0 it overwrites the tool length { $mp-tool-length } in TOOL.T and sets the delta value { $mp-delta-length } to 0
-say-enter-delta-length = with { $q-tool-check }=1 it compares the measured length with the tool length { $mp-tool-length }, enters the deviation with its sign as delta value { $mp-delta-length } and in Q115, and locks the tool (status L) if the wear or breakage tolerance is exceeded
+say-enter-delta-length = with { $q-tool-check }=1 it compares the measured length with the tool length { $mp-tool-length }, enters the deviation with its sign as the delta value { $mp-delta-length } and in Q115, and locks the tool (status L) if the wear or breakage tolerance is exceeded
 result-tool-length-deviation = Deviation of the tool length
 result-tool-status = Measuring status: 0.0 = within tolerance, 1.0 = worn, 2.0 = broken
 guard-tool-call-missing = No tool is called. Call the tool to be measured with TOOL CALL.

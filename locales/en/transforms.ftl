@@ -43,7 +43,7 @@ note-program-radius-compensation-again = The definition of the cycle cancels an 
 # --- 247 ---
 cycle-activate-preset = Datum setting
     .nc = DATUM SETTING
-    .purpose = Activates a preset of the preset table as new datum.
+    .purpose = Activates a preset of the preset table as the new datum.
 step-activate-preset = The control activates the preset { $q-preset-number } of the preset table as datum.
 step-cancel-transforms-of-preset = It resets datum shift, mirroring, rotation, scaling factor and axis-specific scaling factor.
 note-coordinates-refer-to-new-preset = After the definition all coordinates and datum shifts (absolute and incremental) refer to the new preset.

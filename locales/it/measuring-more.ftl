@@ -41,10 +41,10 @@ step-probe-first-in-negative-direction = Il sistema di tastatura esegue la prima
 step-probe-first-in-negative-direction__tnc426-430 = Il sistema di tastatura esegue la prima tastatura con l’avanzamento di tastatura ({ $mp-probing-feed } o { $mp-analog-probing-feed }), sempre in direzione negativa dell’asse programmato.
 step-probe-second-side-of-slot = Il sistema di tastatura esegue la seconda tastatura in base a { $q-second-measurement-offset }:
 step-probe-second-side-of-slot__tnc640 = Il sistema di tastatura esegue la seconda tastatura in base a { $q-second-measurement-offset }. Se la lunghezza nominale è grande, il controllo si porta in rapido al secondo punto di tastatura:
-say-offset-second-measurement = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura parallelamente all’asse di questo offset fino al punto di tastatura successivo ed esegue qui la tastatura
+say-offset-second-measurement = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura di questo offset, parallelamente all’asse, fino al punto di tastatura successivo ed esegue qui la tastatura
 say-offset-second-measurement__tnc640 = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura di questo offset fino al punto di tastatura successivo, con { $q-traverse-to-clearance-height }=1 all’altezza di sicurezza { $q-clearance-height }, ed esegue qui la tastatura
 say-measure-in-opposite-direction = con { $q-second-measurement-offset }=0 misura la larghezza direttamente nella direzione opposta
-step-probe-second-side-of-ridge = Il sistema di tastatura si porta all’altezza di sicurezza { $q-clearance-height } al punto di tastatura successivo ed esegue qui la seconda tastatura.
+step-probe-second-side-of-ridge = Il sistema di tastatura si porta, all’altezza di sicurezza { $q-clearance-height }, al punto di tastatura successivo ed esegue qui la seconda tastatura.
 say-part-is-scrap__measure-slot-width = scarto (Q182=1) se la scanalatura è più larga di { $q-greatest-dimension }
 say-part-needs-rework__measure-slot-width = ripresa (Q181=1) se la scanalatura è più stretta di { $q-least-dimension }
 say-part-is-scrap__measure-ridge-width = scarto (Q182=1) se l’isola è più stretta di { $q-least-dimension }

@@ -19,7 +19,7 @@ parameter-tool-clearance-height = Altezza di sicurezza
     .label = ALTEZZA DI SICUREZZA
     .word = ALT.:
     .prompt = Altezza di sicurezza
-    .help = Posizione nell’asse del mandrino che esclude qualsiasi collisione dell’utensile con pezzi o dispositivi di bloccaggio. Si riferisce all’origine attiva del pezzo. Se con questo valore la punta dell’utensile risulterebbe più bassa del bordo superiore del piatto, il controllo posiziona automaticamente l’utensile sopra il piatto (zona di sicurezza definita in { $mp-setter-safety-distance }).
+    .help = Posizione nell’asse del mandrino che esclude qualsiasi collisione dell’utensile con pezzi o dispositivi di bloccaggio. Si riferisce all’origine attiva del pezzo. Se con questo valore la punta dell’utensile venisse a trovarsi al di sotto del bordo superiore del piatto, il controllo posiziona automaticamente l’utensile sopra il piatto (zona di sicurezza definita in { $mp-setter-safety-distance }).
 parameter-tool-clearance-height__itnc530 = ALTEZZA DI SICUREZZA
     .prompt = ALTEZZA DI SICUREZZA
 parameter-tooth-measurement = Tastatura taglienti? 0=No/1=Sì
