@@ -22,7 +22,7 @@ note-when-to-calibrate__tnc426-430 = Always calibrate the touch probe when it is
 note-known-ring-or-stud = Calibrating determines the effective length of the stylus and the effective radius of the ball tip. For calibrating, clamp a setting ring or a stud of known height and known radius on the machine table.
 note-known-ring-or-stud__tnc426-430 = Calibrating determines the effective length of the stylus and the effective radius of the ball tip. For calibrating, place a setting ring of known height and known inside radius on the machine table.
 note-calibration-values-at-once = The calibration values take effect for the active touch probe at once after calibrating. The tool need not be called again.
-note-calibration-values-in-tables = The control stores the effective length and the effective radius of the touch probe in the tool table, and its centre offset in the columns { $mp-probe-offset-main } (main axis) and { $mp-probe-offset-minor } (secondary axis) of the touch-probe table. The soft key for the touch-probe table shows the stored values.
+note-calibration-values-in-tables = The control stores the effective length and the effective radius of the touch probe in the tool table, and its centre offset in the columns { $mp-probe-offset-main } (main axis) and { $mp-probe-offset-minor } (secondary axis) of the touch probe table. The soft key for the touch probe table shows the stored values.
 note-right-tool-number-for-probe = When a touch probe is used, the right tool number must be active, no matter whether a touch-probe cycle is to run in an automatic mode or manually.
 
 # --- 461 ---
@@ -30,7 +30,7 @@ cycle-calibrate-probe-length = Calibrate touch probe length
     .nc = CALIBRATION OF TS LENGTH
     .purpose = Calibrates the effective length of a touch-trigger 3-D probe on a surface of known height, such as a setting ring.
 step-prepare-length-calibration = Before the cycle starts, set the datum in the spindle axis so that Z=0 on the machine table, and position the touch probe above the calibration ring.
-step-orient-to-calibration-angle = The control orients the touch probe to the angle { $mp-probe-calibration-angle } of the touch-probe table, if the touch probe can be oriented.
+step-orient-to-calibration-angle = The control orients the touch probe to the angle { $mp-probe-calibration-angle } of the touch probe table, if the touch probe can be oriented.
 step-probe-down-from-here = From the present position the control probes in the negative direction of the spindle axis at the probing feed rate (column { $mp-probing-feed }).
 step-return-to-start-of-calibration = The control positions the touch probe at rapid traverse (column { $mp-positioning-feed }) back at the starting position.
 step-store-probe-length = The control stores the effective length in the tool table.
@@ -49,7 +49,7 @@ step-rough-measurement-of-part = In the first run the control determines the cen
 step-fine-measurement-of-part = Then the calibration proper (fine measurement) determines the radius of the ball tip.
 step-travel-between-calibration-points = Between the measuring points the touch probe moves:
 step-reverse-measurement = If the touch probe can be oriented in two or in any directions, the control turns it by 180° and carries out four more probings. This measurement also determines the centre offset.
-step-store-radius-and-offset = The control stores the effective radius of the ball tip in the column { $mp-tool-radius } of the tool table and the centre offset in the columns { $mp-probe-offset-main } and { $mp-probe-offset-minor } of the touch-probe table.
+step-store-radius-and-offset = The control stores the effective radius of the ball tip in the column { $mp-tool-radius } of the tool table and the centre offset in the columns { $mp-probe-offset-main } and { $mp-probe-offset-minor } of the touch probe table.
 guard-too-few-calibration-points = At least three probings are needed: { $q-calibration-ring-probings } is too small.
 guard-too-few-calibration-points__calibrate-on-sphere = At least three probings are needed: { $q-calibration-sphere-probings } is too small.
 note-orientation-decides-calibration = The calibration depends on how the touch probe can be oriented. If it cannot be oriented, or in one direction only, the control makes a rough and a fine measurement and determines the effective radius of the ball tip. If it can be oriented in two directions (such as HEIDENHAIN touch probes with cable), the control makes a rough and a fine measurement, turns the touch probe by 180° and carries out four more probings, which determine the centre offset in addition to the radius. If it can be oriented in any direction (such as HEIDENHAIN infrared touch probes), the calibration is the same as with two directions.

@@ -8,7 +8,7 @@ cycle-digitize-range-from-points = Range for digitizing from a point table
     .nc = RANGE
     .purpose = Defines a range of any shape for digitizing with an analog touch probe: a point table gives its boundary in the working plane. The cycle also defines the file for the digitized data and the clearance height.
 step-remember-digitizing-range = The control stores the range between the MIN point and the MAX point, the clearance height and the name of the file for the digitizing cycles that follow.
-step-remember-digitizing-range-from-points = The control stores the range, whose boundary the points of the table give in the working plane and the MIN and MAX points in the touch probe axis, the clearance height and the name of the file for the digitizing cycles that follow.
+step-remember-digitizing-range-from-points = The control stores the range, the clearance height and the name of the file for the digitizing cycles that follow. The points of the table bound the range in the working plane, the MIN and MAX points bound it in the touch probe axis.
 table-digitizing-points = Point table for digitizing
 title-range-with-rotary-axis-a = Range with rotary axis A, for cycle 18
 title-range-for-meander-with-rotary-axis = Range with rotary axis A, for cycle 6
@@ -104,5 +104,5 @@ note-digitized-data-size = The file of digitized data may be at most 1500 MByte 
 
 # --- notes: point tables ---
 note-point-table-recording = The points are recorded in the mode Positioning with Manual Data Input with the analog touch probe, which needs the software option for digitizing with an analog touch probe. The soft key PNT selects a point table. Points are recorded manually (TEACH-IN: deflect the stylus by hand and capture the actual position) or automatically (at a point spacing entered, while the stylus is moved around the part by hand). A feed rate can be entered with which the touch probe reacts to a deflection, and the coordinates to be stored can be chosen for each axis. Only the coordinates of the working plane define the range.
-note-point-table-size = A point table that serves as range may contain at most 893 points. To have this monitored, set the soft key RANGE/CONTOUR DATA to RANGE.
+note-point-table-size = A point table that serves as a range may contain at most 893 points. To have this monitored, set the soft key RANGE/CONTOUR DATA to RANGE.
 note-point-table-closed = The points are joined by straight lines, which bound the range. The control automatically joins the last point of the table to the first one.

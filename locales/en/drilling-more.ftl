@@ -12,7 +12,7 @@ step-ream-to-depth = The tool reams at the feed rate { $q-plunging-feed } to the
 # --- 203 ---
 cycle-universal-drilling = Universal drilling
     .nc = UNIVERSAL DRILLING
-    .purpose = Drills a hole in infeeds that may become smaller. Chips can be broken several times before the tool is retracted from the hole.
+    .purpose = Drills a hole in several infeeds, each of which may be smaller than the one before. Chips can be broken several times before the tool is retracted from the hole.
 step-drill-to-decreasing-plunging-depth = The tool drills at the feed rate { $q-plunging-feed } to the next plunging depth. The plunging depth { $q-plunging-depth } becomes smaller by the decrement { $q-decrement } with each infeed, if one is entered.
 step-break-chip-or-retract = Between two infeeds the tool moves back:
 say-break-chip-by-retraction = with chip breaking, by the retraction { $q-chip-breaking-retraction }, as often as defined in { $q-chip-breaks-before-retraction } before the tool is retracted from the hole

@@ -16,7 +16,7 @@ note-point-table-hole-centres = If the cycle is called with a point table, the p
 # --- 205 ---
 cycle-universal-pecking = Universal pecking
     .nc = UNIVERSAL PECKING
-    .purpose = Drills deep holes in infeeds that may become smaller, with chip breaking, an advanced stop distance for the return into the hole, and a starting point below the workpiece surface for pre-drilled holes.
+    .purpose = Drills deep holes in several infeeds, each of which may be smaller than the one before, with chip breaking, an advanced stop distance for the return into the hole, and a starting point below the workpiece surface for pre-drilled holes.
 step-feed-to-deepened-starting-point = If a deepened starting point { $q-deepened-starting-point } is entered, the tool moves at the pre-positioning feed rate { $q-pre-positioning-feed } to the set-up clearance above the deepened starting point.
 step-drill-on-to-plunging-depth = The tool drills at the feed rate { $q-plunging-feed } towards the plunging depth { $q-plunging-depth }; with chip breaking it stops each time it is { $q-depth-for-chip-breaking } deeper. The plunging depth becomes smaller by the decrement { $q-decrement } with each infeed, if one is entered.
 step-break-chip = For chip breaking the tool retracts by { $q-chip-breaking-retraction } at 3000 mm/min.

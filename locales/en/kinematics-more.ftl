@@ -3,9 +3,9 @@
 # --- 450 ---
 cycle-save-kinematics = Save kinematics
     .nc = SAVE KINEMATICS
-    .purpose = Saves the active kinematics of the machine or restores a kinematics that was saved before. The saved data can be shown and deleted.
+    .purpose = Saves the active kinematics of the machine or restores kinematics saved before. The saved data can be shown and deleted.
 cycle-save-kinematics__itnc530 =
-    .purpose = Saves the active kinematics of the machine, restores a kinematics that was saved before, or shows the present state of the memory on the screen and in a log.
+    .purpose = Saves the active kinematics of the machine, restores kinematics saved before, or shows the present state of the memory on the screen and in a log.
 condition-memory-location-used = { $q-kinematics-memory-mode } is not 2
 step-treat-saved-kinematics = The control handles the kinematics according to the mode { $q-kinematics-memory-mode }:
 say-save-active-kinematics = 0: it saves the active kinematics under { $q-kinematics-memory-location }
@@ -21,7 +21,7 @@ note-kinematics-memory-wildcards = If several data records match the wildcards o
 note-kinematics-memory-file = The control stores the saved data in the file TNC:\table\DATA450.KD. This file can be backed up on an external computer, with TNCremo for example, so that it can be restored after a disk failure. If the file is deleted, the saved data are lost. If it does not exist, the control creates it when cycle 450 is executed.
 note-kinematics-memory-file-by-hand = Do not change the saved data in the file TNC:\table\DATA450.KD by hand: the data records may become corrupt and unusable.
 note-kinematics-memory-code-number = In the mode “save” the control always stores the code number that was last entered under MOD as well; any code number may be defined. After that the memory location can be overwritten only if this code number is entered.
-note-overwritten-without-question = If a kinematics was saved without a code number, the control overwrites its memory location the next time it saves, without asking.
+note-overwritten-without-question = If kinematics data were saved without a code number, the control overwrites its memory location the next time it saves, without asking.
 note-kinematics-memory-log-contents = After cycle 450 the control creates a log (TCHPR450.TXT). It contains date and time, the path of the NC program, the mode (0=save/1=restore/2=state of memory/3=delete), the identifier of the active kinematics and the identifier of the data record entered. Mode 0 adds all axis and transformation entries of the kinematics chain saved, mode 1 all transformation entries before and after restoring, mode 2 a list of the saved data records, mode 3 a list of the records deleted.
 note-kinematics-memory-log-contents__itnc530 = After cycle 450 the control creates a log (TCHPR450.TXT). It contains date and time, the path of the NC program, the mode (0=save/1=restore/2=state of memory), the number of the memory location (0 to 9), the line number of the kinematics in the kinematics table, and the code number if one was entered directly before cycle 450. Mode 0 adds all axis and transformation entries of the kinematics chain saved, mode 1 all transformation entries before and after restoring, mode 2 a list of the present state of the memory, on the screen and in the log, with memory location, code numbers, number of the kinematics and date of saving.
 title-save-active-kinematics = Save the active kinematics
@@ -43,7 +43,7 @@ step-measure-reference-head = Measure the reference head completely with cycle 4
 step-insert-second-head = Insert the second head.
 step-measure-second-head = Measure the interchangeable head with cycle { $cycle } up to the interface of the head change.
 step-match-further-heads = Match further interchangeable heads to the reference head with cycle { $cycle }.
-step-set-preset-in-sphere = Set the preset in the calibration sphere.
+step-set-preset-in-sphere = Set the preset at the centre of the calibration sphere.
 step-set-preset-on-workpiece = Set the preset on the workpiece and start machining.
 step-compensate-at-intervals = Compensate the preset at regular intervals with cycle { $cycle }: the control determines the drift of the axes concerned and corrects it in the kinematics.
 step-optimize-transformation-chain = The control optimizes the kinematic transformation chain of the machine.
@@ -51,10 +51,10 @@ step-correct-workpiece-system = The control corrects the workpiece coordinate sy
 note-datum-in-sphere-first__preset-compensation = Before the cycle definition, set and activate the datum at the centre of the calibration sphere.
 note-one-degree-before-limit-switch = For axes without a separate position encoder, choose the measuring points so that 1° of travel to the limit switch remains. The control needs this path for its internal backlash compensation.
 note-kinematics-limit-exceeded__preset-compensation = If the kinematics data exceed the permitted limit ({ $mp-max-modification }), the control shows a warning. Confirm with NC start that the values are to be accepted.
-note-match-heads-purpose = Matching interchangeable heads leaves the workpiece preset unchanged when rotary axes (heads) are exchanged. Insert one of the heads as the reference head, clamp the calibration sphere, insert the touch probe, measure the complete kinematics with cycle 451 and let it set the preset after the measurement (Q431=2 or 3). Then insert the next head and the touch probe and measure it with cycle { $cycle }. All other heads can be matched in the same way.
+note-match-heads-purpose = Matching interchangeable heads leaves the workpiece preset unchanged when rotary axes (heads) are exchanged. Insert one of the heads as the reference head, clamp the calibration sphere, insert the touch probe, measure the complete kinematics with cycle 451 and let the cycle set the preset after the measurement (Q431=2 or 3). Then insert the next head and the touch probe and measure it with cycle { $cycle }. All other heads can be matched in the same way.
 note-match-heads-only-changed-axes = Measure only the axes that were actually exchanged. Example: a fork head with the axes A and C, of which only the A-axis is exchanged; the C-axis is excluded with { $q-rotary-measuring-points-c }=0.
 note-preset-and-sphere-stay = The preset and the position of the calibration sphere must not change during the whole procedure.
-note-drift-purpose = During machining, machine components drift because of changing ambient conditions. If the drift is sufficiently constant over the traverse range and the calibration sphere can stay on the machine table, cycle { $cycle } determines and compensates it. Clamp the calibration sphere, insert the touch probe, measure the complete kinematics with cycle 451 before machining starts and let it set the preset after the measurement (Q431=2 or 3), then set the presets of the workpieces and start machining. At regular intervals, insert the touch probe, activate the preset in the calibration sphere and measure the kinematics with cycle { $cycle }.
+note-drift-purpose = During machining, machine components drift because of changing ambient conditions. If the drift is sufficiently constant over the traverse range and the calibration sphere can stay on the machine table, cycle { $cycle } determines and compensates it. Clamp the calibration sphere, insert the touch probe, measure the complete kinematics with cycle 451 before machining starts and let the cycle set the preset after the measurement (Q431=2 or 3), then set the presets of the workpieces and start machining. At regular intervals, insert the touch probe, activate the preset at the centre of the calibration sphere and measure the kinematics with cycle { $cycle }.
 note-drift-without-rotary-axes = Drift can also be compensated on machines without rotary axes.
 note-kinematics-prepared-for-preset = The kinematics must be prepared for preset compensation. Refer to the machine manual.
 note-head-change-is-machine-function = Changing heads is a function of the machine. Refer to the machine manual.

@@ -3,7 +3,7 @@
 # --- saved kinematics ---
 parameter-kinematics-memory-mode = Mode (0/1/2/3)
     .label = MODE
-    .help = Defines whether a kinematics is saved or restored.
+    .help = Defines whether the kinematics are saved or restored.
 parameter-kinematics-memory-mode__itnc530 = Mode (0/1/2)
 choice-save-kinematics = save the kinematics
 choice-save-kinematics__itnc530 = save the active kinematics
@@ -15,7 +15,7 @@ parameter-kinematics-memory-location = Memory designation
     .help = Number or name of the data record, at most 16 characters. There are 16 memory locations. It has no function in mode 2. In the modes 1 and 3 (restore and delete) it may contain wildcards. If several records match the wildcards, the mean values of their data are restored (mode 1), or all of them are deleted after confirmation (mode 3). Wildcards: ? is a single undefined character, $ a single letter, # a single undefined digit, * a string of any length.
 parameter-kinematics-memory-location__itnc530 = Memory location (0…9)
     .label = MEMORY LOCATION
-    .help = Number of the memory location in which the complete kinematics is saved, or from which the saved kinematics is restored. It has no function in mode 2.
+    .help = Number of the memory location in which the complete kinematics are saved, or from which the saved kinematics are restored. It has no function in mode 2.
 
 # --- preset compensation ---
 parameter-sphere-touch-points__preset-compensation = Number of measuring points

@@ -21,7 +21,7 @@ note-reset-scaling = To reset scaling, program the cycle again with the factor 1
 note-scaling-in-status-display = The additional status display shows the active scaling factor.
 note-scaling-acts-on = The factor acts on all three coordinate axes at the same time, and on dimensions entered in cycles.
 note-shift-datum-before-scaling = Before enlarging or reducing, the datum should be shifted to an edge or a corner of the contour.
-note-scaling-limits = Enlargement: factor greater than 1 up to 99.999 999. Reduction: factor less than 1 down to 0.000 001.
+note-scaling-limits = Enlargement: factor greater than 1 up to 99.999999. Reduction: factor less than 1 down to 0.000001.
 
 # --- 26 ---
 cycle-axis-scaling = Axis-specific scaling

@@ -3,13 +3,13 @@
 # --- 841, 842, 840, 851, 852, 850 ---
 cycle-simple-radial-recess-turning = Simple radial recess turning
     .nc = SIMPLE RECESS TURNING, RADIAL
-    .purpose = Machines rectangular grooves in longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines rectangular grooves in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-extended-radial-recess-turning = Extended radial recess turning
     .nc = EXTENDED RECESS TURNING, RADIAL
-    .purpose = Machines grooves in longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Machines grooves in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-radial-contour-recess-turning = Radial contour recess turning
     .nc = CONTOUR RECESS TURNING, RADIAL
-    .purpose = Machines grooves of any shape in longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines grooves of any shape in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-simple-axial-recess-turning = Simple axial recess turning
     .nc = SIMPLE RECESS TURNING, AXIAL
     .purpose = Machines rectangular grooves in transverse direction (on a face) by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
@@ -23,22 +23,22 @@ cycle-axial-contour-recess-turning = Axial contour recess turning
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Radial recessing
     .nc = RADIAL RECESSING
-    .purpose = Recesses rectangular grooves radially: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts rectangular grooves radially: roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-extended-radial-recessing = Extended radial recessing
     .nc = EXTENDED RADIAL RECESSING
-    .purpose = Recesses grooves radially: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Cuts grooves radially: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-radial-contour-recessing = Radial contour recessing
     .nc = RADIAL CONTOUR RECESSING
-    .purpose = Recesses grooves of any shape radially: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts grooves of any shape radially: roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-axial-recessing = Axial recessing
     .nc = AXIAL RECESSING
-    .purpose = Recesses rectangular grooves axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts rectangular grooves axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-extended-axial-recessing = Extended axial recessing
     .nc = EXTENDED AXIAL RECESSING
-    .purpose = Recesses grooves axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Cuts grooves axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-axial-contour-recessing = Axial contour recessing
     .nc = AXIAL CONTOUR RECESSING
-    .purpose = Recesses grooves of any shape axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts grooves of any shape axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 831, 832, 830 ---
 cycle-longitudinal-thread = Longitudinal thread
@@ -61,7 +61,7 @@ step-rapid-to-first-recess-z = The control positions the tool in Z at rapid trav
 step-rapid-to-first-recess-x = The control positions the tool in X at rapid traverse (first recessing position).
 step-recess-from-start-to-first-depth = The control recesses from the starting point of the cycle to the first plunging depth.
 step-recess-to-first-depth = The control recesses to the first plunging depth.
-step-rough-groove-lengthwise = The control roughs the area between the starting position and the end point in longitudinal direction at the feed rate { $q-turning-roughing-feed }.
+step-rough-groove-lengthwise = The control roughs the area between the starting position and the end point in the longitudinal direction at the feed rate { $q-turning-roughing-feed }.
 step-rough-groove-crosswise = The control roughs the area between the starting position and the end point in transverse direction at the feed rate { $q-turning-roughing-feed }.
 step-choose-side-of-next-recess = The machining direction { $q-recess-direction } determines where the next infeed is made:
 say-lift-off-and-return = { $q-recess-direction } = 1 (one direction only): the control lifts the tool off by the set-up clearance, returns it at rapid traverse and approaches the contour again at the defined feed rate
@@ -70,8 +70,8 @@ step-recess-to-next-depth = The tool recesses to the next plunging depth.
 until-groove-depth-reached = the depth of the groove is reached
 step-recess-at-both-walls = The control positions the tool at the set-up clearance again and makes one recess at each side wall.
 step-infeed-parallel-to-axis = The control makes an infeed parallel to the axis at rapid traverse. The lateral infeed is 0.8 times the cutting width.
-step-recess-radially = The control machines the area between the starting position and the end point in radial direction at the feed rate { $q-turning-roughing-feed }.
-step-recess-axially = The control machines the area between the starting position and the end point in axial direction at the feed rate { $q-turning-roughing-feed }.
+step-recess-radially = The control machines the area between the starting position and the end point in the radial direction at the feed rate { $q-turning-roughing-feed }.
+step-recess-axially = The control machines the area between the starting position and the end point in the axial direction at the feed rate { $q-turning-roughing-feed }.
 until-groove-width-reached = the width of the groove is reached
 until-groove-shape-reached = the shape of the groove is reached
 

@@ -3,8 +3,8 @@
 # --- common sentences of the turning cycles ---
 group-turning-roughing = Roughing
 group-turning-finishing = Finishing
-step-rapid-radial-infeed = The control advances the tool in radial direction, parallel to the axis, at rapid traverse. It computes the infeed from the maximum cutting depth { $q-max-cutting-depth }.
-step-cut-longitudinally = The control machines the area between the starting position and the end point in longitudinal direction at the feed rate { $q-turning-roughing-feed }.
+step-rapid-radial-infeed = The control advances the tool in the radial direction, parallel to the axis, at rapid traverse. It computes the infeed from the maximum cutting depth { $q-max-cutting-depth }.
+step-cut-longitudinally = The control machines the area between the starting position and the end point in the longitudinal direction at the feed rate { $q-turning-roughing-feed }.
 step-retract-by-infeed = The control retracts the tool by the infeed at the defined feed rate:
 say-follow-contour-within-infeed = with { $q-contour-smoothing } = 0 along the contour, within the infeed range
 say-lift-off-at-45-degrees = otherwise at an angle of 45°
@@ -37,9 +37,9 @@ note-feed-rates-with-m136 = If M136 is programmed before the cycle, the control 
 note-inclined-turning = If the cycle is executed during inclined machining (M144), the angles of the tool relative to the contour change. The control automatically takes this change into account and thus also monitors machining in the inclined position for damage to the contour.
 note-blank-form-update = With blank form update (FUNCTION TURNDATA BLANK) the control recognizes areas that are already machined and adapts all approach and departure paths to the individual operations. It is available only in a machining cycle in the turning mode; the blank must be a closed contour (starting position = end position) and is the cross-section of a rotationally symmetric body.
 note-finished-part-beyond-blank = With blank form update the control adapts approach and retraction to the updated blank. If areas of the finished part extend beyond the blank, workpiece and tool can be damaged.
-step-rapid-axial-infeed = The control advances the tool in axial direction, parallel to the axis, at rapid traverse. It computes the infeed from the maximum cutting depth { $q-max-axial-cutting-depth }.
+step-rapid-axial-infeed = The control advances the tool in the axial direction, parallel to the axis, at rapid traverse. It computes the infeed from the maximum cutting depth { $q-max-axial-cutting-depth }.
 step-cut-across-axis = The control machines the area between the starting position and the end point in transverse direction at the feed rate { $q-turning-roughing-feed }.
-step-cut-contour-longitudinally = The control machines the area between the starting position and the end point in longitudinal direction. The longitudinal cut runs parallel to the axis at the feed rate { $q-turning-roughing-feed }.
+step-cut-contour-longitudinally = The control machines the area between the starting position and the end point in the longitudinal direction. The longitudinal cut runs parallel to the axis at the feed rate { $q-turning-roughing-feed }.
 step-cut-contour-across-axis = The control machines the area between the starting position and the end point in transverse direction. The face cut runs parallel to the axis at the feed rate { $q-turning-roughing-feed }.
 step-cut-parallel-to-contour = The control machines the area between the starting position and the end point. The cut runs parallel to the contour at the feed rate { $q-turning-roughing-feed }.
 step-retract-to-starting-position-in-x = The control retracts the tool at the defined feed rate to the starting position in X.
@@ -63,27 +63,27 @@ title-shoulder-with-recess = Shoulder with recess
 # --- 811 ---
 cycle-turn-shoulder-longitudinal = Turn shoulder longitudinal
     .nc = SHOULDER, LONGITDNL.
-    .purpose = Turns right-angled shoulders in longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns right-angled shoulders in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 812 ---
 cycle-turn-shoulder-longitudinal-extended = Turn shoulder longitudinal, extended
     .nc = SHOULDER, LONG. EXT.
-    .purpose = Turns shoulders in longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts run parallel to the axis.
+    .purpose = Turns shoulders in the longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts run parallel to the axis.
 
 # --- 813 ---
 cycle-turn-plunge-longitudinal = Turn plunge longitudinal
     .nc = TURN, LONG. PLUNGE
-    .purpose = Turns shoulders with plunging elements (undercuts) in longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns shoulders with plunging elements (undercuts) in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 814 ---
 cycle-turn-plunge-longitudinal-extended = Turn plunge longitudinal, extended
     .nc = TURN, LONG. PLUNGE EXT.
-    .purpose = Turns shoulders with plunging elements (undercuts) in longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts run parallel to the axis.
+    .purpose = Turns shoulders with plunging elements (undercuts) in the longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts run parallel to the axis.
 
 # --- 810 ---
 cycle-turn-contour-longitudinal = Turn contour longitudinal
     .nc = TURN CONTOUR LONG.
-    .purpose = Turns workpieces with any turning contour, which a subprogram describes, in longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns workpieces with any turning contour, which a subprogram describes, in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 815 ---
 cycle-turn-contour-parallel = Turn contour-parallel

@@ -27,9 +27,9 @@ title-datum-at-top-and-arc-centre = Impostazione dell’origine sul bordo superi
 # --- 418 ---
 cycle-datum-four-holes = Impostazione origine centro di quattro fori
     .nc = ORIGINE DA 4 FORI
-    .purpose = Calcola il punto di intersezione delle rette che congiungono a due a due i centri di fori e lo imposta come origine. A scelta, il controllo scrive il punto di intersezione anche in una tabella origini o nella tabella Preset.
+    .purpose = Calcola il punto di intersezione delle rette che congiungono i centri di quattro fori e lo imposta come origine. A scelta, il controllo scrive il punto di intersezione anche in una tabella origini o nella tabella Preset.
 cycle-datum-four-holes__tnc426-430 =
-    .purpose = Calcola il punto di intersezione delle rette che congiungono a due a due i centri di fori e lo imposta come origine. A scelta, il controllo scrive il punto di intersezione anche in una tabella origini.
+    .purpose = Calcola il punto di intersezione delle rette che congiungono i centri di quattro fori e lo imposta come origine. A scelta, il controllo scrive il punto di intersezione anche in una tabella origini.
 step-repeat-for-third-and-fourth-hole = Il controllo ripete i due passi precedenti per il terzo e il quarto foro.
 step-retract-and-store-intersection = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height }, calcola l’origine come punto di intersezione delle rette tra i centri dei fori 1 e 3 e dei fori 2 e 4, memorizza i valori reali nei parametri di risultato ed elabora l’origine in base a { $q-measured-value-transfer } e { $q-datum-row-number }:
 step-retract-and-store-intersection__tnc426-430 = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height }, calcola l’origine come punto di intersezione delle rette tra i centri dei fori 1 e 3 e dei fori 2 e 4 e la elabora in base a { $q-datum-row-number }:

@@ -126,7 +126,7 @@ note-centre-cut-or-pilot-drill = Se necessario, utilizzare una fresa con taglien
 # --- 232 ---
 cycle-face-milling = Fresatura a spianare
     .nc = FRESATURA A SPIANARE
-    .purpose = Fresa una superficie piana in più incrementi, tenendo conto di un sovrametallo di finitura, con una di tre strategie.
+    .purpose = Fresa una superficie piana in più incrementi secondo una di tre strategie, tenendo conto di un sovrametallo di finitura.
 step-position-beside-surface = Dalla posizione attuale il controllo posiziona l’utensile in rapido (FMAX) con logica di posizionamento sul punto di partenza 1, situato a fianco del pezzo e distante da esso il raggio dell’utensile più la distanza laterale { $q-side-clearance }:
 say-plane-then-spindle-axis = se l’utensile si trova sopra la 2ª distanza di sicurezza { $q-second-set-up-clearance }: dapprima nel piano di lavoro, poi nell’asse del mandrino
 say-second-clearance-then-plane = altrimenti: dapprima alla 2ª distanza di sicurezza { $q-second-set-up-clearance }, poi nel piano di lavoro

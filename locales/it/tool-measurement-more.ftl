@@ -51,7 +51,7 @@ cycle-tool-radius-old = Misurazione raggio utensile
     .purpose = Misura o verifica il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza il risultato nella memoria utensili centrale TOOL.T e ne tiene conto automaticamente al termine del ciclo. Vecchio formato del ciclo 482.
 cycle-tool-radius-old__tnc426-430 =
     .purpose = Misura o verifica il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza il risultato nella memoria utensili centrale TOOL.T e lo utilizza alla successiva chiamata utensile. Vecchio formato del ciclo 482.
-step-position-tool-beside-setter = Il controllo posiziona l’utensile a lato dell’elemento di tastatura, con la superficie frontale al di sotto del bordo superiore dell’elemento del valore definito in { $mp-setter-axis-offset } e, se inserito nella tabella utensili, dell’offset di lunghezza supplementare { $mp-setter-offset-length }.
+step-position-tool-beside-setter = Il controllo posiziona l’utensile a lato dell’elemento di tastatura, con la superficie frontale al di sotto del bordo superiore dell’elemento, alla distanza definita in { $mp-setter-axis-offset } più, se inserito nella tabella utensili, l’offset di lunghezza supplementare { $mp-setter-offset-length }.
 step-probe-rotating-tool-radially = Il controllo tasta radialmente l’utensile rotante.
 step-measure-teeth-radially = Il controllo determina il raggio:
 say-measure-radii-of-teeth = con { $q-tooth-measurement }=1 misura poi i raggi di tutti i taglienti mediante orientamento del mandrino

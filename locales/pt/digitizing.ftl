@@ -19,10 +19,10 @@ title-range-with-rotary-axis-c = Campo com eixo rotativo C, para o ciclo 7
 # --- 6 and 16 ---
 cycle-digitize-meander = Meandro
     .nc = MEANDRO
-    .purpose = Digitaliza uma peça 3D em forma de meandro com um apalpador digital.
+    .purpose = Digitaliza em meandro uma peça 3D com um apalpador digital.
 cycle-digitize-meander-analog = Meandro (apalpador analógico)
     .nc = MEANDRO
-    .purpose = Digitaliza uma peça 3D em forma de meandro com um apalpador analógico.
+    .purpose = Digitaliza em meandro uma peça 3D com um apalpador analógico.
 step-approach-digitizing-start = O comando desloca-se automaticamente para o ponto de partida, primeiro no eixo da ferramenta para a altura segura, depois no plano de maquinação para o ponto MIN do campo do ciclo 5 ou do ciclo 15.
 step-approach-workpiece-downwards = O apalpador desloca-se para a peça na direção negativa do eixo da ferramenta. O comando guarda as coordenadas da posição em que o apalpador toca na peça.
 step-scan-meander = A partir do ponto MIN, o apalpador percorre a peça na direção positiva do eixo das linhas até ao limite do campo, desvia-se no valor da distância entre linhas e regressa pela linha seguinte; na outra extremidade, volta a desviar-se no mesmo valor. O processo repete-se até estar digitalizado todo o campo.
@@ -79,8 +79,8 @@ note-digitizing-speed-touch-trigger = Com um apalpador digital, a velocidade de 
 note-digitizing-speed-analog = Com um apalpador analógico, é o ciclo que define a velocidade de digitalização, até 3000 mm/min.
 
 # --- notes: how it is digitized ---
-note-meander-for-flat-parts = A digitalização em forma de meandro adequa-se sobretudo a peças relativamente planas.
-note-meander-for-evaluation-software = Digitalize em forma de meandro se os dados de digitalização tiverem de ser processados com o software de avaliação SUSA da HEIDENHAIN.
+note-meander-for-flat-parts = A digitalização em meandro adequa-se sobretudo a peças relativamente planas.
+note-meander-for-evaluation-software = Digitalize em meandro se os dados de digitalização tiverem de ser processados com o software de avaliação SUSA da HEIDENHAIN.
 note-contour-lines-for-steep-parts = A digitalização em linhas de nível adequa-se especialmente a peças irregulares (como moldes de injeção) ou quando se quer registar uma única linha de nível (como o contorno de uma placa de came).
 note-range-for-contour-lines = No eixo do apalpador, o campo tem de ficar abaixo do ponto mais alto da peça em, pelo menos, o raio do apalpador. No plano de maquinação, o campo tem de exceder a peça em, pelo menos, o raio do apalpador.
 note-single-contour-line = Para digitalizar uma única linha de nível, introduza 0 para a distância entre linhas e, se o ciclo a pedir, para a distância mínima entre linhas.
@@ -93,7 +93,7 @@ note-feed-reduction-only-up-to-1000 = A redução do avanço só funciona se uma
 note-corner-reduction-entered-by-control = Responda com NO ENT à pergunta sobre a redução do avanço nas esquinas. O comando introduz automaticamente um valor.
 
 # --- notes: rotary axes ---
-note-rotary-axes-touch-trigger = Com um apalpador digital, os eixos rotativos podem ser digitalizados em forma de meandro (ciclo 6), por linhas (ciclo 8) ou em linhas de nível (ciclo 7). Em qualquer dos casos, introduza o eixo rotativo no ciclo CAMPO. O comando interpreta os valores dos eixos rotativos como graus.
+note-rotary-axes-touch-trigger = Com um apalpador digital, os eixos rotativos podem ser digitalizados em meandro (ciclo 6), por linhas (ciclo 8) ou em linhas de nível (ciclo 7). Em qualquer dos casos, introduza o eixo rotativo no ciclo CAMPO. O comando interpreta os valores dos eixos rotativos como graus.
 note-rotary-axes-analog = Com um apalpador analógico, os eixos rotativos só podem ser digitalizados com o ciclo 18 LINHA. O eixo rotativo é definido como eixo das colunas.
 note-digitizing-range-with-rotary-axis = Para digitalizar com um eixo rotativo, introduza o eixo rotativo no campo. O comando interpreta os seus valores como graus. O ficheiro dos dados de digitalização contém os eixos que o campo define; não é emitida nenhuma BLK FORM, porque os eixos rotativos não se podem representar graficamente.
 note-digitizing-display-of-rotary-axis = Na digitalização e na fresagem, o modo de visualização do eixo rotativo tem de ser o mesmo (reduzido a um valor inferior a 360° ou não reduzido).

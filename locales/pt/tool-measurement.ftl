@@ -5,12 +5,12 @@ parameter-tool-check = Medir a ferramenta=0 / verificar=1
     .label = VERIFICAR
     .word = VERIFICAR:
     .prompt = Medir a ferramenta=0 / verificar=1
-    .help = Determina se se trata da primeira medição da ferramenta ou da verificação de uma ferramenta já medida. Na primeira medição, o comando substitui a longitude da ferramenta { $mp-tool-length } em TOOL.T, o armazém central de ferramentas, e põe a 0 o valor delta { $mp-delta-length }. A verificação compara a longitude medida com a longitude da ferramenta { $mp-tool-length }; o desvio, com o seu sinal, é introduzido como valor delta { $mp-delta-length } e está também disponível em Q115. Acima da tolerância de desgaste ou de rotura admissível para a longitude, o comando bloqueia a ferramenta (estado L em TOOL.T).
+    .help = Determina se se trata da primeira medição da ferramenta ou da verificação de uma ferramenta já medida. Na primeira medição, o comando substitui a longitude da ferramenta { $mp-tool-length } em TOOL.T, a memória central de ferramentas, e põe a 0 o valor delta { $mp-delta-length }. A verificação compara a longitude medida com a longitude da ferramenta { $mp-tool-length }; o desvio, com o seu sinal, é introduzido como valor delta { $mp-delta-length } e está também disponível em Q115. Acima da tolerância de desgaste ou de rotura admissível para a longitude, o comando bloqueia a ferramenta (estado L em TOOL.T).
 choice-tool-first-measurement = medir a ferramenta pela primeira vez
 choice-tool-check = verificar uma ferramenta já medida
 parameter-tool-status-parameter = Nº do Parâmetro para Resultado?
     .prompt = Nº do Parâmetro para Resultado?
-    .help = Número do parâmetro em que o comando guarda o estado da medição: 0,0: ferramenta dentro da tolerância; 1,0: ferramenta desgastada ({ $mp-wear-tolerance-length } excedido); 2,0: ferramenta quebrada ({ $mp-break-tolerance-length } excedido). Se o resultado não for utilizado no programa, responda à pergunta com a tecla NO ENT.
+    .help = Número do parâmetro em que o comando guarda o estado da medição: 0,0: ferramenta dentro da tolerância; 1,0: ferramenta desgastada ({ $mp-wear-tolerance-length } excedido); 2,0: ferramenta partida ({ $mp-break-tolerance-length } excedido). Se o resultado não for utilizado no programa, responda à pergunta com a tecla NO ENT.
 parameter-tool-clearance-height = Altura de segurança
     .label = ALTURA SEGURA
     .label-aliases = ALTURA SEGURANÇA
@@ -33,14 +33,14 @@ choice-tooth-measurement = medir as navalhas individualmente
 # --- 31 and 481 ---
 cycle-tool-length = Medir a longitude da ferramenta
     .nc = LONGITUDE DA FERRAMENTA
-    .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado no armazém central de ferramentas TOOL.T e tem-no automaticamente em conta no fim do ciclo.
+    .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado na memória central de ferramentas TOOL.T e tem-no automaticamente em conta no fim do ciclo.
 cycle-tool-length__tnc426-430 =
-    .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado no armazém central de ferramentas TOOL.T e utiliza-o na chamada seguinte da ferramenta.
+    .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado na memória central de ferramentas TOOL.T e utiliza-o na chamada seguinte da ferramenta.
 cycle-tool-length-old = Medir a longitude da ferramenta
     .nc = LONGITUDE DA FERRAMENTA
-    .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado no armazém central de ferramentas TOOL.T e tem-no automaticamente em conta no fim do ciclo. Formato antigo do ciclo 481.
+    .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado na memória central de ferramentas TOOL.T e tem-no automaticamente em conta no fim do ciclo. Formato antigo do ciclo 481.
 cycle-tool-length-old__tnc426-430 =
-    .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado no armazém central de ferramentas TOOL.T e utiliza-o na chamada seguinte da ferramenta. Formato antigo do ciclo 481.
+    .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado na memória central de ferramentas TOOL.T e utiliza-o na chamada seguinte da ferramenta. Formato antigo do ciclo 481.
 step-position-tool-over-setter = O comando posiciona a ferramenta à altura segura { $q-tool-clearance-height }, mas não abaixo da zona de segurança acima do prato.
 step-touch-tool-setter = O comando mede a longitude:
 say-measure-tooth-by-tooth = navalha a navalha com { $q-tooth-measurement }=1: a ferramenta é posicionada ao lado da cabeça do apalpador, com a face abaixo da aresta superior desta, à distância { $mp-setter-axis-offset } (mais o desvio adicional da longitude { $mp-setter-offset-length }, se estiver introduzido na tabela de ferramentas). O comando apalpa radialmente a ferramenta a rodar para encontrar o ângulo inicial e mede depois a longitude de todas as navalhas, modificando a orientação do cabeçote
@@ -54,8 +54,8 @@ guard-tool-call-missing = Não está chamada nenhuma ferramenta. Chame com TOOL 
 note-enter-tool-data-first = Antes de medir uma ferramenta pela primeira vez, introduza na tabela de ferramentas TOOL.T o número de navalhas, a direção de corte e valores aproximados do raio e da longitude.
 note-most-teeth-measurable = As navalhas podem ser medidas individualmente em ferramentas com até 20 navalhas.
 note-most-teeth-measurable__itnc530 = As navalhas podem ser medidas individualmente em ferramentas com até 99 navalhas. A visualização de estados mostra os valores de até 24 navalhas.
-note-tool-table-must-be-active = Os ciclos de medição só funcionam se estiver ativo o armazém central de ferramentas TOOL.T.
-note-tool-call-before-tool-measurement = Antes de utilizar os ciclos de medição, introduza no armazém central de ferramentas todos os dados necessários para a medição e chame com TOOL CALL a ferramenta que pretende medir.
+note-tool-table-must-be-active = Os ciclos de medição só funcionam se estiver ativa a memória central de ferramentas TOOL.T.
+note-tool-call-before-tool-measurement = Antes de utilizar os ciclos de medição, introduza na memória central de ferramentas todos os dados necessários para a medição e chame com TOOL CALL a ferramenta que pretende medir.
 note-three-ways-to-measure-length = A longitude pode ser medida de três formas: com a ferramenta a rodar, se o seu diâmetro for maior do que a superfície de medição do apalpador; com a ferramenta parada, se o diâmetro for menor ou se se tratar de brocas ou fresas esféricas; navalha a navalha com a ferramenta parada, se o diâmetro for maior do que a superfície de medição.
 note-tool-measurement-feed-and-speed = Com a ferramenta parada, o comando utiliza o avanço de apalpação de { $mp-stationary-probing-feed }. Com a ferramenta a rodar, calcula as rotações da ferramenta n = { $mp-max-peripheral-speed } / (r · 0,0063) em rpm, a partir da velocidade periférica máxima admissível em m/min e do raio da ferramenta ativo r em mm, e o avanço de apalpação v = tolerância de medição · n em mm/min.
 note-tool-measurement-tolerance = { $mp-probing-feed-calculation } determina a tolerância de medição. ConstantTolerance: permanece constante, pelo que o avanço de ferramentas muito grandes desce para zero, tanto mais cedo quanto menores forem { $mp-max-peripheral-speed } e { $mp-measuring-tolerance }. VariableTolerance: é { $mp-measuring-tolerance } para raios da ferramenta até 30 mm, o dobro até 60 mm, o triplo até 90 mm, o quádruplo até 120 mm. ConstantFeed: o avanço permanece constante e o erro de medição aumenta com o raio: (r · { $mp-measuring-tolerance }) / 5 mm.

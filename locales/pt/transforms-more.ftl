@@ -21,7 +21,7 @@ note-reset-scaling = Para anular o fator de escala, programe de novo o ciclo com
 note-scaling-in-status-display = A visualização adicional de estados mostra o fator de escala ativo.
 note-scaling-acts-on = O fator atua simultaneamente nos três eixos de coordenadas e nas medidas introduzidas em ciclos.
 note-shift-datum-before-scaling = Antes de ampliar ou reduzir, o ponto zero deve ser deslocado para uma aresta ou uma esquina do contorno.
-note-scaling-limits = Ampliação: fator maior do que 1 até 99,999 999. Redução: fator menor do que 1 até 0,000 001.
+note-scaling-limits = Ampliação: fator maior do que 1 até 99,999999. Redução: fator menor do que 1 até 0,000001.
 
 # --- 26 ---
 cycle-axis-scaling = Fator de escala específico do eixo

@@ -3,22 +3,22 @@
 # --- 841, 842, 840, 851, 852, 850 ---
 cycle-simple-radial-recess-turning = Tornear ranhura radial, simples
     .nc = TORNEAR RANHURA RADIAL SIMPLES
-    .purpose = Maquina ranhuras retangulares em direção longitudinal, alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras retangulares em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
 cycle-extended-radial-recess-turning = Tornear ranhura radial, ampliado
     .nc = TORNEAR RANHURA RADIAL AMPLIADO
-    .purpose = Maquina ranhuras em direção longitudinal, alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
+    .purpose = Maquina ranhuras em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
 cycle-radial-contour-recess-turning = Tornear ranhura radial, contorno
     .nc = TORNEAR RANHURA RADIAL CONTORNO
-    .purpose = Maquina ranhuras de qualquer forma em direção longitudinal, alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras de qualquer forma em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
 cycle-simple-axial-recess-turning = Tornear ranhura axial, simples
     .nc = TORNEAR RANHURA AXIAL SIMPLES
-    .purpose = Maquina ranhuras retangulares em direção transversal (numa face), alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras retangulares em direção transversal (numa face), alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
 cycle-extended-axial-recess-turning = Tornear ranhura axial, ampliado
     .nc = TORNEAR RANHURA AXIAL AMPLIADO
-    .purpose = Maquina ranhuras em direção transversal, alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
+    .purpose = Maquina ranhuras em direção transversal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
 cycle-axial-contour-recess-turning = Tornear ranhura axial, contorno
     .nc = TORNEAR RANHURA AXIAL CONTORNO
-    .purpose = Maquina ranhuras de qualquer forma em direção transversal, alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras de qualquer forma em direção transversal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
 
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Ranhurar radial

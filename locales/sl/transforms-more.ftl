@@ -21,7 +21,7 @@ note-reset-scaling = Faktor merila ponastavite tako, da cikel znova programirate
 note-scaling-in-status-display = Dodatni prikaz stanja kaže aktivni faktor merila.
 note-scaling-acts-on = Faktor deluje hkrati na vseh treh koordinatnih oseh in na mere, vnesene v ciklih.
 note-shift-datum-before-scaling = Pred povečanjem ali zmanjšanjem naj se ničelna točka zamakne na rob ali vogal konture.
-note-scaling-limits = Povečanje: faktor, večji od 1, do 99,999 999. Zmanjšanje: faktor, manjši od 1, do 0,000 001.
+note-scaling-limits = Povečanje: faktor, večji od 1, do 99,999999. Zmanjšanje: faktor, manjši od 1, do 0,000001.
 
 # --- 26 ---
 cycle-axis-scaling = Osni faktor merila
