@@ -100,8 +100,8 @@ cycle-multipass-milling = Multipass milling
     .purpose = Mills a flat rectangular surface in lines, to and fro.
 step-rapid-to-start-of-lines = The control positions the tool at rapid traverse (FMAX) from its present position in the working plane at starting point 1, offset by the tool radius to the left and upwards.
 step-down-to-start-of-lines = The tool then moves in the spindle axis at rapid traverse (FMAX) to the set-up clearance { $q-set-up-clearance } and from there at the feed rate for plunging { $q-plunging-feed } to the programmed starting position { $q-starting-point-tool } in the spindle axis.
-step-mill-line = The tool then mills at the programmed feed rate { $q-milling-feed } to end point 2, which the control computes from the starting point, the programmed length { $q-first-side-length } and the tool radius.
-step-step-over-to-next-line = The control moves the tool across at the feed rate { $q-stepover-feed } to the starting point of the next line. It computes the offset from the programmed width { $q-second-side-length } and the number of cuts { $q-number-of-cuts }.
+step-mill-line = The tool then mills at the programmed feed rate { $q-milling-feed } to end point 2, which the control calculates from the starting point, the programmed length { $q-first-side-length } and the tool radius.
+step-step-over-to-next-line = The control moves the tool across at the feed rate { $q-stepover-feed } to the starting point of the next line. It calculates the offset from the programmed width { $q-second-side-length } and the number of cuts { $q-number-of-cuts }.
 step-mill-back-in-next-line = The tool then returns in the negative direction of the 1st axis.
 step-rapid-back-to-clearance-over-surface = At the end the control retracts the tool at rapid traverse (FMAX) to the set-up clearance { $q-set-up-clearance }.
 note-plane-first-then-spindle-axis = From the present position the control positions the tool first in the working plane and then in the spindle axis at the starting point.
@@ -111,7 +111,7 @@ cycle-ruled-surface = Ruled surface
     .nc = RULED SURFACE
     .purpose = Mills an oblique, inclined or twisted surface that is defined by four corner points, in lines that all run in the same direction.
 step-straight-to-starting-point = The control moves the tool from its present position on a straight line in space to starting point 1.
-step-mill-line-to-its-end = The tool then mills at the programmed feed rate { $q-milling-feed } to the end point of the line: in the first line to point 2, at half the feed rate; in each further one to a point that the control computes from point 2 and the offset towards point 3.
+step-mill-line-to-its-end = The tool then mills at the programmed feed rate { $q-milling-feed } to the end point of the line: in the first line to point 2, at half the feed rate; in each further one to a point that the control calculates from point 2 and the offset towards point 3.
 step-rapid-back-to-start-of-line = From there the control moves the tool at rapid traverse (FMAX) in the positive direction of the spindle axis to one tool diameter above the higher end of the line, and then back to the starting point of the line (in the first line point 1).
 step-down-to-last-height = At the starting point the control moves the tool to the value in the spindle axis that it had there last.
 step-move-to-start-of-next-line = The control then moves the tool in all three axes from point 1 towards point 4 to the next line.
@@ -132,10 +132,10 @@ say-plane-then-spindle-axis = if the tool is above the 2nd set-up clearance { $q
 say-second-clearance-then-plane = otherwise: first to the 2nd set-up clearance { $q-second-set-up-clearance }, then in the working plane
 step-feed-to-face-infeed = The tool then moves in the spindle axis at the feed rate for pre-positioning { $q-pre-positioning-feed } to the next infeed depth, which the control has computed.
 step-mill-face-line = The tool mills at the programmed feed rate { $q-milling-feed } to end point 2:
-say-line-ends-outside-surface = { $q-face-milling-strategy } = 0: outside the surface; the control computes it from the programmed starting point, length and clearance to the side { $q-side-clearance } and the tool radius
-say-line-ends-inside-surface = { $q-face-milling-strategy } = 1: inside the surface; the control computes it from the programmed starting point and length and the tool radius
-say-line-ends-outside-surface-by-lines = { $q-face-milling-strategy } = 2: outside the surface; the control computes it from the programmed starting point, length and clearance to the side { $q-side-clearance } and the tool radius
-step-step-over-on-face = The control moves the tool across to the starting point of the next line. It computes the offset from the programmed width { $q-second-side-length }, the tool radius and the maximum path overlap factor { $q-max-path-overlap }:
+say-line-ends-outside-surface = { $q-face-milling-strategy } = 0: outside the surface; the control calculates it from the programmed starting point, length and clearance to the side { $q-side-clearance } and the tool radius
+say-line-ends-inside-surface = { $q-face-milling-strategy } = 1: inside the surface; the control calculates it from the programmed starting point and length and the tool radius
+say-line-ends-outside-surface-by-lines = { $q-face-milling-strategy } = 2: outside the surface; the control calculates it from the programmed starting point, length and clearance to the side { $q-side-clearance } and the tool radius
+step-step-over-on-face = The control moves the tool across to the starting point of the next line. It calculates the offset from the programmed width { $q-second-side-length }, the tool radius and the maximum path overlap factor { $q-max-path-overlap }:
 say-step-over-outside = { $q-face-milling-strategy } = 0: at the feed rate for pre-positioning { $q-pre-positioning-feed }
 say-step-over-inside = { $q-face-milling-strategy } = 1: within the workpiece, at the feed rate for milling { $q-milling-feed }
 say-retract-and-return-to-next-line = { $q-face-milling-strategy } = 2: the tool moves in the spindle axis to the set-up clearance { $q-set-up-clearance } above the present infeed depth and at the feed rate for pre-positioning { $q-pre-positioning-feed } directly back to the starting point of the next line

@@ -156,7 +156,7 @@ parameter-pattern-stopping-angle = Stopping angle
     .help = Angle between the main axis of the working plane and the starting point of the last machining operation on the pitch circle; it does not apply to full circles. It must differ from the starting angle { $q-pattern-starting-angle }. If it is greater than the starting angle, machining proceeds counter-clockwise, otherwise clockwise.
 parameter-pattern-stepping-angle = Stepping angle
     .label = STEPPING ANGLE
-    .help = Angle between two machining operations on the pitch circle. With 0 the control computes it from starting angle, stopping angle and number of operations. If it is entered, the stopping angle { $q-pattern-stopping-angle } is ignored. The sign gives the direction (− = clockwise).
+    .help = Angle between two machining operations on the pitch circle. With 0 the control calculates it from starting angle, stopping angle and number of operations. If it is entered, the stopping angle { $q-pattern-stopping-angle } is ignored. The sign gives the direction (− = clockwise).
 parameter-number-of-operations = Number of operations
     .label = NR OF REPETITIONS
     .help = Number of machining operations on the pitch circle.

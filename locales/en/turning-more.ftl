@@ -12,13 +12,13 @@ cycle-radial-contour-recess-turning = Radial contour recess turning
     .purpose = Machines grooves of any shape in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-simple-axial-recess-turning = Simple axial recess turning
     .nc = SIMPLE RECESS TURNING, AXIAL
-    .purpose = Machines rectangular grooves in transverse direction (on a face) by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines rectangular grooves in the transverse direction (on a face) by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-extended-axial-recess-turning = Extended axial recess turning
     .nc = EXTENDED RECESS TURNING, AXIAL
-    .purpose = Machines grooves in transverse direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Machines grooves in the transverse direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-axial-contour-recess-turning = Axial contour recess turning
     .nc = CONTOUR RECESS TURNING, AXIAL
-    .purpose = Machines grooves of any shape in transverse direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines grooves of any shape in the transverse direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Radial recessing
@@ -62,7 +62,7 @@ step-rapid-to-first-recess-x = The control positions the tool in X at rapid trav
 step-recess-from-start-to-first-depth = The control recesses from the starting point of the cycle to the first plunging depth.
 step-recess-to-first-depth = The control recesses to the first plunging depth.
 step-rough-groove-lengthwise = The control roughs the area between the starting position and the end point in the longitudinal direction at the feed rate { $q-turning-roughing-feed }.
-step-rough-groove-crosswise = The control roughs the area between the starting position and the end point in transverse direction at the feed rate { $q-turning-roughing-feed }.
+step-rough-groove-crosswise = The control roughs the area between the starting position and the end point in the transverse direction at the feed rate { $q-turning-roughing-feed }.
 step-choose-side-of-next-recess = The machining direction { $q-recess-direction } determines where the next infeed is made:
 say-lift-off-and-return = { $q-recess-direction } = 1 (one direction only): the control lifts the tool off by the set-up clearance, returns it at rapid traverse and approaches the contour again at the defined feed rate
 say-infeed-at-both-sides = { $q-recess-direction } = 0 (both directions): the infeed is made on both sides

@@ -3,7 +3,7 @@
 # --- extent, clearance, feeds ---
 parameter-turning-operation = Tipo di lavorazione
     .label = TIPO DI LAVORAZIONE
-    .help = Entità della lavorazione.
+    .help = Definire che cosa viene lavorato.
 choice-finish-to-final-dimensions = Solo finitura alla quota finale
 choice-finish-to-oversize = Solo finitura al sovrametallo
 parameter-turning-clearance = Distanza di sicurezza

@@ -16,7 +16,7 @@ say-log-on-screen = com { $q-measuring-log }=2, interrompe a execução do progr
 say-no-log = caso contrário, não cria nenhum registo
 message-measuring-log-on-screen = O registo de medição está no ecrã. Continue com o arranque NC.
 step-monitor-tool = O comando supervisiona a ferramenta conforme { $q-monitored-tool }:
-say-correct-tool-radius = com { $q-monitored-tool } diferente de 0, soma o desvio do raio ao raio delta da coluna DR da tabela de ferramentas; se o desvio for maior do que a tolerância de rotura RBREAK, emite um aviso de erro, detém a execução do programa e bloqueia a ferramenta (coluna TL = L)
+say-correct-tool-radius = com { $q-monitored-tool } diferente de 0, soma o desvio do raio ao valor delta da coluna DR da tabela de ferramentas; se o desvio for maior do que a tolerância de rotura RBREAK, emite um aviso de erro, detém a execução do programa e bloqueia a ferramenta (coluna TL = L)
 say-no-tool-monitoring = com { $q-monitored-tool }=0, não é supervisionada nenhuma ferramenta
 step-stop-on-tolerance-error = O comando reage a uma tolerância excedida conforme { $q-stop-on-tolerance-error }:
 say-stop-with-tolerance-error = com { $q-stop-on-tolerance-error }=1, interrompe a execução do programa e emite um aviso de erro
