@@ -97,10 +97,10 @@ step-find-start-of-side-finishing = The control determines the starting point fo
 step-finish-partial-contour = The control moves the tool to the next plunging depth, { $q-contour-plunging-depth } deeper, at the feed rate { $q-contour-plunging-feed }, brings it tangentially on an arc to the partial contour, and finishes the partial contour at the feed rate { $q-roughing-feed }.
 until-partial-contours-finished = every partial contour is finished
 note-side-finishing-allowances = The sum of the finishing allowance for side { $q-remaining-side-allowance } and the radius of the finishing tool must be smaller than the sum of the finishing allowance for side of cycle 20 and the radius of the rough-out tool.
-note-side-finishing-without-roughing = The same holds if the cycle is executed without roughing by cycle 22 before; the radius of the rough-out tool then counts as 0.
+note-side-finishing-without-roughing = The same holds if the cycle is executed without previous roughing with cycle 22; the radius of the rough-out tool then counts as 0.
 note-side-finishing-mills-contours = The cycle can also be used to mill contours. For this, define the contour as a single island (without the limit of a pocket) and enter a finishing allowance for side in cycle 20 that is greater than the sum of the finishing allowance { $q-remaining-side-allowance } and the radius of the tool.
 note-start-depends-on-room-and-allowance = The control determines the starting point for finishing automatically. It depends on the room in the pocket and on the allowance programmed in cycle 20.
-note-start-depends-on-sequence = The starting point also depends on the sequence of machining. If the finishing cycle is selected with the key GOTO and the program is then started, the starting point can lie elsewhere than if the program is executed in its sequence.
+note-start-depends-on-sequence = The starting point also depends on the sequence of machining. If the finishing cycle is selected with the key GOTO and the program is then started, the starting point can differ from the one that results when the program is executed from start to end.
 
 # --- 25 ---
 cycle-contour-train = Contour train

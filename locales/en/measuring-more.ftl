@@ -88,7 +88,7 @@ cycle-measure-angle = Measure angle
 say-travel-to-point-at-clearance-height = with { $q-traverse-to-clearance-height }=1 at clearance height { $q-clearance-height }
 say-travel-to-point-at-measuring-height = with { $q-traverse-to-clearance-height }=0 at measuring height { $q-measuring-height }
 step-retract-and-store-angle = The control returns the touch probe to the clearance height { $q-clearance-height } and stores the measured angle in the result parameter.
-note-angle-about-a-or-b = If the touch probe axis is the measuring axis ({ $q-measuring-axis }=3): to measure the angle about the A axis, enter the same value in { $q-first-point-main } and { $q-second-point-main }; to measure the angle about the B axis, enter different values there.
+note-angle-about-a-or-b = If the touch probe axis is the measuring axis ({ $q-measuring-axis }=3): to measure the angle about the A-axis, enter the same value in { $q-first-point-main } and { $q-second-point-main }; to measure the angle about the B-axis, enter different values there.
 note-results-shown-in-help-graphic = During the cycle definition the help graphic also shows the result parameters; the one highlighted belongs to the selected input parameter.
 note-results-shown-in-help-graphic__tnc426-430 = During the cycle definition the help graphic also shows the result parameters.
 result-measured-angle = Measured angle referenced to the main axis of the working plane
@@ -108,10 +108,10 @@ note-three-points-not-on-a-line = The three measuring points must not lie on a s
 note-spatial-angles-for-tilting = The parameters Q170 to Q172 hold the spatial angles that the function for tilting the working plane needs. The first two measuring points determine the direction of the main axis when the working plane is tilted.
 note-third-point-sets-tool-axis = The third measuring point determines the direction of the tool axis. Define it in the direction of the positive Y axis, so that the tool axis has the correct orientation in a right-handed coordinate system.
 note-spatial-angle-in-tilted-plane = If the cycle is executed with an active tilted working plane, the measured spatial angles refer to the tilted coordinate system. Use them in the function for tilting the working plane as incremental values.
-result-projection-angle-a = Projection angle of the A axis
-result-projection-angle-a__tnc426-430 = Angle of the A axis
-result-projection-angle-b = Projection angle of the B axis
-result-projection-angle-b__tnc426-430 = Angle of the B axis
+result-projection-angle-a = Projection angle of the A-axis
+result-projection-angle-a__tnc426-430 = Angle of the A-axis
+result-projection-angle-b = Projection angle of the B-axis
+result-projection-angle-b__tnc426-430 = Angle of the B-axis
 result-spatial-angle-a = Spatial angle A
 result-spatial-angle-b = Spatial angle B
 result-spatial-angle-c = Spatial angle C

@@ -64,14 +64,14 @@ step-set-basic-rotation = The control sets the basic rotation to the angle { $q-
 note-available-from-nc-software = Available from NC software 280 474-xx.
 
 # --- 405 ---
-cycle-rotation-by-c-axis = Workpiece misalignment compensated by the C axis
+cycle-rotation-by-c-axis = Workpiece misalignment compensated by the C-axis
     .nc = ROT IN C AXIS
-    .purpose = Determines the angular offset between the positive Y axis of the active coordinate system and the centre line of a hole, or between the nominal position and the actual position of a hole centre. The control compensates it by turning the C axis. The workpiece may be clamped anywhere on the rotary table.
+    .purpose = Determines the angular offset between the positive Y axis of the active coordinate system and the centre line of a hole, or between the nominal position and the actual position of a hole centre. The control compensates it by turning the C-axis. The workpiece may be clamped anywhere on the rotary table.
 say-travel-on-circle-at-clearance-height__rotation-by-c-axis = with { $q-traverse-to-clearance-height }=1 on a circular arc at clearance height { $q-clearance-height }
 step-move-to-measured-centre = The control positions the touch probe at the measured centre of the hole.
 step-retract-and-turn-to-y-axis = The control returns the touch probe to the clearance height { $q-clearance-height } and aligns the workpiece by turning the rotary table: after the compensation, with both a vertical and a horizontal touch probe axis, the hole centre lies in the direction of the positive Y axis ({ $q-probing-centre-minor }=0) or at its nominal position. The measured angular offset is also stored in the result parameter.
 step-store-angular-offset = The control processes the angular offset as defined in { $q-zero-or-row-after-alignment }:
-say-zero-display-of-c-axis = with { $q-zero-or-row-after-alignment }=0 it sets the display of the C axis to 0
+say-zero-display-of-c-axis = with { $q-zero-or-row-after-alignment }=0 it sets the display of the C-axis to 0
 say-offset-into-column-c = with { $q-zero-or-row-after-alignment } greater than 0 it writes the angular offset, with its sign, to column C of row { $q-zero-or-row-after-alignment } of the datum table; it is added to an offset of C that the row already has
 note-smallest-stepping-angle__rotation-by-c-axis = The smaller the stepping angle { $q-probing-stepping-angle }, the less accurately the control calculates the centre of the circle. Smallest input value: 5°.
 note-hole-with-positive-y = The Y coordinate of the hole must be positive.

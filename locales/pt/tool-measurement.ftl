@@ -49,7 +49,7 @@ step-store-tool-length = O comando guarda o resultado:
 say-overwrite-tool-length = com { $q-tool-check }=0, substitui a longitude da ferramenta { $mp-tool-length } em TOOL.T e põe a 0 o valor delta { $mp-delta-length }
 say-enter-delta-length = com { $q-tool-check }=1, compara a longitude medida com a longitude da ferramenta { $mp-tool-length }, introduz o desvio, com o seu sinal, como valor delta { $mp-delta-length } e em Q115 e bloqueia a ferramenta (estado L) se for excedida a tolerância de desgaste ou de rotura
 result-tool-length-deviation = Desvio da longitude da ferramenta
-result-tool-status = Estado da medição: 0,0 = dentro da tolerância, 1,0 = desgastada, 2,0 = quebrada
+result-tool-status = Estado da medição: 0,0 = dentro da tolerância, 1,0 = desgastada, 2,0 = partida
 guard-tool-call-missing = Não está chamada nenhuma ferramenta. Chame com TOOL CALL a ferramenta que pretende medir.
 note-enter-tool-data-first = Antes de medir uma ferramenta pela primeira vez, introduza na tabela de ferramentas TOOL.T o número de navalhas, a direção de corte e valores aproximados do raio e da longitude.
 note-most-teeth-measurable = As navalhas podem ser medidas individualmente em ferramentas com até 20 navalhas.
