@@ -258,7 +258,11 @@ diag-plane-not-positioned =
         [cycle] Nessun blocco posiziona gli assi rotativi dopo questa rotazione del piano; se lo fa il ciclo dipende dalla macchina.
        *[plane] STAY non muove gli assi rotativi, e nessun blocco del programma li porta agli angoli di questo piano.
     }
-diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
+diag-plane-not-reset =
+    { $what ->
+        [zero] { $cycle } imposta qui tutti gli angoli a 0, ma nulla disattiva la rotazione del piano di lavoro.
+       *[tilted] Il programma termina qui con il piano di lavoro ruotato.
+    }
 diag-position-after-contour = Questa è la prima posizione dopo { $cycle }, ma non ha valori assoluti per entrambe le coordinate del piano.
 diag-position-twice = Il punto { $value }; { $other } è già stato lavorato con questa definizione e questo utensile.
 diag-probe-while-turning = { $cycle } tasta qui mentre il mandrino gira.
@@ -288,7 +292,7 @@ diag-reset-order-wrong =
        *[shift] Qui lo spostamento origine viene annullato, ma il piano di lavoro ruotato dopo di esso è ancora ruotato.
     }
 diag-retract-missing =
-    L’utensile si trova ancora a { $value }, nel pezzo grezzo o appena sopra, quando { $what ->
+    L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando { $what ->
         [change] viene cambiato
         [tilt] il piano viene ruotato con MOVE
         [end] il programma termina
@@ -341,6 +345,7 @@ diag-tool-axis-missing = Questa chiamata utensile non ha l’asse utensile, e ne
 diag-tool-axis-other =
     { $what ->
         [pattern] PATTERN DEF lavora solo con l’asse utensile { $axis }, ma qui ne è attivo un altro.
+        [lifted] Questa chiamata utensile indica un asse utensile diverso da quello del grezzo, ma l’utensile viene disimpegnato solo lungo { $axis }.
        *[blank] Il grezzo ha l’asse utensile { $axis }, ma nessun utensile del programma lo ha.
     }
 diag-tool-definition-wrong =
@@ -356,9 +361,11 @@ diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.
+        [contour] L’utensile che ha appena tastato si muove qui lungo un profilo.
        *[mill] { $cycle } lavora qui con l’utensile che ha appena tastato.
     }
 diag-tool-unused = L’utensile { $tool } viene chiamato qui, e il blocco successivo ne chiama un altro.
+diag-tool-zero = { $cycle } viene eseguito con l’utensile 0: nel mandrino non c’è alcun utensile.
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } ha letto { $parameter } alla definizione: il valore scritto qui non influisce sulla sua chiamata.
@@ -375,6 +382,7 @@ diag-transformation-forbidden =
         [turning] il controllo sia nel modo tornitura (FUNCTION MODE TURN)
        *[tilting] il piano di lavoro sia ruotato
     }: il manuale lo vieta.
+diag-transformation-without-effect = { $other } annulla la conversione di { $cycle } prima che qualcosa la utilizzi.
 diag-transformation-left-on =
     Il programma termina qui con { $what ->
         [datum-shift] uno spostamento origine attivo

@@ -262,7 +262,11 @@ diag-plane-not-positioned =
         [cycle] Za tem nagibom noben stavek ne pozicionira rotacijskih osi; ali to stori cikel, je odvisno od stroja.
        *[plane] STAY rotacijskih osi ne premakne in tudi noben stavek programa jih ne premakne na kote te ravnine.
     }
-diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
+diag-plane-not-reset =
+    { $what ->
+        [zero] { $cycle } tu vse kote nastavi na 0, vrtenja obdelovalne ravnine pa nič ne izklopi.
+       *[tilted] Program se tu konča z zavrteno obdelovalno ravnino.
+    }
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle }, nima pa absolutnih vrednosti za obe koordinati ravnine.
 diag-position-twice = Točka { $value }; { $other } je bila s to definicijo in tem orodjem že obdelana.
 diag-probe-while-turning = { $cycle } tu tipa, medtem ko se vreteno vrti.
@@ -292,7 +296,7 @@ diag-reset-order-wrong =
        *[shift] Tu se ponastavi zamik ničelne točke, ravnina, zavrtena za njim, pa je še zavrtena.
     }
 diag-retract-missing =
-    Orodje je še pri { $value }, v surovcu ali tik nad njim, ko { $what ->
+    Orodje je še pri { $value }, v surovcu, ob njem ali tik nad njim, ko { $what ->
         [change] se zamenja
         [tilt] se ravnina nagne z MOVE
         [end] se program konča
@@ -345,6 +349,7 @@ diag-tool-axis-missing = Ta priklic orodja nima orodne osi, pa tudi prejšnji je
 diag-tool-axis-other =
     { $what ->
         [pattern] PATTERN DEF deluje samo z orodno osjo { $axis }, tu pa je aktivna druga.
+        [lifted] Ta priklic orodja navaja drugo orodno os kot surovec, orodje pa se odmika samo v osi { $axis }.
        *[blank] Surovec ima orodno os { $axis }, nima pa je nobeno orodje programa.
     }
 diag-tool-definition-wrong =
@@ -360,9 +365,11 @@ diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.
+        [contour] Orodje, ki je pravkar tipalo, se tu premika po konturi.
        *[mill] { $cycle } tu obdeluje z orodjem, ki je pravkar tipalo.
     }
 diag-tool-unused = Tu se prikliče orodje { $tool }, naslednji stavek pa prikliče drugo.
+diag-tool-zero = { $cycle } se izvede z orodjem 0: v vretenu ni orodja.
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } je parameter { $parameter } prebral ob definiciji: tu zapisana vrednost na njegov priklic ne vpliva.
@@ -379,6 +386,7 @@ diag-transformation-forbidden =
         [turning] aktiven način struženja (FUNCTION MODE TURN)
        *[tilting] obdelovalna ravnina zavrtena
     }, kar priročnik prepoveduje.
+diag-transformation-without-effect = { $other } konča preračunavanje cikla { $cycle }, preden ga karkoli uporabi.
 diag-transformation-left-on =
     Program se tu konča, ko je še { $what ->
         [datum-shift] aktiven zamik ničelne točke

@@ -4,7 +4,7 @@
 use super::aspect::{Aspect, Tri};
 use crate::base::expr::{Code, Env, OnlyParameters, QRef, compile};
 use crate::spec::{
-    Action, Argument, Body, Cycle, Group, Item, Keyword, Known as Of, TakesEffect, Transformation, Verb,
+    Action, Argument, Body, Cycle, Group, Item, Keyword, Known as Of, Quantity, TakesEffect, Transformation, Verb,
 };
 
 /// What the definitions of a cycle do.
@@ -156,6 +156,8 @@ impl Effect {
         }
         match cycle.file.takes_effect {
             TakesEffect::OnCall => self.pends = Some(true),
+            // What only changes coordinates or names a contour moves nothing, unless it states a feed.
+            TakesEffect::OnDefinition if !moves(cycle) => {}
             TakesEffect::OnDefinition => self.aspects.push((Aspect::Feed, Tri::Unknown.into())),
         }
         self.results.extend(cycle.file.results.iter().filter_map(|results| results.q));
@@ -237,6 +239,12 @@ impl Effect {
         };
         self.aspects.push((aspect, Then::Written));
     }
+}
+
+/// Whether a cycle that acts when it is defined may move the tool, or leave a feed behind.
+fn moves(cycle: &Cycle) -> bool {
+    !matches!(cycle.file.group, Group::Transforms | Group::Contours)
+        || cycle.params.iter().any(|param| param.quantity == Quantity::Feed)
 }
 
 /// Whether the spindle is stopped after a call of a cycle.

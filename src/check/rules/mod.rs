@@ -152,9 +152,11 @@ mod tool_not_changed;
 mod tool_not_listed;
 mod tool_table_contradicts;
 mod tool_unused;
+mod tool_zero;
 mod transfer_parameter_overwritten;
 mod transformation_forbidden;
 mod transformation_left_on;
+mod transformation_without_effect;
 mod turning_system_missing;
 mod two_signs;
 mod unknown_cycle;
@@ -325,9 +327,11 @@ pub const RULES: &[&Rule] = &[
     &tool_not_listed::RULE,
     &tool_table_contradicts::RULE,
     &tool_unused::RULE,
+    &tool_zero::RULE,
     &transfer_parameter_overwritten::RULE,
     &transformation_forbidden::RULE,
     &transformation_left_on::RULE,
+    &transformation_without_effect::RULE,
     &turning_system_missing::RULE,
     &two_signs::RULE,
     &unknown_cycle::RULE,
