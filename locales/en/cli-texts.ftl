@@ -23,6 +23,7 @@ cli-texts-imported = { $language }: { $dry ->
        *[no] taken over { $taken }
     }, unchanged { $unchanged }, not final { $open }, refused { $refused }.
 cli-texts-count = { $name }: { $translated } of { $texts } translated, { $missing } missing, { $stale } stale, { $unaccepted } not accepted, { $same } same as English, { $long } too long, { $words } words to do
+cli-texts-group = group { $name }
 cli-texts-accepted = { $language }: { $count ->
         [one] { $count } text accepted.
        *[other] { $count } texts accepted.

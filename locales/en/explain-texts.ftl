@@ -34,3 +34,7 @@ explain-texts-unknown-topic =
     Pages of prose are files below locales/en/topics; the name of the file without “.md” is the topic, for example sl-cycles. Without --topic all texts are exported, pages included.
 explain-draft-language =
     A draft fills the gaps of a language in the making with English, so that its pages can be read before everything is translated. It is of one language, so that a finished one is never shown as a draft by mistake. The language need not have a folder yet. Without --draft, a page that lacks a text is refused.
+explain-texts-unit-swapped =
+    Of two choices or results, each has the words in the file that the other one has today, so readers would enter the wrong value. Neither is taken over. Put the words back. If it is today’s words that are exchanged, change them in the Fluent file.
+explain-texts-unit-negation =
+    The English text denies something, and the translation in the file is that of today without a word such as “not” or “nor”. It would allow what is forbidden, or report what did not happen. Put the word back. If the sentence denies in another way, write it so; if the word was wrong, remove it in the Fluent file.

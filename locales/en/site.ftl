@@ -162,3 +162,23 @@ theme-digitizing = Digitizing
 page-mentions =
     .cycle = cycle
     .joining = and or to
+
+# The state of the translations
+site-texts = State of the translations
+site-texts-intro = What is accepted and up to date counts as translated. The words to do are those of the English texts that are missing or stale.
+site-texts-all = All texts
+site-texts-groups = Groups of cycles
+site-texts-files = Files
+site-texts-count = Texts
+site-texts-translated = Translated
+site-texts-stale = Stale
+site-texts-missing = Missing
+site-texts-unaccepted = Not accepted
+site-texts-same = Same as English
+site-texts-long = Too long
+site-texts-words = Words to do
+site-texts-open = Open texts
+site-texts-key = Text
+site-texts-state = State
+site-texts-change = What has changed
+site-texts-more = More that are open:

@@ -156,3 +156,23 @@ theme-digitizing = Digitointi
 page-mentions =
     .cycle = työkier
     .joining = ja tai sekä
+
+# Käännösten tila
+site-texts = Käännösten tila
+site-texts-intro = Käännetyiksi lasketaan hyväksytyt ja ajantasaiset tekstit. Kääntämättömät sanat ovat puuttuvien ja vanhentuneiden tekstien englanninkielisiä sanoja.
+site-texts-all = Kaikki tekstit
+site-texts-groups = Työkiertoryhmät
+site-texts-files = Tiedostot
+site-texts-count = Tekstejä
+site-texts-translated = Käännetty
+site-texts-stale = Vanhentunut
+site-texts-missing = Puuttuu
+site-texts-unaccepted = Hyväksymättä
+site-texts-same = Sama kuin englanniksi
+site-texts-long = Liian pitkä
+site-texts-words = Sanoja kääntämättä
+site-texts-open = Keskeneräiset tekstit
+site-texts-key = Teksti
+site-texts-state = Tila
+site-texts-change = Mikä on muuttunut
+site-texts-more = Muita keskeneräisiä:

@@ -156,3 +156,23 @@ theme-digitizing = Digitalização
 page-mentions =
     .cycle = ciclo
     .joining = e ou a
+
+# O estado das traduções
+site-texts = Estado das traduções
+site-texts-intro = Contam como traduzidos os textos aceites e atualizados. As palavras por traduzir são as dos textos ingleses em falta ou desatualizados.
+site-texts-all = Todos os textos
+site-texts-groups = Grupos de ciclos
+site-texts-files = Ficheiros
+site-texts-count = Textos
+site-texts-translated = Traduzidos
+site-texts-stale = Desatualizados
+site-texts-missing = Em falta
+site-texts-unaccepted = Não aceites
+site-texts-same = Iguais ao inglês
+site-texts-long = Demasiado longos
+site-texts-words = Palavras por traduzir
+site-texts-open = Textos por completar
+site-texts-key = Texto
+site-texts-state = Estado
+site-texts-change = O que mudou
+site-texts-more = Outros por completar:

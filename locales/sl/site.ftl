@@ -156,3 +156,23 @@ theme-digitizing = Digitaliziranje
 page-mentions =
     .cycle = cikl cikel
     .joining = in ali do
+
+# Stanje prevodov
+site-texts = Stanje prevodov
+site-texts-intro = Za prevedena štejejo potrjena in ažurna besedila. Besede za prevajanje so besede angleških besedil, ki manjkajo ali so zastarela.
+site-texts-all = Vsa besedila
+site-texts-groups = Skupine ciklov
+site-texts-files = Datoteke
+site-texts-count = Besedila
+site-texts-translated = Prevedena
+site-texts-stale = Zastarela
+site-texts-missing = Manjkajoča
+site-texts-unaccepted = Nepotrjena
+site-texts-same = Enaka angleškim
+site-texts-long = Predolga
+site-texts-words = Besede za prevajanje
+site-texts-open = Odprta besedila
+site-texts-key = Besedilo
+site-texts-state = Stanje
+site-texts-change = Kaj se je spremenilo
+site-texts-more = Še odprta:
