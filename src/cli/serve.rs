@@ -29,6 +29,7 @@ const PAUSE: Duration = Duration::from_millis(300);
 /// The page that is shown where there is none.
 const MISSING: &str = "404.html";
 const INDEX: &str = "index.html";
+const ASSETS: &str = "assets/";
 const PLAIN: &str = "text/plain; charset=utf-8";
 /// Types of files by their endings.
 const KINDS: [(&str, &str); 7] = [
@@ -53,10 +54,18 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 /// The files of the site by their paths.
 type Pages = BTreeMap<String, Vec<u8>>;
 
+/// What there is to be served.
+#[derive(Default)]
+struct Made {
+    pages: Pages,
+    /// Why the pages of the manual are not among them.
+    faults: Option<String>,
+}
+
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let server = Server::new(matches.get_one::<u16>("port").copied().unwrap_or(PORT))?;
     let mut state = session.state_of_data();
-    let mut made = Ok(pages(session, matches)?);
+    let mut made = make(session, matches)?;
     let line = session.ui.text("cli-serve-address", &Args::new().text("address", server.address()));
     session.output.print(&format!("{line}\n"))?;
     session.output.finish()?;
@@ -67,23 +76,23 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
             if now != state {
                 state = now;
                 session.forget();
-                made = pages(session, matches).map_err(|failure| faults(session, failure));
-                let count = made.as_ref().map_or(0, BTreeMap::len);
+                made = make(session, matches).unwrap_or_else(|failure| Made {
+                    faults: Some(faults(session, failure)),
+                    ..Made::default()
+                });
+                let count = if made.faults.is_none() { made.pages.len() } else { 0 };
                 let line = session.ui.text("cli-serve-anew", &Args::new().number("files", count as f64));
                 session.output.remark(&line);
             }
             looked = Instant::now();
         }
-        match &made {
-            Ok(pages) => answer(asked, pages),
-            Err(text) => asked.answer(Status::Faulty, PLAIN, text.as_bytes()),
-        }
+        answer(asked, &made);
     }
     Ok(Outcome::Clean)
 }
 
-/// Makes the site and the pages about the translations.
-fn pages(session: &mut Session, matches: &ArgMatches) -> Result<Pages, Failure> {
+/// Makes the site and the pages about the translations; only these where a text is missing on a page.
+fn make(session: &mut Session, matches: &ArgMatches) -> Result<Made, Failure> {
     let data = Data::of(session, matches)?;
     let mut site = data.site(None)?;
     site.mark_as_served();
@@ -94,9 +103,13 @@ fn pages(session: &mut Session, matches: &ArgMatches) -> Result<Pages, Failure> 
         pages.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned(), bytes.to_owned());
         Ok(())
     };
-    site.write(&put).map_err(session::in_texts(&data.locales))?;
+    let written = site.write(&put).map_err(session::in_texts(&data.locales));
     drop(progress);
     let mut pages = pages.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let faults = written.err().map(|failure| faults(session, failure));
+    if faults.is_some() {
+        pages.retain(|path, _| path.starts_with(ASSETS));
+    }
     let meanings = consistency::meanings(&data.catalogue);
     let tags = data.locales.tags().filter(|tag| *tag != SOURCE_LANGUAGE);
     let pseudo = session.pseudo().map(|kind| kind.tag());
@@ -104,7 +117,7 @@ fn pages(session: &mut Session, matches: &ArgMatches) -> Result<Pages, Failure> 
     let all = tags.filter(|tag| Some(*tag) != pseudo).map(status).collect::<Result<Vec<_>, _>>()?;
     let about = site.state_pages(session.ui.tag(), &all).map_err(session::in_texts(&data.locales))?;
     pages.extend(about.into_iter().map(|(path, text)| (path, text.into_bytes())));
-    Ok(pages)
+    Ok(Made { pages, faults })
 }
 
 /// Why there is no site at the moment, as the terminal shows it and the browser as well.
@@ -117,7 +130,8 @@ fn faults(session: &mut Session, failure: Failure) -> String {
     found.iter().map(|one| crate::language::locale::render::render(one, &session.ui, false) + "\n").collect()
 }
 
-fn answer(asked: Asked, pages: &Pages) {
+fn answer(asked: Asked, made: &Made) {
+    let pages = &made.pages;
     let path = decoded(asked.path.trim_start_matches('/'));
     let whole = if path.is_empty() || path.ends_with('/') { format!("{path}{INDEX}") } else { path };
     if let Some(bytes) = pages.get(&whole) {
@@ -127,6 +141,9 @@ fn answer(asked: Asked, pages: &Pages) {
     if pages.contains_key(&format!("{whole}/{INDEX}")) {
         let folder = format!("/{whole}/");
         return asked.send_to(&folder);
+    }
+    if let Some(faults) = &made.faults {
+        return asked.answer(Status::Faulty, PLAIN, faults.as_bytes());
     }
     let missing = pages.get(MISSING).map_or(&[][..], Vec::as_slice);
     asked.answer(Status::Missing, kind(MISSING), missing);

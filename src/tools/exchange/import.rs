@@ -150,7 +150,7 @@ fn sift(
         match known
             .get(&unit.id)
             .ok_or(Why::Unknown)
-            .and_then(|(text, own)| Ok((*text, own, sound(own, &unit, negation, is_twice)?)))
+            .and_then(|(text, own)| Ok((*text, own, sound(own, unit.clone(), negation, is_twice)?)))
         {
             Err(why) => imported.refused.push(Refusal { id: unit.id, at, why }),
             Ok((_, own, None)) => {
@@ -170,13 +170,14 @@ fn sift(
 /// The new pieces of a unit; nothing if they are those that are there.
 fn sound(
     own: &Unit,
-    unit: &Received,
+    unit: Received,
     negation: Option<&Negation>,
     is_twice: bool,
 ) -> Result<Option<Vec<Piece>>, Why> {
     if is_twice {
         return Err(Why::Twice);
     }
+    let unit = unit.as_laid_out(&merged(own.source.clone()), &own.target);
     if unit.source.as_ref() != Some(&merged(own.source.clone())) {
         return Err(Why::SourceChanged);
     }

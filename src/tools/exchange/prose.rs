@@ -239,6 +239,8 @@ fn checked(
         return Err(Why::Twice);
     }
     let own = page.segments.get(at).ok_or(Why::Unknown)?;
+    let old = page.translated.get(at).map(|segment| segment.pieces.as_slice());
+    let unit = unit.clone().as_laid_out(&own.pieces, old.unwrap_or_default());
     if unit.source.as_ref() != Some(&own.pieces) {
         return Err(Why::SourceChanged);
     }
@@ -247,7 +249,6 @@ fn checked(
     if pieces.is_empty() {
         return Err(Why::NotRead);
     }
-    let old = page.translated.get(at).map(|segment| segment.pieces.as_slice());
     if old == Some(pieces.as_slice()) {
         return Ok(None);
     }
