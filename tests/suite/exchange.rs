@@ -146,6 +146,11 @@ fn hostile_files_are_refused_with_a_place() {
     assert_eq!(what("<html/>"), "xliff");
     assert_eq!(what(&good.replacen("</target>", "", 1)), "form");
     assert_eq!(what("msgid \"a\nmsgstr \"b\"\n"), "form");
+    for hidden in ["\u{0}", "&#1;", "\u{202e}"] {
+        let imported = import(&files(FINNISH), "fi", &good.replace("Aja ", &format!("Aja {hidden}")));
+        assert!(matches!(&imported.refused[..], [one] if matches!(one.why, Why::NotRead)), "{imported:?}");
+        assert!(imported.files.is_empty());
+    }
     let refused = exchange::read(&good.replace("Aja ", "&a;")).unwrap_err();
     assert_eq!(good.get(refused.at..).map(|rest| rest.starts_with("Aja ")), Some(true));
 }

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use super::fluent::{Pattern, Piece, flat, merged, written};
 use super::outcome::{Imported, Refusal, Why};
 use super::prose;
-use super::received::{Received, code_length};
+use super::received::{Received, code_length, has_hidden};
 use super::unit::{self, Text, Unit};
 use crate::base::diag::{Arg, Diagnostic};
 use crate::language::consistency::{self, Negation};
@@ -182,7 +182,7 @@ fn sound(
         return Err(Why::SourceChanged);
     }
     let pieces = trimmed(unit.target.clone().ok_or(Why::NotRead)?);
-    if pieces.is_empty() {
+    if pieces.is_empty() || has_hidden(&pieces) {
         return Err(Why::NotRead);
     }
     if pieces == trimmed(merged(own.target.clone())) {

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use super::fluent::{Piece, flat, merged};
 use super::markdown::{self, Segment};
 use super::outcome::{Imported, Refusal, Why};
-use super::received::Received;
+use super::received::{Received, has_hidden};
 use super::unit::Unit;
 use crate::language::consistency::{self, Negation};
 use crate::language::locale::{Locales, SOURCE_LANGUAGE};
@@ -246,7 +246,7 @@ fn checked(
     }
     let pieces = unit.target.clone().ok_or(Why::NotRead)?;
     let pieces = if own.kind == markdown::CODE { pieces } else { in_one_line(pieces) };
-    if pieces.is_empty() {
+    if pieces.is_empty() || has_hidden(&pieces) {
         return Err(Why::NotRead);
     }
     if old == Some(pieces.as_slice()) {

@@ -44,6 +44,16 @@ impl Received {
     }
 }
 
+/// Whether there is a sign in the words that nobody sees: a control character, or one that turns the direction of what follows.
+pub(super) fn has_hidden(pieces: &[Piece]) -> bool {
+    let is_hidden = |c: char| match c {
+        '\n' | '\t' | '\r' => false,
+        '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => true,
+        c => c.is_control(),
+    };
+    pieces.iter().any(|piece| matches!(piece, Piece::Text(words) if words.contains(is_hidden)))
+}
+
 /// Words without line breaks and the blanks after them.
 fn without_layout(pieces: &[Piece]) -> Vec<Piece> {
     let words = |words: &str| {
