@@ -159,6 +159,7 @@ diag-hole-outside-blank =
         [surface] The surface at { $value } is far from the blank.
        *[through] The hole goes down to { $value }, far through the blank.
     }
+diag-insert-points-away = The insert cannot cut where { $cycle } goes: its orientation (TO) is { $orientation }, so its tip points away from the part or from the feed.
 diag-iso-incomplete =
     This block is incomplete: { $what ->
         [value] a letter has no value

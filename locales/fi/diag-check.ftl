@@ -159,6 +159,7 @@ diag-hole-outside-blank =
         [surface] Pinta { $value } on kaukana aihiosta.
        *[through] Reikä ulottuu arvoon { $value }, kauas aihion läpi.
     }
+diag-insert-points-away = Teräpala ei voi lastuta siihen suuntaan, johon { $cycle } etenee: sen suunta (TO) on { $orientation }, joten kärki osoittaa poispäin kappaleesta tai syötöstä.
 diag-iso-incomplete =
     Tämä lause on puutteellinen: { $what ->
         [value] kirjaimella ei ole arvoa

@@ -159,6 +159,7 @@ diag-hole-outside-blank =
         [surface] A superfície em { $value } está longe do bloco.
        *[through] O furo desce até { $value }, muito para além do bloco.
     }
+diag-insert-points-away = A pastilha não pode cortar para onde vai { $cycle }: a sua orientação (TO) é { $orientation }, pelo que a ponta está virada para o lado oposto à peça ou ao avanço.
 diag-iso-incomplete =
     Esta frase está incompleta: { $what ->
         [value] uma letra não tem valor

@@ -159,6 +159,7 @@ diag-hole-outside-blank =
         [surface] Površina pri { $value } je daleč od surovca.
        *[through] Izvrtina sega do { $value }, daleč skozi surovec.
     }
+diag-insert-points-away = Rezalna ploščica ne more rezati v smeri, v katero gre { $cycle }: njena usmerjenost (TO) je { $orientation }, zato je konica obrnjena stran od obdelovanca ali od pomika.
 diag-iso-incomplete =
     Ta stavek je nepopoln: { $what ->
         [value] črka nima vrednosti

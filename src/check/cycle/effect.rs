@@ -267,7 +267,7 @@ fn aspect(transformation: Transformation) -> Aspect {
 }
 
 /// All actions of a step.
-fn actions<'c>(item: &'c Item, found: &mut Vec<&'c Action>) {
+pub(super) fn actions<'c>(item: &'c Item, found: &mut Vec<&'c Action>) {
     let body: &Body = &item.body;
     let cases = item.choose.iter().flat_map(|case| &case.actions);
     found.extend(body.actions.iter().chain(&item.then).chain(cases));

@@ -64,6 +64,7 @@ mod functions_contradict;
 mod global_def_wrong;
 mod guard;
 mod hole_outside_blank;
+mod insert_points_away;
 mod iso_incomplete;
 mod label_duplicate;
 mod label_of_another_language;
@@ -237,6 +238,7 @@ pub const RULES: &[&Rule] = &[
     &global_def_wrong::RULE,
     &guard::RULE,
     &hole_outside_blank::RULE,
+    &insert_points_away::RULE,
     &iso_incomplete::RULE,
     &label_duplicate::RULE,
     &label_of_another_language::RULE,

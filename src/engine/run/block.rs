@@ -98,11 +98,11 @@ impl<'e> Run<'_, 'e> {
                 return self.after(functions, false);
             }
             BlockKind::Statement(statement) if statement.kind == StatementKind::Fselect => self.selection()?,
-            BlockKind::Statement(statement) if self.is_undercut(statement) => self.undercut(statement)?,
+            BlockKind::Statement(statement) if self.is_form_element(statement) => self.form_element(statement)?,
             BlockKind::Statement(statement) if self.drives.beside_contour => {
                 self.drives.not_beside_contour(self.slice(statement.head).trim())?;
             }
-            BlockKind::Statement(_) if self.switches_mode(block) => {}
+            BlockKind::Statement(_) if self.switches_mode(block)? => {}
             BlockKind::Statement(statement) if statement.kind == StatementKind::Function => {
                 self.function(block, statement)?;
             }
@@ -170,10 +170,11 @@ impl<'e> Run<'_, 'e> {
         Ok(self.set(target, value)?)
     }
 
-    /// `FUNCTION MODE TURN` and `FUNCTION MODE MILL`: in turning X is a diameter.
-    fn switches_mode(&mut self, block: &Block) -> bool {
-        let words: Vec<String> = self
-            .slice(block.span)
+    /// `FUNCTION MODE TURN` and `FUNCTION MODE MILL`: in turning X is a diameter. A name after that is the kinematics to
+    /// be used; the scene has one machine, which must be that.
+    fn switches_mode(&mut self, block: &Block) -> Result<bool, Fault> {
+        let text = self.slice(block.span);
+        let words: Vec<String> = text
             .split_ascii_whitespace()
             .skip_while(|word| word.bytes().all(|b| b.is_ascii_digit()))
             .take(3)
@@ -182,13 +183,18 @@ impl<'e> Run<'_, 'e> {
         let turning = match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
             ["FUNCTION", "MODE", "TURN"] => true,
             ["FUNCTION", "MODE", "MILL"] => false,
-            _ => return false,
+            _ => return Ok(false),
         };
+        let machine = &self.drives.world.kinematics().name;
+        let named = text.split(';').next().and_then(|text| text.split('"').nth(1)).map(str::trim);
+        if let Some(name) = named.filter(|name| !name.eq_ignore_ascii_case(machine)) {
+            return Err(Fault::unsupported("kinematics-unknown").arg("name", name).arg("machine", machine.clone()));
+        }
         self.drives.world.system.turning = turning;
         if !turning {
             self.drives.align(Aligned::default());
         }
-        true
+        Ok(true)
     }
 
     fn select(&mut self, what: &str, name: &str) -> Done {

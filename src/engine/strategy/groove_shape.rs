@@ -178,8 +178,10 @@ impl Wanted {
             let first = cuts.first().map_or(rough.feet[0], |cut| cut[0]);
             (first, 0.0, cuts.last().map_or(rough.feet[1], |cut| cut[1]))
         } else {
-            // A flank that is narrower than the side infeed is left to finishing, as it is between two recesses.
-            let first = rough.feet[0].min(rough.begin.x + apart);
+            // One recess is where the floor begins, and others beside it up the flank. A flank that is narrower than the
+            // side infeed is left to finishing, as it is between two recesses.
+            let on_flank = libm::ceil((rough.feet[0] - rough.begin.x) / apart - SPARE) - 1.0;
+            let first = rough.feet[0] - apart * on_flank.max(0.0);
             (first, apart, rough.feet[1].max(rough.end.x - apart))
         };
         let scale = sight.level(1.0).abs();
