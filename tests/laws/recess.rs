@@ -276,7 +276,7 @@ impl Job {
             let after = (corners[3].1 > 0).then(|| beside(corners[3].0 + far));
             for (at, kind, size) in before.into_iter().chain(corners).chain(after) {
                 let (x, z) = self.programmed(at);
-                let _ = writeln!(text, "L X{x:+.6} Z{z:+.6}");
+                let _ = writeln!(text, "L X{x:+.9} Z{z:+.9}");
                 let _ = match kind {
                     1 => writeln!(text, "CHF {size}"),
                     2 => writeln!(text, "RND R{size}"),

@@ -23,8 +23,8 @@ const NEAR: f64 = 1e-7;
 const BELOW: f64 = 5e-10;
 /// What is lower beside a place by more than this is beyond a wall, mm.
 const WALL: f64 = 1e-6;
-/// An insert that is narrower by next to nothing comes down by more than this only where it fits into a groove, mm.
-const DEEPER: f64 = 1e-3;
+/// An insert that is narrower by next to nothing is one that fits better if it comes down by more than this, mm.
+const DEEPER: f64 = 1e-6;
 /// What stays beyond what a nose leaves is reported if it is more than this, mm.
 const REPORTED: f64 = 1e-3;
 
