@@ -316,7 +316,8 @@ impl Job {
         body.is_sound(self.operation == 1 && !self.parallel, &self.program())?;
         let ring = self.ring();
         let by = if self.operation == 1 { self.allowance() } else { DVec2::ZERO };
-        let chord = 1.0 - (std::f64::consts::FRAC_PI_2 / 80.0).cos();
+        // Roundings of overhangs turn by more than a right angle.
+        let chord = 1.5 * (1.0 - (std::f64::consts::FRAC_PI_2 / 80.0).cos());
         for pair in contour.windows(2) {
             let ((from, first), (to, second)) = (pair[0], pair[1]);
             if from.distance(to) < 1e-3 {
