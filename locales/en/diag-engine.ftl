@@ -114,9 +114,9 @@ diag-contour-side-missing = The contour of label { $label } has no radius compen
 diag-free-contour-contradicts = No contour meets all the values given for this element and those before it.
 diag-free-contour-open =
     { $what ->
-        [line] The position or direction of this line is not determined: a value is missing.
-        [arc] The centre or radius of this arc is not determined: a value is missing.
-       *[end] The end of this element is not determined: a value is missing.
+        [line] The position or direction of this line is not determined. Values still missing: { $values }.
+        [arc] The centre or radius of this arc is not determined. Values still missing: { $values }.
+       *[end] The end of this element is not determined. Values still missing: { $values }.
     }
 diag-free-contour-reference = Block { $block } is neither an element of this free contour nor the positioning block before it.
 diag-free-contour-selection = FSELECT { $wanted } cannot be selected: there are { $solutions } solutions here.

@@ -115,9 +115,9 @@ diag-contour-side-missing = Labelin { $label } muodosta puuttuu sädekorjaus RL 
 diag-free-contour-contradicts = Mikään muoto ei täytä kaikkia arvoja, jotka tästä elementistä ja sitä edeltävistä on annettu.
 diag-free-contour-open =
     { $what ->
-        [line] Tämän suoran paikka tai suunta ei määräydy: jokin arvo puuttuu.
-        [arc] Tämän kaaren keskipiste tai säde ei määräydy: jokin arvo puuttuu.
-       *[end] Tämän elementin loppupiste ei määräydy: jokin arvo puuttuu.
+        [line] Tämän suoran paikka tai suunta ei määräydy. Arvoja puuttuu vielä: { $values }.
+        [arc] Tämän kaaren keskipiste tai säde ei määräydy. Arvoja puuttuu vielä: { $values }.
+       *[end] Tämän elementin loppupiste ei määräydy. Arvoja puuttuu vielä: { $values }.
     }
 diag-free-contour-reference = Lause { $block } ei ole tämän vapaan muodon elementti eikä sitä edeltävä paikoituslause.
 diag-free-contour-selection = Valinta FSELECT { $wanted } ei ole mahdollinen: ratkaisujen määrä tässä on { $solutions }.

@@ -114,9 +114,9 @@ diag-contour-side-missing = Nel profilo della label { $label } manca la compensa
 diag-free-contour-contradicts = Nessun profilo soddisfa tutti i valori indicati per questo elemento e per quelli precedenti.
 diag-free-contour-open =
     { $what ->
-        [line] La posizione o la direzione di questa retta non è determinata: manca un valore.
-        [arc] Il centro o il raggio di questo arco non è determinato: manca un valore.
-       *[end] La fine di questo elemento non è determinata: manca un valore.
+        [line] La posizione o la direzione di questa retta non è determinata. Valori ancora mancanti: { $values }.
+        [arc] Il centro o il raggio di questo arco non è determinato. Valori ancora mancanti: { $values }.
+       *[end] La fine di questo elemento non è determinata. Valori ancora mancanti: { $values }.
     }
 diag-free-contour-reference = Il blocco { $block } non è un elemento di questo profilo libero né il blocco di posizionamento che lo precede.
 diag-free-contour-selection = FSELECT { $wanted } non si può selezionare: il numero di soluzioni qui è { $solutions }.

@@ -114,9 +114,9 @@ diag-contour-side-missing = O contorno do label { $label } não tem correção d
 diag-free-contour-contradicts = Nenhum contorno cumpre todos os valores indicados para este elemento e para os anteriores.
 diag-free-contour-open =
     { $what ->
-        [line] A posição ou a direção desta reta não está determinada: falta um valor.
-        [arc] O centro ou o raio deste arco não está determinado: falta um valor.
-       *[end] O fim deste elemento não está determinado: falta um valor.
+        [line] A posição ou a direção desta reta não está determinada. Valores ainda em falta: { $values }.
+        [arc] O centro ou o raio deste arco não está determinado. Valores ainda em falta: { $values }.
+       *[end] O fim deste elemento não está determinado. Valores ainda em falta: { $values }.
     }
 diag-free-contour-reference = A frase { $block } não é um elemento deste contorno livre nem a frase de posicionamento anterior.
 diag-free-contour-selection = Não é possível selecionar FSELECT { $wanted }: o número de soluções aqui é { $solutions }.

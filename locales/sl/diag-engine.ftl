@@ -114,9 +114,9 @@ diag-contour-side-missing = Kontura oznake { $label } nima popravka polmera RL a
 diag-free-contour-contradicts = Nobena kontura ne ustreza vsem vrednostim tega elementa in elementov pred njim.
 diag-free-contour-open =
     { $what ->
-        [line] Lega ali smer te premice ni določena: manjka vrednost.
-        [arc] Središče ali polmer tega loka ni določen: manjka vrednost.
-       *[end] Konec tega elementa ni določen: manjka vrednost.
+        [line] Lega ali smer te premice ni določena. Število manjkajočih vrednosti: { $values }.
+        [arc] Središče ali polmer tega loka ni določen. Število manjkajočih vrednosti: { $values }.
+       *[end] Konec tega elementa ni določen. Število manjkajočih vrednosti: { $values }.
     }
 diag-free-contour-reference = Stavek { $block } ni niti element te proste konture niti pozicionirni stavek pred njo.
 diag-free-contour-selection = FSELECT { $wanted } ni mogoče izbrati: število rešitev tukaj je { $solutions }.
