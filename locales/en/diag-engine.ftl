@@ -97,7 +97,7 @@ diag-value-missing = A value is missing, or is not a number.
 diag-value-not-bound = A formula of the specification reads a value that does not exist yet: { $place }
 diag-word-not-offered = The word { $word } is not permitted here.
 diag-contour-crossing = The contour of label { $label } crosses or touches itself at main { NUMBER($x) } mm, minor { NUMBER($y) } mm.
-diag-contour-begin-incomplete = The contour of label { $label } does not begin with both coordinates X and Y.
+diag-contour-begin-incomplete = The contour of { $label } does not begin with both coordinates of the working plane.
 diag-contour-data-undefined = No cycle has defined the data of the contour yet.
 diag-contour-count = A contour consists of more than { NUMBER($limit) } partial contours.
 diag-contour-depth =
@@ -111,6 +111,7 @@ diag-contour-lead = A contour that a cycle machines cannot contain { $word }: th
 diag-contour-not-defined = No cycle has named the subprograms of the contour yet.
 diag-contour-open = The contour of label { $label } is open: it ends { NUMBER($distance) } mm away from its starting point.
 diag-contour-side-missing = The contour of label { $label } has no radius compensation RL or RR, which says whether it is a pocket or an island.
+diag-contour-tool-axis = The contour of label { $label } contains a coordinate in the tool axis.
 diag-free-contour-contradicts = No contour meets all the values given for this element and those before it.
 diag-free-contour-open =
     { $what ->

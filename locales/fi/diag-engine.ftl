@@ -98,7 +98,7 @@ diag-pattern-unreadable = ”{ $found }” ei kelpaa PATTERN DEF -lauseeseen.
 diag-position-incomplete = CYCL CALL POS vaatii kaikkien kolmen akselin koordinaatit.
 diag-value-not-predefined = Arvoksi on ohjelmoitu PREDEF, mutta mikään GLOBAL DEF ei ole määritellyt arvoa.
 diag-contour-crossing = Aliohjelman { $label } muoto leikkaa tai sivuaa itseään kohdassa: pääakseli { NUMBER($x) } mm, sivuakseli { NUMBER($y) } mm.
-diag-contour-begin-incomplete = Labelin { $label } muodon alussa ei ole kumpaakin koordinaattia X ja Y.
+diag-contour-begin-incomplete = Muodon { $label } alussa ei ole koneistustason kumpaakin koordinaattia.
 diag-contour-data-undefined = Mikään työkierto ei ole vielä määritellyt muototietoja.
 diag-contour-count = Muoto koostuu yli { NUMBER($limit) } osamuodosta.
 diag-contour-depth =
@@ -112,6 +112,7 @@ diag-contour-lead = Työkierron koneistamassa muodossa ei voi olla lausetta { $w
 diag-contour-not-defined = Mikään työkierto ei ole vielä nimennyt muodon aliohjelmia.
 diag-contour-open = Labelin { $label } muoto on avoin: se päättyy { NUMBER($distance) } mm:n päähän alkupisteestään.
 diag-contour-side-missing = Labelin { $label } muodosta puuttuu sädekorjaus RL tai RR, joka kertoo, onko se tasku vai saareke.
+diag-contour-tool-axis = Labelin { $label } muodossa on työkaluakselin koordinaatti.
 diag-free-contour-contradicts = Mikään muoto ei täytä kaikkia arvoja, jotka tästä elementistä ja sitä edeltävistä on annettu.
 diag-free-contour-open =
     { $what ->

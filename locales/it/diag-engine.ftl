@@ -97,7 +97,7 @@ diag-pattern-unreadable = «{ $found }» non si può usare in PATTERN DEF.
 diag-position-incomplete = CYCL CALL POS richiede le coordinate di tutti e tre gli assi.
 diag-value-not-predefined = È programmato PREDEF, ma nessun GLOBAL DEF ha definito il valore.
 diag-contour-crossing = Il profilo della label { $label } interseca o tocca sé stesso nel punto con asse principale { NUMBER($x) } mm e asse secondario { NUMBER($y) } mm.
-diag-contour-begin-incomplete = Il profilo della label { $label } non inizia con entrambe le coordinate X e Y.
+diag-contour-begin-incomplete = Il profilo { $label } non inizia con entrambe le coordinate del piano di lavoro.
 diag-contour-data-undefined = Nessun ciclo ha ancora definito i dati del profilo.
 diag-contour-count = Il profilo è formato da più di { NUMBER($limit) } segmenti di profilo.
 diag-contour-depth =
@@ -111,6 +111,7 @@ diag-contour-lead = Un profilo lavorato da un ciclo non può contenere { $word }
 diag-contour-not-defined = Nessun ciclo ha ancora indicato i sottoprogrammi del profilo.
 diag-contour-open = Il profilo della label { $label } è aperto: termina a { NUMBER($distance) } mm dal punto di partenza.
 diag-contour-side-missing = Nel profilo della label { $label } manca la compensazione del raggio RL o RR, che stabilisce se si tratta di una tasca o di un'isola.
+diag-contour-tool-axis = Il profilo della label { $label } contiene una coordinata nell’asse utensile.
 diag-free-contour-contradicts = Nessun profilo soddisfa tutti i valori indicati per questo elemento e per quelli precedenti.
 diag-free-contour-open =
     { $what ->

@@ -97,7 +97,7 @@ diag-pattern-unreadable = «{ $found }» não pode ser utilizado em PATTERN DEF.
 diag-position-incomplete = CYCL CALL POS precisa das coordenadas dos três eixos.
 diag-value-not-predefined = Está programado PREDEF, mas nenhum GLOBAL DEF definiu o valor.
 diag-contour-crossing = O contorno do label { $label } cruza-se ou toca-se a si próprio no ponto com eixo principal { NUMBER($x) } mm e eixo secundário { NUMBER($y) } mm.
-diag-contour-begin-incomplete = O contorno do label { $label } não começa com as duas coordenadas X e Y.
+diag-contour-begin-incomplete = O contorno { $label } não começa com as duas coordenadas do plano de maquinagem.
 diag-contour-data-undefined = Nenhum ciclo definiu ainda os dados do contorno.
 diag-contour-count = O contorno é formado por mais de { NUMBER($limit) } contornos parciais.
 diag-contour-depth =
@@ -111,6 +111,7 @@ diag-contour-lead = Um contorno que um ciclo maquina não pode conter { $word }:
 diag-contour-not-defined = Nenhum ciclo indicou ainda os subprogramas do contorno.
 diag-contour-open = O contorno do label { $label } está aberto: termina a { NUMBER($distance) } mm do ponto inicial.
 diag-contour-side-missing = O contorno do label { $label } não tem correção de raio RL ou RR, que indica se se trata de uma caixa ou de uma ilha.
+diag-contour-tool-axis = O contorno do label { $label } contém uma coordenada no eixo da ferramenta.
 diag-free-contour-contradicts = Nenhum contorno cumpre todos os valores indicados para este elemento e para os anteriores.
 diag-free-contour-open =
     { $what ->

@@ -97,7 +97,7 @@ diag-pattern-unreadable = »{ $found }« v PATTERN DEF ni mogoče uporabiti.
 diag-position-incomplete = CYCL CALL POS potrebuje koordinate vseh treh osi.
 diag-value-not-predefined = Programiran je PREDEF, vrednosti pa ni določil noben GLOBAL DEF.
 diag-contour-crossing = Kontura oznake { $label } se križa ali dotika sama sebe v točki: glavna os { NUMBER($x) } mm, pomožna os { NUMBER($y) } mm.
-diag-contour-begin-incomplete = Kontura oznake { $label } se ne začne z obema koordinatama X in Y.
+diag-contour-begin-incomplete = Kontura { $label } se ne začne z obema koordinatama obdelovalne ravnine.
 diag-contour-data-undefined = Noben cikel še ni določil konturnih podatkov.
 diag-contour-count = Kontura je sestavljena iz več kot { NUMBER($limit) } delnih kontur.
 diag-contour-depth =
@@ -111,6 +111,7 @@ diag-contour-lead = Kontura, ki jo obdela cikel, ne sme vsebovati { $word }: cik
 diag-contour-not-defined = Noben cikel še ni navedel podprogramov konture.
 diag-contour-open = Kontura oznake { $label } je odprta: konča se { NUMBER($distance) } mm od začetne točke.
 diag-contour-side-missing = Kontura oznake { $label } nima popravka polmera RL ali RR, ki pove, ali gre za žep ali otok.
+diag-contour-tool-axis = Kontura oznake { $label } vsebuje koordinato v orodni osi.
 diag-free-contour-contradicts = Nobena kontura ne ustreza vsem vrednostim tega elementa in elementov pred njim.
 diag-free-contour-open =
     { $what ->

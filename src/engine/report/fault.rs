@@ -64,6 +64,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("contour-not-defined", Class::Program),
     ("contour-open", Class::Program),
     ("contour-side-missing", Class::Program),
+    ("contour-tool-axis", Class::Program),
     ("contour-undeclared", Class::Program),
     ("coordinate-out-of-place", Class::Program),
     ("cutting-width-missing", Class::Control),

@@ -46,7 +46,9 @@ impl<'e> Run<'_, 'e> {
         let goes = motion.path != Path::L || !motion.coords.is_empty();
         let fed = motion.feed.is_some_and(|feed| feed.kind != FeedKind::Max);
         self.before(&motion.functions, !goes && !fed)?;
-        let in_machine = motion.functions.iter().any(|m| effect(m.number) == Some(Effect::MachineCoordinates));
+        let in_machine = motion.functions.iter().any(|function| {
+            matches!(effect(function.number), Some(Effect::MachineCoordinates | Effect::SecondDatum))
+        });
         let positioned = self.motion(motion, in_machine)?;
         self.after(&motion.functions, positioned)
     }
@@ -312,6 +314,9 @@ impl<'e> Run<'_, 'e> {
                 // In a block that moves, too, a length comes first.
                 Effect::Retract if retracts || function.with.is_some() => self.retract(function)?,
                 Effect::Retract => return Err(self.no_function(function).into()),
+                Effect::SecondDatum if self.drives.world.scene.machine.second_datum.is_none() => {
+                    return Err(self.no_function(function).into());
+                }
                 Effect::ArcFeed(feed) => self.contour.arc_feed = feed,
                 Effect::PlungeFactor => self.modal.plunge_factor = self.factor_of(function)?,
                 Effect::ShorterWay(shorter) => self.modal.shorter_way = shorter,

@@ -490,13 +490,17 @@ impl<'s> World<'s> {
     }
 
     /// Sets the world up for a contour that is only read: the tool has no radius, and is so far away that the first
-    /// block moves it.
-    pub(crate) fn stand_aside(&mut self) {
+    /// block moves it; far away along all axes, where each coordinate that is programmed shall show.
+    pub(crate) fn stand_aside(&mut self, along_all: bool) {
         if let Some(tool) = &mut self.tool {
             tool.radius = 0.0;
         }
         let plane = self.system.plane;
         self.here = plane.main.with(self.here, plane.main.of(self.here) + ASIDE);
+        if along_all {
+            self.here = plane.secondary.with(self.here, plane.secondary.of(self.here) + ASIDE);
+            self.here = plane.tool.with(self.here, plane.tool.of(self.here) + ASIDE);
+        }
         self.machine = self.to_machine(self.here);
     }
 

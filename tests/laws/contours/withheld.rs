@@ -69,7 +69,7 @@ fn text(reals: &[Real], given: &[Vec<Words>]) -> Text {
 }
 
 proptest! {
-    #![proptest_config(config(20))]
+    #![proptest_config(config(10))]
 
     #[test]
     fn contours_come_out_of_just_enough_data(withheld in withheld()) {
