@@ -305,7 +305,9 @@ impl<'e> Run<'_, 'e> {
         let labels = labels.split('/').map(str::trim).filter(|label| !label.is_empty()).take(most);
         let contours = self.described(|run, before| {
             let own = |label: &str| Of::Label(label.trim_matches('"').into());
-            labels.map(|label| Ok((label.to_owned(), run.contour_of(&own(label), before, Reading::OfLabel)?))).collect::<Done<Vec<_>>>()
+            labels
+                .map(|label| Ok((label.to_owned(), run.contour_of(&own(label), before, Reading::OfLabel)?)))
+                .collect::<Done<Vec<_>>>()
         })?;
         if contours.iter().map(|(_, contour)| contour.way.edges.len()).sum::<usize>() > MOST_ELEMENTS {
             return Err(Fault::control("contour-elements").arg("limit", MOST_ELEMENTS as f64).into());

@@ -7,8 +7,8 @@ use std::f64::consts::{PI, TAU};
 use cavalier_contours::core::Control;
 use cavalier_contours::core::math::Vector2;
 use cavalier_contours::polyline::{
-    PlineCreation, PlineIntersect, PlineOrientation, PlineSelfIntersectOptions, PlineSource,
-    PlineSourceMut, PlineVertex, Polyline, SelfIntersectsInclude, seg_arc_radius_and_center, seg_closest_point,
+    PlineCreation, PlineIntersect, PlineOrientation, PlineSelfIntersectOptions, PlineSource, PlineSourceMut,
+    PlineVertex, Polyline, SelfIntersectsInclude, seg_arc_radius_and_center, seg_closest_point,
 };
 use glam::DVec2;
 

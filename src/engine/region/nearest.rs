@@ -66,7 +66,12 @@ impl Nearest {
     }
 
     /// The same on some of the lines and no farther than a limit in mm, with the number of the line.
-    pub(super) fn nearest_among(&self, to: DVec2, limit: f64, wanted: &dyn Fn(usize) -> bool) -> Option<(DVec2, usize)> {
+    pub(super) fn nearest_among(
+        &self,
+        to: DVec2,
+        limit: f64,
+        wanted: &dyn Fn(usize) -> bool,
+    ) -> Option<(DVec2, usize)> {
         let index = self.index.as_ref()?;
         let (mut least, mut found) = (limit, Vec::<(DVec2, usize)>::new());
         let mut visit = |number: usize, square: f64| {

@@ -46,9 +46,10 @@ impl<'e> Run<'_, 'e> {
         let goes = motion.path != Path::L || !motion.coords.is_empty();
         let fed = motion.feed.is_some_and(|feed| feed.kind != FeedKind::Max);
         self.before(&motion.functions, !goes && !fed)?;
-        let in_machine = motion.functions.iter().any(|function| {
-            matches!(effect(function.number), Some(Effect::MachineCoordinates | Effect::SecondDatum))
-        });
+        let in_machine = motion
+            .functions
+            .iter()
+            .any(|function| matches!(effect(function.number), Some(Effect::MachineCoordinates | Effect::SecondDatum)));
         let positioned = self.motion(motion, in_machine)?;
         self.after(&motion.functions, positioned)
     }

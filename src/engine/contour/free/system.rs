@@ -183,12 +183,10 @@ impl Layout {
         };
         let asked = |is_curve: bool, number: usize| only.is_none_or(|only| only(is_curve, number));
         let size = |i: usize| if is_arc(given, i) { 3 } else { 2 };
-        let curves = (0..state.elements.len())
-            .map(|i| place(state.curve(i).is_some(), asked(true, i), size(i)))
-            .collect();
-        let points = (0..state.joints.len())
-            .map(|joint| place(state.at(joint).is_some(), asked(false, joint), 2))
-            .collect();
+        let curves =
+            (0..state.elements.len()).map(|i| place(state.curve(i).is_some(), asked(true, i), size(i))).collect();
+        let points =
+            (0..state.joints.len()).map(|joint| place(state.at(joint).is_some(), asked(false, joint), 2)).collect();
         (count > 0 && count <= MOST_UNKNOWNS).then_some(Self { curves, points, count })
     }
 }
