@@ -265,18 +265,30 @@ impl<'s> World<'s> {
             astray = axis.with(astray, truth.map_or(0.0, |truth| truth.astray(axis, *turned)));
         }
         let (machine, true_angles) = (self.true_machine(), angles + self.lag + astray);
-        let (table, at_start) = (machine.table(true_angles), machine.table(self.scene.start_angles));
         let head = |machine: &Machine, angles| Some(machine.head(angles)).filter(|head| *head != Frame::IDENTITY);
         let true_head = head(machine, true_angles);
-        self.parts = (table != at_start).then(|| at_start.of(table.inverse()));
-        if let Some(truth) = truth.filter(|truth| truth.drift != DVec3::ZERO) {
-            self.parts = Some(self.parts.unwrap_or(Frame::IDENTITY).of(Frame::shift(truth.drift)));
-        }
+        self.parts = self.parts_turned(true_angles);
         self.head = head(self.kinematics(), angles);
         self.true_head = true_head;
         if !self.system_stays || self.system.tip_held {
             self.carry_system();
         }
+    }
+
+    /// From the machine to the parts while the rotary axes really are there; nothing where that changes nothing.
+    fn parts_turned(&self, true_angles: DVec3) -> Option<Frame> {
+        let machine = self.true_machine();
+        let (table, at_start) = (machine.table(true_angles), machine.table(self.scene.start_angles));
+        let parts = (table != at_start).then(|| at_start.of(table.inverse()));
+        match self.scene.truth.as_ref().filter(|truth| truth.drift != DVec3::ZERO) {
+            Some(truth) => Some(parts.unwrap_or(Frame::IDENTITY).of(Frame::shift(truth.drift))),
+            None => parts,
+        }
+    }
+
+    /// The same as they will be once the axes have turned there, but for what turning scatters.
+    pub(crate) fn parts_after(&self, angles: DVec3) -> Frame {
+        self.parts_turned(angles + self.lag).unwrap_or(Frame::IDENTITY)
     }
 
     /// A system on the workpiece goes with the table.
