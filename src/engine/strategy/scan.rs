@@ -288,7 +288,9 @@ impl Profile<'_> {
             return Ok(None);
         }
         corner.away = (a.away + b.away).try_normalize().unwrap_or(corner.away);
-        if corner.on == Ground::Floor {
+        // Beside an overhang nothing is touched at the foot.
+        let touches = || self.control.touches(self.control.axes(corner.at), TOUCHES);
+        if corner.on == Ground::Floor && (self.turned.is_some() || touches()?) {
             corner.on = Ground::Part;
         }
         Ok(Some((way, corner)))
