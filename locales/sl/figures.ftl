@@ -124,5 +124,9 @@ figure-traverse-direction = Smer premika
 
 figure-straight-or-circle = Naravnost ali po krožnici
 figure-program = Program od zgoraj
+figure-program-turned = Program: polovica dela v prerezu
+figure-program-side = Program s strani
+figure-program-across = Program v smeri rotacijske osi
+figure-program-tilted = Zavrtena ravnina programa
 
 figure-wide-slot = Širok utor
