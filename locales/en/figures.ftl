@@ -35,6 +35,16 @@ figure-pattern = Several slots
 figure-side-allowance = Finishing allowance for side
 figure-rounding = Inside corner radius
 figure-between-points = Way between the touch points
+figure-between-holes = Way between the positions
+figure-depth-or-diameter = Depth or diameter
+figure-threads-per-step = Turns or helices
+figure-countersinking-moment = When it is countersunk
+figure-finishing-counter-clockwise = Finishing counter-clockwise, Q9 = +1
+figure-finishing-clockwise = Finishing clockwise, Q9 = −1
+figure-train-climb = Climb milling, Q15 = +1
+figure-train-up-cut = Up-cut milling, Q15 = −1
+figure-train-to-and-fro = There and back, Q15 = 0
+figure-operation = Machining operation
 figure-no-contact = Way without a touch point
 way-rapid = rapid traverse
 way-feed = feed

@@ -35,6 +35,16 @@ figure-pattern = Useita uria
 figure-side-allowance = Sivun silitystyövara
 figure-rounding = Sisänurkan pyöristyssäde
 figure-between-points = Liike kosketuspisteiden välillä
+figure-between-holes = Liike paikkojen välillä
+figure-depth-or-diameter = Syvyys tai halkaisija
+figure-threads-per-step = Kierrokset tai ruuvilinjat
+figure-countersinking-moment = Upotuksen ajankohta
+figure-finishing-counter-clockwise = Silitys vastapäivään, Q9 = +1
+figure-finishing-clockwise = Silitys myötäpäivään, Q9 = −1
+figure-train-climb = Myötäjyrsintä, Q15 = +1
+figure-train-up-cut = Vastajyrsintä, Q15 = −1
+figure-train-to-and-fro = Edestakaisin, Q15 = 0
+figure-operation = Koneistuslaajuus
 figure-no-contact = Liike ilman kosketusta
 way-rapid = pikaliike
 way-feed = syöttöliike

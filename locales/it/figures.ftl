@@ -35,6 +35,16 @@ figure-pattern = Più scanalature
 figure-side-allowance = Sovrametallo laterale
 figure-rounding = Raggio spigolo interno
 figure-between-points = Percorso tra i punti da tastare
+figure-between-holes = Percorso tra le posizioni
+figure-depth-or-diameter = Profondità o diametro
+figure-threads-per-step = Giri o eliche
+figure-countersinking-moment = Momento della svasatura
+figure-finishing-counter-clockwise = Finitura in senso antiorario, Q9 = +1
+figure-finishing-clockwise = Finitura in senso orario, Q9 = −1
+figure-train-climb = Fresatura concorde, Q15 = +1
+figure-train-up-cut = Fresatura discorde, Q15 = −1
+figure-train-to-and-fro = Avanti e indietro, Q15 = 0
+figure-operation = Lavorazione
 figure-no-contact = Percorso senza contatto
 way-rapid = rapido
 way-feed = avanzamento

@@ -35,6 +35,16 @@ figure-pattern = Várias ranhuras
 figure-side-allowance = Medida excedente lateral
 figure-rounding = Raio das esquinas interiores
 figure-between-points = Percurso entre os pontos de apalpação
+figure-between-holes = Percurso entre as posições
+figure-depth-or-diameter = Profundidade ou diâmetro
+figure-threads-per-step = Voltas ou hélices
+figure-countersinking-moment = Momento do rebaixamento
+figure-finishing-counter-clockwise = Acabamento em sentido anti-horário, Q9 = +1
+figure-finishing-clockwise = Acabamento em sentido horário, Q9 = −1
+figure-train-climb = Fresagem concordante, Q15 = +1
+figure-train-up-cut = Fresagem discordante, Q15 = −1
+figure-train-to-and-fro = Para lá e para cá, Q15 = 0
+figure-operation = Tipo de maquinação
 figure-no-contact = Percurso sem contacto
 way-rapid = marcha rápida
 way-feed = avanço

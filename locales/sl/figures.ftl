@@ -75,6 +75,16 @@ figure-side-allowance = Stranska nadmera
 figure-rounding = Notranji zaokroževalni polmer
 
 figure-between-points = Pot med točkami tipanja
+figure-between-holes = Pot med položaji
+figure-depth-or-diameter = Globina ali premer
+figure-threads-per-step = Zavoji ali vijačnice
+figure-countersinking-moment = Kdaj se grezi
+figure-finishing-counter-clockwise = Fina obdelava v nasprotni smeri urnega kazalca, Q9 = +1
+figure-finishing-clockwise = Fina obdelava v smeri urnega kazalca, Q9 = −1
+figure-train-climb = Rezkanje v soteku, Q15 = +1
+figure-train-up-cut = Rezkanje v protiteku, Q15 = −1
+figure-train-to-and-fro = Tja in nazaj, Q15 = 0
+figure-operation = Obseg obdelave
 
 figure-no-contact = Pot brez dotika
 
