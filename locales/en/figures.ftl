@@ -58,6 +58,7 @@ cli-coverage-figures = { $count } of { $of } lengths, angles and positions in no
 
 diag-figure-example-missing = The figure { $name } of { $cycle } is to be drawn from the example { $example }, which the cycle does not have.
 diag-figure-moment-never = The run of the figure { $name } of { $cycle } never comes to the moment that it shows ({ $reason }).
+diag-figure-name-taken = Two figures of { $cycle } are both called { $name }.
 diag-figure-no-value = The figure { $figure } of { $cycle } shows { $name } between places that have no value at that moment.
 diag-figure-no-centre = The figure { $figure } of { $cycle } shows { $name } as an angle, but its centre is missing or is not a point.
 diag-figure-axis-not-visible = The figure { $figure } of { $cycle } shows { $name } along an axis that its view does not have.

@@ -58,6 +58,7 @@ cli-coverage-figures = { $count } pituutta, kulmaa tai sijaintia ({ $of }:stä) 
 
 diag-figure-example-missing = Työkierron { $cycle } kuva { $name } piirretään esimerkistä { $example }, jota työkierrolla ei ole.
 diag-figure-moment-never = Työkierron { $cycle } kuvan { $name } suoritus ei koskaan saavuta kuvattua hetkeä ({ $reason }).
+diag-figure-name-taken = Työkierron { $cycle } kahden kuvan nimi on { $name }.
 diag-figure-no-value = Työkierron { $cycle } kuvassa { $figure } parametrin { $name } mittapaikoilla ei ole kuvatulla hetkellä arvoa.
 diag-figure-no-centre = Työkierron { $cycle } kuvassa { $figure } parametri { $name } on kulma, mutta sen keskipiste puuttuu tai ei ole piste.
 diag-figure-axis-not-visible = Työkierron { $cycle } kuvassa { $figure } parametri { $name } mitataan akselilla, joka ei näy kuvasuunnassa.

@@ -58,6 +58,7 @@ cli-coverage-figures = { $count } di { $of } lunghezze, angoli e posizioni senza
 
 diag-figure-example-missing = La figura { $name } di { $cycle } deve essere disegnata dall'esempio { $example }, che il ciclo non possiede.
 diag-figure-moment-never = L'esecuzione della figura { $name } di { $cycle } non arriva mai al momento da mostrare ({ $reason }).
+diag-figure-name-taken = Due figure di { $cycle } si chiamano entrambe { $name }.
 diag-figure-no-value = La figura { $figure } di { $cycle } mostra { $name } tra punti che in quel momento non hanno valore.
 diag-figure-no-centre = La figura { $figure } di { $cycle } mostra { $name } come angolo, ma il centro manca o non è un punto.
 diag-figure-axis-not-visible = La figura { $figure } di { $cycle } mostra { $name } lungo un asse che la vista non contiene.

@@ -58,6 +58,7 @@ cli-coverage-figures = { $count } de { $of } comprimentos, ângulos e posições
 
 diag-figure-example-missing = A figura { $name } de { $cycle } deve ser desenhada a partir do exemplo { $example }, que o ciclo não tem.
 diag-figure-moment-never = A execução da figura { $name } de { $cycle } nunca chega ao momento a mostrar ({ $reason }).
+diag-figure-name-taken = Duas figuras de { $cycle } têm o mesmo nome { $name }.
 diag-figure-no-value = A figura { $figure } de { $cycle } mostra { $name } entre pontos que nesse momento não têm valor.
 diag-figure-no-centre = A figura { $figure } de { $cycle } mostra { $name } como ângulo, mas o centro falta ou não é um ponto.
 diag-figure-axis-not-visible = A figura { $figure } de { $cycle } mostra { $name } ao longo de um eixo que a vista não contém.

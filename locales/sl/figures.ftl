@@ -28,6 +28,7 @@ cli-coverage-figures = { $count } od { $of } dolžin, kotov in položajev ni na 
 
 diag-figure-example-missing = Slika { $name } cikla { $cycle } naj bi bila narisana iz primera { $example }, ki ga cikel nima.
 diag-figure-moment-never = Izvajanje slike { $name } cikla { $cycle } nikoli ne doseže prikazanega trenutka ({ $reason }).
+diag-figure-name-taken = Dve sliki cikla { $cycle } imata isto ime { $name }.
 diag-figure-no-value = Slika { $figure } cikla { $cycle } prikazuje { $name } med mestoma, ki v tem trenutku nimata vrednosti.
 diag-figure-no-centre = Slika { $figure } cikla { $cycle } prikazuje { $name } kot kot, vendar središče manjka ali ni točka.
 diag-figure-axis-not-visible = Slika { $figure } cikla { $cycle } prikazuje { $name } vzdolž osi, ki je pogled nima.
