@@ -196,7 +196,6 @@ comment-bring-row-into-effect = Activate the datum of the row
 comment-calibrate-tool-probe = Calibrate the tool touch probe
 comment-call-at-points-of-table = Call the cycle at all points
 comment-call-calibration-tool = Call the calibration tool
-comment-call-in-front-of-the-part = In front of the part, cycle call
 comment-call-large-end-mill = Call the large end mill
 comment-call-small-end-mill = Call the small end mill
 comment-call-new-tool = Call the new tool

@@ -196,7 +196,6 @@ comment-bring-row-into-effect = Rivin nollapisteen aktivointi
 comment-calibrate-tool-probe = Pöytäkosketusjärjestelmän kalibrointi
 comment-call-at-points-of-table = Työkierron kutsu kaikissa pisteissä
 comment-call-calibration-tool = Kalibrointityökalun kutsu
-comment-call-in-front-of-the-part = Kappaleen eteen, työkierron kutsu
 comment-call-large-end-mill = Suuren varsijyrsimen kutsu
 comment-call-small-end-mill = Pienen varsijyrsimen kutsu
 comment-call-new-tool = Uuden työkalun kutsu

@@ -196,7 +196,6 @@ comment-bring-row-into-effect = Attivazione dell’origine della riga
 comment-calibrate-tool-probe = Calibrazione del tastatore da banco
 comment-call-at-points-of-table = Chiamata del ciclo in tutti i punti
 comment-call-calibration-tool = Chiamata dell’utensile di calibrazione
-comment-call-in-front-of-the-part = Davanti al pezzo, chiamata del ciclo
 comment-call-large-end-mill = Chiamata della fresa grande
 comment-call-small-end-mill = Chiamata della fresa piccola
 comment-call-new-tool = Chiamata dell’utensile nuovo

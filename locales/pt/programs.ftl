@@ -196,7 +196,6 @@ comment-bring-row-into-effect = Ativar o ponto zero da linha
 comment-calibrate-tool-probe = Calibrar o apalpador de mesa
 comment-call-at-points-of-table = Chamar o ciclo em todos os pontos
 comment-call-calibration-tool = Chamada da ferramenta de calibração
-comment-call-in-front-of-the-part = Em frente da peça, chamada do ciclo
 comment-call-large-end-mill = Chamada da fresa grande
 comment-call-small-end-mill = Chamada da fresa pequena
 comment-call-new-tool = Chamada da ferramenta nova

@@ -196,7 +196,6 @@ comment-bring-row-into-effect = Aktiviranje ničelne točke iz vrstice
 comment-calibrate-tool-probe = Umerjanje namiznega tipalnega sistema
 comment-call-at-points-of-table = Priklic cikla na vseh točkah
 comment-call-calibration-tool = Priklic orodja za umerjanje
-comment-call-in-front-of-the-part = Pred obdelovanec, priklic cikla
 comment-call-large-end-mill = Priklic velikega stebelnega rezkala
 comment-call-small-end-mill = Priklic majhnega stebelnega rezkala
 comment-call-new-tool = Priklic novega orodja
