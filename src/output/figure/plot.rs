@@ -361,7 +361,12 @@ fn toward(place: DVec2, paper: Rect) -> DVec2 {
 
 /// The greatest length of 1, 2 or 5 with noughts that is not more, mm, and how it is written.
 fn nice(most: f64) -> (f64, String) {
-    let power = 10_f64.powf(most.max(1e-6).log10().floor());
+    let mut power = 1e-6;
+    while power * 10.0 <= most && power < 1e9 {
+        power *= 10.0;
+    }
+    // Written with as few places as it has.
+    let power = if power < 1.0 { 1.0 / (1.0 / power).round() } else { power.round() };
     let length = [5.0, 2.0, 1.0].into_iter().map(|n| n * power).find(|length| *length <= most).unwrap_or(power);
     (length, format!("{} mm", length))
 }

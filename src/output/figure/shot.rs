@@ -15,7 +15,7 @@ use crate::base::expr::{Dialect, Value, parse};
 use crate::engine::geometry::{Axis, Frame, WorkingPlane};
 use crate::engine::machine::Tool;
 use crate::engine::plan::{self, Watch};
-use crate::engine::run::{Engine, Event, EventKind, MoveKind, Noted};
+use crate::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Noted};
 use crate::engine::scene::Scene;
 use crate::engine::solid::{Body, Path, Shape};
 use crate::program::syntax;
@@ -23,8 +23,7 @@ use crate::program::syntax;
 use crate::spec::{
     Along, Cycle, CycleKey, Dimension, Example, Figure, FigureMoment, FigureView, Formula, Kind, Name, Node, OnControl,
 };
-use crate::language::locale::SOURCE_LANGUAGE;
-use crate::tools::conform::{self, LogTexts, World};
+use crate::tools::conform::{self, World};
 
 /// Where among the values of a figure itself the coordinate of the cut is.
 pub(super) const CUT: usize = 0;
@@ -266,9 +265,7 @@ pub(super) fn take(
     }
     let (program, scene) = conform::ready(world, on, cycle, &altered(example, figure, chosen))?;
     let program = syntax::parse(&program);
-    let language = world.locales.language(SOURCE_LANGUAGE).map_err(|error| vec![error.into()])?;
-    let texts = LogTexts::new(language, on.id(), world.files);
-    let engine = Engine::new(&program, on, &scene, &texts).with_catalogue(world.catalogue);
+    let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(world.catalogue);
     let engine = engine.watching(runner.key, &watches);
     let mut events = Vec::new();
     let outcome = engine.run(&mut |event| events.push(event));
