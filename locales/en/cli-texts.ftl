@@ -1,7 +1,7 @@
 # The command “texts”.
 cli-texts = Show how far the translations are, accept them, and exchange them with translators
 cli-texts-action = What is to be done: status shows what is open, accept records translations as matching their English texts, export writes a file for translators, import takes one back
-cli-texts-input = import: the files of translators, XLIFF or PO, or terms as TBX or CSV; several are taken over together
+cli-texts-input = import: the files of translators, XLIFF or PO, or terms as TBX or CSV; several are imported together
 cli-texts-lang = Only this language; may be repeated
 cli-texts-file = status: only this file of the language, such as drilling.ftl; may be repeated
 cli-texts-text = accept: the text with this key, or all whose keys begin like KEY if it ends in *; may be repeated
@@ -20,9 +20,10 @@ cli-texts-exported = { $count ->
     }
 cli-texts-imported = { $language }: { $dry ->
         [yes] to take over { $taken }
-       *[no] taken over { $taken }
+       *[no] imported { $taken }
     }, unchanged { $unchanged }, not final { $open }, refused { $refused }.
 cli-texts-count = { $name }: { $translated } of { $texts } translated, { $missing } missing, { $stale } stale, { $unaccepted } not accepted, { $same } same as English, { $long } too long, { $words } words to do
+cli-texts-group = group { $name }
 cli-texts-accepted = { $language }: { $count ->
         [one] { $count } text accepted.
        *[other] { $count } texts accepted.
@@ -93,8 +94,8 @@ cli-texts-note-kind = This is { $kind ->
     }.
 cli-texts-note-unit = Unit: { $unit }.
 cli-texts-note-range = Permitted range: { $range } ({ $controls }).
-cli-texts-note-label = At most { $most } characters: capitals, digits, blanks and { $signs }
-cli-texts-note-capitals = Only capitals, digits, blanks and { $signs }
+cli-texts-note-label = At most { $most } characters: capitals, digits, spaces and { $signs }
+cli-texts-note-capitals = Only capitals, digits, spaces and { $signs }
 cli-texts-note-cycles = { $more ->
         [none] { $control }: { $cycles }
        *[other] { $control }: { $cycles } and { $more } more

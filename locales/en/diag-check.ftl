@@ -159,6 +159,7 @@ diag-hole-outside-blank =
         [surface] The surface at { $value } is far from the blank.
        *[through] The hole goes down to { $value }, far through the blank.
     }
+diag-insert-points-away = The insert cannot cut where { $cycle } goes: its orientation (TO) is { $orientation }, so its tip points away from the part or from the feed.
 diag-iso-incomplete =
     This block is incomplete: { $what ->
         [value] a letter has no value
@@ -258,7 +259,11 @@ diag-plane-not-positioned =
         [cycle] No block positions the rotary axes after this tilt; whether the cycle does so depends on the machine.
        *[plane] STAY does not move the rotary axes, and no block of the program moves them to the angles of this plane.
     }
-diag-plane-not-reset = The program ends here with a tilted working plane.
+diag-plane-not-reset =
+    { $what ->
+        [zero] { $cycle } sets all angles to 0 here, but nothing switches the tilted working plane off.
+       *[tilted] The program ends here with a tilted working plane.
+    }
 diag-position-after-contour = This is the first position after { $cycle }, but it does not have absolute values for both coordinates of the plane.
 diag-position-twice = The point { $value }, { $other } has already been machined with this definition and this tool.
 diag-probe-while-turning = { $cycle } probes here while the spindle turns.
@@ -289,7 +294,7 @@ diag-reset-order-wrong =
        *[shift] The datum shift is reset here, but the plane that was tilted after it is still tilted.
     }
 diag-retract-missing =
-    The tool is still at { $value }, in the blank or just above it, when { $what ->
+    The tool is still at { $value }, in, beside or just above the blank, when { $what ->
         [change] it is changed
         [tilt] the plane is tilted with MOVE
         [end] the program ends
@@ -342,6 +347,7 @@ diag-tool-axis-missing = This tool call has no tool axis, and no earlier one has
 diag-tool-axis-other =
     { $what ->
         [pattern] PATTERN DEF works only with tool axis { $axis }, but another one is active here.
+        [lifted] This tool call names another tool axis than the blank, but the tool is only ever retracted along { $axis }.
        *[blank] The blank has the tool axis { $axis }, but no tool of the program has it.
     }
 diag-tool-definition-wrong =
@@ -357,9 +363,11 @@ diag-tool-not-listed = The tool table has no tool { $tool }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } probes here with the tool that has just machined.
+        [contour] The tool that has just probed moves along a contour here.
        *[mill] { $cycle } machines here with the tool that has just probed.
     }
 diag-tool-unused = Tool { $tool } is called here, and the next block calls another one.
+diag-tool-zero = { $cycle } is executed with tool 0: there is no tool in the spindle.
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } read { $parameter } when it was defined: the value written here does not affect its call.
@@ -376,6 +384,7 @@ diag-transformation-forbidden =
         [turning] the control is in turning mode (FUNCTION MODE TURN)
        *[tilting] the working plane is tilted
     }, which its manual forbids.
+diag-transformation-without-effect = { $other } ends the transformation of { $cycle } before anything uses it.
 diag-transformation-left-on =
     The program ends here with an active { $what ->
         [datum-shift] datum shift

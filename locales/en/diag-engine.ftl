@@ -30,11 +30,13 @@ diag-insert-direction = The insert of tool { $tool } does not point to the part,
 diag-jump-limit = The run was ended: more than { NUMBER($limit) } jumps, repeats and calls have been executed.
 diag-jump-target-missing = There is no label { $label }.
 diag-jump-target-twice = The label { $label } is set twice in the program.
+diag-kinematics-unknown = The kinematics “{ $name }” after FUNCTION MODE are not those of the simulated machine, “{ $machine }”.
 diag-lines-parallel = The two lines are parallel: they have no intersection.
 diag-log-failed = The log { $name } cannot be written: { $reason }
 diag-log-template = The log { $name } has no template.
 diag-log-text = The text { $name } of the log is missing ({ $reason }).
 diag-machine-parameter-missing = The machine parameter { $name } with its three coordinates is not defined.
+diag-milling-mode-missing = { $cycle } is executed in milling mode only, but turning mode (FUNCTION MODE TURN) is active.
 diag-move-limit = The run was ended: more than { NUMBER($limit) } tool movements have been executed.
 diag-no-cycle-to-call = A cycle is called, but no machining cycle has been defined.
 diag-no-such-parameter = There is no parameter { $q }.
@@ -57,6 +59,7 @@ diag-probe-no-direction = The stylus is already at the point to be probed, so th
 diag-program-missing = There is no program { $name }.
 diag-radius-missing = The radius R is missing in this block.
 diag-radius-too-small = The radius of { NUMBER($radius) } mm cannot span a chord of { NUMBER($chord, maximumFractionDigits: 4) } mm.
+diag-recess-impossible = There is no room for the recess, its centre, depth or width is missing, or it is not in a straight element.
 diag-recursive-call = A program part calls itself.
 diag-repeat-count = REP needs a whole number from 0 to 65534, not { NUMBER($found) }.
 diag-rotary-axis-missing = The machine has no rotary axis { $axis }.
@@ -84,7 +87,7 @@ diag-text-too-long = A string parameter would exceed { NUMBER($limit) } characte
 diag-tool-locked = Tool { $tool } is locked.
 diag-tool-not-in-table = Tool { $tool } is not in the tool table.
 diag-turn-limit = The run was ended: one movement has more than { NUMBER($limit) } turns.
-diag-undercut-impossible = There is no room for the undercut, or it is not between a surface along the rotary axis and a face at right angles to it.
+diag-undercut-impossible = There is no room for the undercut, a size is missing, or it is not between a surface along the rotary axis and a face at right angles to it.
 diag-unsupported-axis = The simulated machine has no axis { $axis }.
 diag-unsupported-block = { $word } cannot be simulated.
 diag-unsupported-cycle = The manual of { $control } only mentions { $cycle } by name: it cannot be simulated.
@@ -97,7 +100,7 @@ diag-value-missing = A value is missing, or is not a number.
 diag-value-not-bound = A formula of the specification reads a value that does not exist yet: { $place }
 diag-word-not-offered = The word { $word } is not permitted here.
 diag-contour-crossing = The contour of label { $label } crosses or touches itself at main { NUMBER($x) } mm, minor { NUMBER($y) } mm.
-diag-contour-begin-incomplete = The contour of label { $label } does not begin with both coordinates X and Y.
+diag-contour-begin-incomplete = The contour of { $label } does not begin with both coordinates of the working plane.
 diag-contour-data-undefined = No cycle has defined the data of the contour yet.
 diag-contour-count = A contour consists of more than { NUMBER($limit) } partial contours.
 diag-contour-depth =
@@ -111,12 +114,13 @@ diag-contour-lead = A contour that a cycle machines cannot contain { $word }: th
 diag-contour-not-defined = No cycle has named the subprograms of the contour yet.
 diag-contour-open = The contour of label { $label } is open: it ends { NUMBER($distance) } mm away from its starting point.
 diag-contour-side-missing = The contour of label { $label } has no radius compensation RL or RR, which says whether it is a pocket or an island.
+diag-contour-tool-axis = The contour of label { $label } contains a coordinate in the tool axis.
 diag-free-contour-contradicts = No contour meets all the values given for this element and those before it.
 diag-free-contour-open =
     { $what ->
-        [line] The position or direction of this line is not determined: a value is missing.
-        [arc] The centre or radius of this arc is not determined: a value is missing.
-       *[end] The end of this element is not determined: a value is missing.
+        [line] The position or direction of this line is not determined. Values still missing: { $values }.
+        [arc] The centre or radius of this arc is not determined. Values still missing: { $values }.
+       *[end] The end of this element is not determined. Values still missing: { $values }.
     }
 diag-free-contour-reference = Block { $block } is neither an element of this free contour nor the positioning block before it.
 diag-free-contour-selection = FSELECT { $wanted } cannot be selected: there are { $solutions } solutions here.

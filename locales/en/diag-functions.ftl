@@ -1,6 +1,8 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = The program ends itself with the error { $number } (FN 14).
 explain-error-of-program = FN 14: ERROR ends the program with an error of its own; the number chooses the message that the control shows. Programs use it where they cannot go on, for example after a jump over values that they can work with. Example: “FN 14: ERROR = 1010”. Remedy: look at the condition before the block and give the parameters values that the program can work with.
+diag-tool-setter-askew = The tool is not at right angles to the face of the tool setter.
+explain-tool-setter-askew = The head, or the working plane, is tilted in another way than the tool setter is mounted: the tool would touch it askew, and what is found would be neither length nor radius. Example: a tool that lies horizontally over a setter whose face points upwards. Remedy: turn the rotary axes so that the tool is along the setter before the cycle, or mount the setter of the scene accordingly (“rotate”).
 diag-tool-setter-collision = Collision: the tool meets the tool setter on a movement from X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 explain-tool-setter-collision = The tool meets the tool setter of the scene on a movement that does not measure: the tool as it really is, with its longest and widest edge. On the machine both could break. Often the clearance height is too low, or length and radius in the tool table are too far from the truth for the safety distance of the tool setter. Enter approximate values before a first measurement, or go round the tool setter.
 diag-tool-setter-missing = The scene has no tool setter.

@@ -24,3 +24,5 @@ diag-texts-unit-markup = The translation of the unit “{ $key }” would change
 diag-texts-unit-numbers = The numbers of the unit “{ $key }” differ from those of the source: missing { $missing }, not in the source { $foreign }.
 diag-texts-unknown-topic = There is no page of prose “{ $topic }”.
 diag-draft-language = A draft is of one language: name it with --lang, as in “--draft --lang de”.
+diag-texts-unit-swapped = The units “{ $key }” and “{ $other }” have got the words of each other.
+diag-texts-unit-negation = In the unit “{ $key }” a word that denies was taken out, so the text says the opposite.

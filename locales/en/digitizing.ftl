@@ -8,7 +8,7 @@ cycle-digitize-range-from-points = Range for digitizing from a point table
     .nc = RANGE
     .purpose = Defines a range of any shape for digitizing with an analog touch probe: a point table gives its boundary in the working plane. The cycle also defines the file for the digitized data and the clearance height.
 step-remember-digitizing-range = The control stores the range between the MIN point and the MAX point, the clearance height and the name of the file for the digitizing cycles that follow.
-step-remember-digitizing-range-from-points = The control stores the range, whose boundary the points of the table give in the working plane and the MIN and MAX points in the touch probe axis, the clearance height and the name of the file for the digitizing cycles that follow.
+step-remember-digitizing-range-from-points = The control stores the range, the clearance height and the name of the file for the digitizing cycles that follow. The points of the table bound the range in the working plane, the MIN and MAX points bound it in the touch probe axis.
 table-digitizing-points = Point table for digitizing
 title-range-with-rotary-axis-a = Range with rotary axis A, for cycle 18
 title-range-for-meander-with-rotary-axis = Range with rotary axis A, for cycle 6
@@ -25,7 +25,7 @@ step-approach-digitizing-start = The control moves automatically to the starting
 step-approach-workpiece-downwards = The touch probe moves towards the part in the negative direction of the tool axis. The control stores the coordinates of the position at which the touch probe contacts the part.
 step-scan-meander = From the MIN point the touch probe moves along the part in the positive direction of the line axis to the boundary of the range, moves by the line spacing and returns along the next line; at the other end it moves by the line spacing again. This is repeated until the whole range has been digitized.
 step-return-to-clearance-after-digitizing = At the end the touch probe returns to the clearance height.
-title-meander-with-rotary-axis = Meander with a rotary axis as line direction
+title-meander-with-rotary-axis = Meander with a rotary axis as the line direction
 
 # --- 7 and 17 ---
 cycle-digitize-contour-lines = Contour lines
@@ -82,27 +82,27 @@ note-lines-for-one-milling-direction = This cycle is used above all for relative
 note-lines-for-rotary-axes = With an analog touch probe this cycle is used above all for digitizing with a rotary axis.
 note-normal-retraction-recommended = Recommended travel in the direction of the line normals: between half the point spacing and the point spacing. The smaller the ball tip of the touch probe, the greater the travel should be.
 note-climb-or-up-cut-by-direction = The digitizing direction also determines whether later milling is climb or up-cut milling.
-note-sudden-changes-of-direction = The control stores the positions at which the direction changes suddenly, up to 1000 of them in a line. In the next line it automatically reduces the probing feed rate when the touch probe comes near to such a position. This improves the results.
-note-feed-reduction-only-up-to-1000 = The reduction of the feed rate only functions if a line has no more than 1000 points at which the feed rate must be reduced.
+note-sudden-changes-of-direction = The control stores the positions at which the direction changes suddenly, up to 1000 of them in a line. In the next line it automatically reduces the probing feed rate when the touch probe comes close to such a position. This improves the results.
+note-feed-reduction-only-up-to-1000 = The reduction of the feed rate only works if a line has no more than 1000 points at which the feed rate must be reduced.
 note-corner-reduction-entered-by-control = Answer the question for the feed rate reduction at corners with NO ENT. The control enters a value automatically.
 
 # --- notes: rotary axes ---
-note-rotary-axes-touch-trigger = With a touch-trigger probe, rotary axes can be digitized in meanders (cycle 6), in lines (cycle 8) or in contour lines (cycle 7). In each case enter the rotary axis in the cycle RANGE. The control takes the values of rotary axes as degrees.
-note-rotary-axes-analog = With an analog touch probe, rotary axes can only be digitized with cycle 18 LINE. The rotary axis is defined as column axis.
-note-digitizing-range-with-rotary-axis = For digitizing with a rotary axis, enter the rotary axis in the range. The control takes its values as degrees. The file of digitized data contains the axes that the range defines; no BLK FORM is output, because rotary axes cannot be displayed graphically.
+note-rotary-axes-touch-trigger = With a touch-trigger probe, rotary axes can be digitized in meanders (cycle 6), in lines (cycle 8) or in contour lines (cycle 7). In each case enter the rotary axis in the cycle RANGE. The control interprets the values of rotary axes as degrees.
+note-rotary-axes-analog = With an analog touch probe, rotary axes can only be digitized with cycle 18 LINE. The rotary axis is defined as the column axis.
+note-digitizing-range-with-rotary-axis = For digitizing with a rotary axis, enter the rotary axis in the range. The control interprets its values as degrees. The file of digitized data contains the axes that the range defines; no BLK FORM is output, because rotary axes cannot be displayed graphically.
 note-digitizing-display-of-rotary-axis = While digitizing and while milling, the display mode of the rotary axis must be the same (reduced to a value below 360°, or not reduced).
-note-meander-with-rotary-axis = If a linear axis (such as X) is the direction of lines, the control moves at the end of a line by the line spacing in the rotary axis (such as A) of the cycle RANGE; the touch probe then oscillates in the Z/X plane, for example. If a rotary axis (such as A) is the direction of lines, the control moves at the end of a line by the line spacing in the linear axis (such as X); the touch probe then oscillates in the Z/A plane, for example.
-note-contour-lines-with-rotary-axis = The starting point is defined in a linear axis (such as X) and a rotary axis (such as C), and so is the order of approach. The touch probe then oscillates in the X/C plane, for example. This also suits machines with only two linear axes (such as Z and X) and one rotary axis (such as C). The sense of rotation defined in the order of approach holds for all contour lines.
-note-lines-with-rotary-axis = If a linear axis (such as X) is the direction of lines, the control moves at the end of a line by the line spacing in the rotary axis (such as A) of the cycle RANGE.
+note-meander-with-rotary-axis = If a linear axis (such as X) is the direction of lines, at the end of a line the control moves the rotary axis (such as A) of the cycle RANGE by the line spacing; the touch probe then oscillates in the Z/X plane, for example. If a rotary axis (such as A) is the direction of lines, at the end of a line the control moves the linear axis (such as X) by the line spacing; the touch probe then oscillates in the Z/A plane, for example.
+note-contour-lines-with-rotary-axis = The starting point is defined in a linear axis (such as X) and a rotary axis (such as C), and so is the order of approach. The touch probe then oscillates in the X/C plane, for example. This also suits machines with only two linear axes (such as Z and X) and one rotary axis (such as C). The sense of rotation defined in the order of approach applies to all contour lines.
+note-lines-with-rotary-axis = If a linear axis (such as X) is the direction of lines, at the end of a line the control moves the rotary axis (such as A) of the cycle RANGE by the line spacing.
 
 # --- notes: the data ---
 note-digitized-data-on-disk = The control stores the positions recorded directly on the hard disk. The interface function PRINT determines the directory.
 note-digitized-data-with-same-radius = If the digitized data are milled with a tool whose radius is that of the stylus, they can be executed directly with cycle 30.
-note-block-form-in-data = The control puts a BLK FORM into the file of digitized data. For this it enlarges the block defined by the cycle RANGE by twice the value of { $mp-stylus-deflection-depth } (for analog touch probes).
+note-block-form-in-data = The control inserts a BLK FORM into the file of digitized data. For this it enlarges the block defined by the cycle RANGE by twice the value of { $mp-stylus-deflection-depth } (for analog touch probes).
 note-digitized-data-in-programs = Digitized data can be executed with the machining cycle 30 if several passes are needed (only data of the cycles MEANDER and LINE), or with an auxiliary program for finishing only: define a tool with the radius of the stylus, call it, set feed rate, M functions and radius compensation R0, and call the file with CALL PGM.
-note-digitized-data-size = The file of digitized data may have at most 1500 MByte, the space on the hard disk of the control if no program is stored.
+note-digitized-data-size = The file of digitized data may be at most 1500 MByte in size, which is the space on the hard disk of the control if no program is stored.
 
 # --- notes: point tables ---
-note-point-table-recording = The points are recorded in the mode Positioning with Manual Data Input with the analog touch probe, which needs the software option for digitizing with an analog touch probe. The soft key PNT selects a point table. Points are recorded manually (TEACH-IN: deflect the stylus by hand and take over the actual position) or automatically (at a point spacing entered, while the stylus is moved around the part by hand). A feed rate can be entered with which the touch probe reacts to a deflection, and the coordinates to be stored can be chosen for each axis. Only the coordinates of the working plane define the range.
-note-point-table-size = A point table that serves as range may contain at most 893 points. To have this monitored, set the soft key RANGE/CONTOUR DATA to RANGE.
+note-point-table-recording = The points are recorded in the mode Positioning with Manual Data Input with the analog touch probe, which needs the software option for digitizing with an analog touch probe. The soft key PNT selects a point table. Points are recorded manually (TEACH-IN: deflect the stylus by hand and capture the actual position) or automatically (at a point spacing entered, while the stylus is moved around the part by hand). A feed rate can be entered with which the touch probe reacts to a deflection, and the coordinates to be stored can be chosen for each axis. Only the coordinates of the working plane define the range.
+note-point-table-size = A point table that serves as a range may contain at most 893 points. To have this monitored, set the soft key RANGE/CONTOUR DATA to RANGE.
 note-point-table-closed = The points are joined by straight lines, which bound the range. The control automatically joins the last point of the table to the first one.

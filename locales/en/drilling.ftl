@@ -11,12 +11,12 @@ step-rapid-out-of-hole = The tool leaves the bottom of the hole at rapid travers
 say-rapid-to-second-set-up-clearance = to the 2nd set-up clearance { $q-second-set-up-clearance }, if one is entered
 say-rapid-back-to-set-up-clearance = otherwise to the set-up clearance { $q-set-up-clearance }
 note-position-over-hole-centre = Program a positioning block to the starting point (the centre of the hole) in the working plane with radius compensation R0.
-note-point-table-hole-centres = If the cycle is called with a point table, the points of the working plane are the hole centres. To use the spindle-axis coordinate of the table as coordinate of the starting point, enter 0 as workpiece surface coordinate { $q-surface-coordinate }.
+note-point-table-hole-centres = If the cycle is called with a point table, the points of the working plane are the hole centres. To use the spindle-axis coordinate of the table as the coordinate of the starting point, enter 0 as the workpiece surface coordinate { $q-surface-coordinate }.
 
 # --- 205 ---
 cycle-universal-pecking = Universal pecking
     .nc = UNIVERSAL PECKING
-    .purpose = Drills deep holes in infeeds that may become smaller, with chip breaking, an advanced stop distance for the return into the hole, and a starting point below the workpiece surface for pre-drilled holes.
+    .purpose = Drills deep holes in several infeeds, each of which may be smaller than the one before, with chip breaking, an advanced stop distance for the return into the hole, and a starting point below the workpiece surface for pre-drilled holes.
 step-feed-to-deepened-starting-point = If a deepened starting point { $q-deepened-starting-point } is entered, the tool moves at the pre-positioning feed rate { $q-pre-positioning-feed } to the set-up clearance above the deepened starting point.
 step-drill-on-to-plunging-depth = The tool drills at the feed rate { $q-plunging-feed } towards the plunging depth { $q-plunging-depth }; with chip breaking it stops each time it is { $q-depth-for-chip-breaking } deeper. The plunging depth becomes smaller by the decrement { $q-decrement } with each infeed, if one is entered.
 step-break-chip = For chip breaking the tool retracts by { $q-chip-breaking-retraction } at 3000 mm/min.

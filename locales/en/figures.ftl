@@ -13,7 +13,7 @@ figure-slot-position = Position at the call
 figure-stud-position = Position at the call
 figure-approach = Approach position
 figure-stepping-angle = Stepping angle
-figure-traverse = Way from operation to operation
+figure-traverse = Path from operation to operation
 figure-plunging = Plunging
 figure-side = From the side
 figure-new-datum = The new datum
@@ -34,8 +34,18 @@ figure-strategy = Strategy
 figure-pattern = Several slots
 figure-side-allowance = Finishing allowance for side
 figure-rounding = Inside corner radius
-figure-between-points = Way between the touch points
-figure-no-contact = Way without a touch point
+figure-between-points = Path between the touch points
+figure-between-holes = Way between the positions
+figure-depth-or-diameter = Depth or diameter
+figure-threads-per-step = Turns or helices
+figure-countersinking-moment = When it is countersunk
+figure-finishing-counter-clockwise = Finishing counter-clockwise, Q9 = +1
+figure-finishing-clockwise = Finishing clockwise, Q9 = −1
+figure-train-climb = Climb milling, Q15 = +1
+figure-train-up-cut = Up-cut milling, Q15 = −1
+figure-train-to-and-fro = There and back, Q15 = 0
+figure-operation = Machining operation
+figure-no-contact = Path without a touch point
 way-rapid = rapid traverse
 way-feed = feed
 way-probing = probing
@@ -48,6 +58,7 @@ cli-coverage-figures = { $count } of { $of } lengths, angles and positions in no
 
 diag-figure-example-missing = The figure { $name } of { $cycle } is to be drawn from the example { $example }, which the cycle does not have.
 diag-figure-moment-never = The run of the figure { $name } of { $cycle } never comes to the moment that it shows ({ $reason }).
+diag-figure-name-taken = Two figures of { $cycle } are both called { $name }.
 diag-figure-no-value = The figure { $figure } of { $cycle } shows { $name } between places that have no value at that moment.
 diag-figure-no-centre = The figure { $figure } of { $cycle } shows { $name } as an angle, but its centre is missing or is not a point.
 diag-figure-axis-not-visible = The figure { $figure } of { $cycle } shows { $name } along an axis that its view does not have.
@@ -81,4 +92,8 @@ figure-measuring-axis = Measuring axis
 figure-traverse-direction = Traverse direction
 figure-straight-or-circle = Straight or on a circle
 figure-program = The program from above
+figure-program-turned = The program: half of the part cut open
+figure-program-side = The program from the side
+figure-program-across = The program, seen along the rotary axis
+figure-program-tilted = The tilted plane of the program
 figure-wide-slot = Wide slot

@@ -9,4 +9,4 @@ lexicon-count = number | threads | breaks | probings | points | cuts | lines
 lexicon-factor = factor | overlap | multipl
 lexicon-absolute = coordinate | centre | center | height | datum | position | nominal | point | angle | diameter | start | end | rotation | radius | number
 lexicon-incremental = clearance | depth | allowance | distance | infeed | retraction | stepping | spacing | decrement | length | path | countersink | advanced | edge | thickness | oversize | run-out | width | overrun | stop | size | undersize | deepened
-lexicon-negation = not | no | never | without | cannot | none | neither | nor | nothing | nobody | unless
+lexicon-negation = not | no | never | without | cannot | none | neither | nor+ | nothing | nobody | unless

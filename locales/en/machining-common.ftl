@@ -8,7 +8,7 @@ until-depth-reached = the programmed depth { $q-depth } is reached
 
 # --- guards ---
 guard-depth-zero = The depth is 0: the control does not execute the cycle.
-guard-depth-positive = The depth is positive. Enter a negative depth, or let the machine parameter { $mp-display-depth-err } allow it.
+guard-depth-positive = The depth is positive. Enter a negative depth, or permit positive depths with the machine parameter { $mp-display-depth-err }.
 
 # --- notes ---
 note-program-before-call = Before the cycle is called, program the tool call, the direction of spindle rotation (M3 or M4) and the cycle definition; the test graphics also need the workpiece blank (BLK FORM).

@@ -1,8 +1,8 @@
 # Cycles that measure angles, studs, rectangles, widths, coordinates, bolt-hole circles and planes.
 
 # --- what several of them share ---
-say-part-is-scrap = scrap (Q182=1) if a measured value is out of tolerance and cannot be mended
-say-part-needs-rework = rework (Q181=1) if a measured value is out of tolerance and can be mended
+say-part-is-scrap = scrap (Q182=1) if a measured value is out of tolerance and cannot be corrected
+say-part-needs-rework = rework (Q181=1) if a measured value is out of tolerance and can be corrected
 
 # --- 422 ---
 cycle-measure-stud = Measure circle outside
@@ -10,7 +10,7 @@ cycle-measure-stud = Measure circle outside
     .purpose = Measures the centre and the diameter of a circular stud. If tolerances are defined in the cycle, the control compares nominal and actual values and stores the deviations in parameters.
 say-part-is-scrap__measure-stud = scrap (Q182=1) if the stud is smaller than { $q-stud-least-diameter }, or its centre deviates by more than { $q-centre-tolerance-main } or { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-stud = rework (Q181=1) if the stud is larger than { $q-stud-greatest-diameter }
-note-smallest-stepping-angle__measure-stud = The smaller the stepping angle { $q-probing-stepping-angle }, the less exactly the control calculates the dimensions of the stud. Smallest input value: 5°.
+note-smallest-stepping-angle__measure-stud = The smaller the stepping angle { $q-probing-stepping-angle }, the less accurately the control calculates the dimensions of the stud. Smallest input value: 5°.
 
 # --- 423, 424 ---
 cycle-measure-rectangular-pocket = Measure rectangle inside
@@ -39,8 +39,8 @@ step-probe-first-in-positive-direction = The touch probe carries out the first p
 step-probe-first-in-positive-direction__tnc426-430 = The touch probe carries out the first probing at the probing feed rate ({ $mp-probing-feed } or { $mp-analog-probing-feed }), always in the positive direction of the programmed axis.
 step-probe-first-in-negative-direction = The touch probe carries out the first probing at the probing feed rate (column { $mp-probing-feed }), always in the negative direction of the programmed axis.
 step-probe-first-in-negative-direction__tnc426-430 = The touch probe carries out the first probing at the probing feed rate ({ $mp-probing-feed } or { $mp-analog-probing-feed }), always in the negative direction of the programmed axis.
-step-probe-second-side-of-slot = The touch probe carries out the second probing, as { $q-second-measurement-offset } says:
-step-probe-second-side-of-slot__tnc640 = The touch probe carries out the second probing, as { $q-second-measurement-offset } says. With a large nominal length the control moves to the second touch point at rapid traverse:
+step-probe-second-side-of-slot = The touch probe carries out the second probing as defined in { $q-second-measurement-offset }:
+step-probe-second-side-of-slot__tnc640 = The touch probe carries out the second probing as defined in { $q-second-measurement-offset }. With a large nominal length the control moves to the second touch point at rapid traverse:
 say-offset-second-measurement = with { $q-second-measurement-offset } not 0 the control moves the touch probe parallel to the axis by this offset to the next touch point and probes there
 say-offset-second-measurement__tnc640 = with { $q-second-measurement-offset } not 0 the control moves the touch probe by this offset to the next touch point, with { $q-traverse-to-clearance-height }=1 at clearance height { $q-clearance-height }, and probes there
 say-measure-in-opposite-direction = with { $q-second-measurement-offset }=0 it measures the width directly in the opposite direction
@@ -57,22 +57,22 @@ result-measured-length-deviation = Deviation of measured length
 cycle-measure-coordinate = Measure coordinate
     .nc = MEASURE COORDINATE
     .purpose = Measures a coordinate in a selectable axis and stores the value in a parameter. If tolerances are defined in the cycle, the control compares nominal and actual values and stores the deviation in parameters.
-step-position-against-traverse-direction = The control positions the touch probe at the programmed touch point, at rapid traverse (value from the column { $mp-positioning-feed }) and with positioning logic. It offsets the touch probe by the set-up clearance against the traverse direction { $q-traverse-direction }.
-step-position-against-traverse-direction__tnc426-430 = The control positions the touch probe at the programmed touch point, at rapid traverse (value from { $mp-positioning-feed } or { $mp-analog-positioning-feed }) and with positioning logic. It offsets the touch probe by the set-up clearance against the traverse direction { $q-traverse-direction }.
+step-position-against-traverse-direction = The control positions the touch probe at the programmed touch point, at rapid traverse (value from the column { $mp-positioning-feed }) and with positioning logic, offset by the set-up clearance opposite to the traverse direction { $q-traverse-direction }.
+step-position-against-traverse-direction__tnc426-430 = The control positions the touch probe at the programmed touch point, at rapid traverse (value from { $mp-positioning-feed } or { $mp-analog-positioning-feed }) and with positioning logic, offset by the set-up clearance opposite to the traverse direction { $q-traverse-direction }.
 step-probe-coordinate = The control positions the touch probe in the working plane at the programmed touch point and measures the actual value in the selected axis there.
 step-retract-and-store-measured-coordinate = The control returns the touch probe to the clearance height { $q-clearance-height } and stores the measured coordinate in the result parameter.
 say-part-is-scrap__measure-coordinate = scrap (Q182=1) if the measured coordinate is less than { $q-least-dimension }
 say-part-needs-rework__measure-coordinate = rework (Q181=1) if the measured coordinate is greater than { $q-greatest-dimension }
 say-correct-tool-length = with { $q-monitored-tool } not 0 and { $q-measuring-axis }=3 it corrects the tool length in the column DL of the tool table; if the deviation is greater than the breakage tolerance RBREAK, it shows an error message, stops the program run and locks the tool (column TL = L)
 say-correct-tool-radius__measure-coordinate = with { $q-monitored-tool } not 0 and { $q-measuring-axis }=1 or 2 it corrects the delta radius in the column DR of the tool table, in the sense that follows from { $q-traverse-direction }; if the deviation is greater than the breakage tolerance RBREAK, it shows an error message, stops the program run and locks the tool (column TL = L)
-note-coordinate-is-outside-dimension = The control assumes that an outside dimension (stud) is measured. The measuring status can be set right by a suitable choice of the greatest and the least dimension together with the probing direction.
+note-coordinate-is-outside-dimension = The control assumes that an outside dimension (stud) is measured. The measuring status can be corrected by a suitable choice of the greatest and the least dimension together with the probing direction.
 note-coordinate-corrects-radius-or-length = If an axis of the working plane is the measuring axis ({ $q-measuring-axis }=1 or 2), the control corrects the tool radius; the sense of the correction follows from the traverse direction { $q-traverse-direction }. If the touch probe axis is the measuring axis ({ $q-measuring-axis }=3), it corrects the tool length.
 
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Measure bolt-hole circle
     .nc = MEAS. BOLT HOLE CIRC
     .purpose = Measures the centre and the diameter of a bolt-hole circle by measuring three of its holes. If tolerances are defined in the cycle, the control compares nominal and actual values and stores the deviation in parameters.
-step-measure-centre-of-hole = The touch probe moves to the measuring height { $q-measuring-height } and determines the centre of the hole with four probings.
+step-measure-centre-of-hole = The touch probe moves to the measuring height { $q-measuring-height } and determines the centre of the hole by probing four points.
 step-travel-to-next-hole = The touch probe returns to the clearance height { $q-clearance-height } and is positioned at the entered centre of the next hole.
 until-three-holes-measured = the centres of all three holes have been determined
 say-part-is-scrap__measure-bolt-hole-circle = scrap (Q182=1) if the diameter is greater than { $q-greatest-dimension } or less than { $q-least-dimension }, or the centre deviates by more than { $q-centre-tolerance-main } or { $q-centre-tolerance-minor }
@@ -88,7 +88,7 @@ cycle-measure-angle = Measure angle
 say-travel-to-point-at-clearance-height = with { $q-traverse-to-clearance-height }=1 at clearance height { $q-clearance-height }
 say-travel-to-point-at-measuring-height = with { $q-traverse-to-clearance-height }=0 at measuring height { $q-measuring-height }
 step-retract-and-store-angle = The control returns the touch probe to the clearance height { $q-clearance-height } and stores the measured angle in the result parameter.
-note-angle-about-a-or-b = If the touch probe axis is the measuring axis ({ $q-measuring-axis }=3): to measure the angle about the A axis, enter the same value in { $q-first-point-main } and { $q-second-point-main }; to measure the angle about the B axis, enter different values there.
+note-angle-about-a-or-b = If the touch probe axis is the measuring axis ({ $q-measuring-axis }=3): to measure the angle about the A-axis, enter the same value in { $q-first-point-main } and { $q-second-point-main }; to measure the angle about the B-axis, enter different values there.
 note-results-shown-in-help-graphic = During the cycle definition the help graphic also shows the result parameters; the one highlighted belongs to the selected input parameter.
 note-results-shown-in-help-graphic__tnc426-430 = During the cycle definition the help graphic also shows the result parameters.
 result-measured-angle = Measured angle referenced to the main axis of the working plane
@@ -97,21 +97,21 @@ result-measured-angle = Measured angle referenced to the main axis of the workin
 cycle-measure-plane = Measure plane
     .nc = MEASURE PLANE
     .purpose = Measures the angles of a plane by measuring three points and stores the values in parameters.
-step-measure-first-point-of-plane = The control positions the touch probe at the programmed first touch point, at rapid traverse (value from the column { $mp-positioning-feed }) and with positioning logic, and measures the first point of the plane there. It offsets the touch probe by the set-up clearance against the probing direction.
-step-measure-first-point-of-plane__tnc426-430 = The control positions the touch probe at the programmed first touch point, at rapid traverse (value from { $mp-positioning-feed } or { $mp-analog-positioning-feed }) and with positioning logic, and measures the first point of the plane there. It offsets the touch probe by the set-up clearance against the probing direction.
+step-measure-first-point-of-plane = The control positions the touch probe at the programmed first touch point, at rapid traverse (value from the column { $mp-positioning-feed }) and with positioning logic, offset by the set-up clearance opposite to the probing direction, and measures the first point of the plane there.
+step-measure-first-point-of-plane__tnc426-430 = The control positions the touch probe at the programmed first touch point, at rapid traverse (value from { $mp-positioning-feed } or { $mp-analog-positioning-feed }) and with positioning logic, offset by the set-up clearance opposite to the probing direction, and measures the first point of the plane there.
 step-measure-second-point-of-plane = The touch probe returns to the clearance height { $q-clearance-height } and moves in the working plane to the second touch point, where the control measures the actual value of the second point of the plane.
 step-measure-third-point-of-plane = The touch probe returns to the clearance height { $q-clearance-height } and moves in the working plane to the third touch point, where the control measures the actual value of the third point of the plane.
 step-retract-and-store-plane-angles = The control returns the touch probe to the clearance height { $q-clearance-height } and stores the angles in the result parameters.
 guard-points-on-one-line = The three measuring points lie on a straight line. The control cannot calculate the angles of the plane.
 note-positioning-logic__measure-plane = Positioning logic: if the south pole of the stylus is below the clearance height { $q-clearance-height }, the control first retracts the touch probe in the probe axis to the clearance height and then positions it in the working plane at the first touch point. If it is above the clearance height, the control first positions the touch probe in the working plane at the first touch point and then moves it in the probe axis directly to the measuring height.
-note-three-points-not-on-a-line = The three measuring points must not lie on a straight line: only then can the control calculate the angles.
+note-three-points-not-on-a-line = The three measuring points must not lie on a straight line; otherwise the control cannot calculate the angles.
 note-spatial-angles-for-tilting = The parameters Q170 to Q172 hold the spatial angles that the function for tilting the working plane needs. The first two measuring points determine the direction of the main axis when the working plane is tilted.
-note-third-point-sets-tool-axis = The third measuring point determines the direction of the tool axis. Define it in the direction of the positive Y axis, so that the tool axis has its right place in a right-handed coordinate system.
+note-third-point-sets-tool-axis = The third measuring point determines the direction of the tool axis. Define it in the direction of the positive Y axis, so that the tool axis has the correct orientation in a right-handed coordinate system.
 note-spatial-angle-in-tilted-plane = If the cycle is executed with an active tilted working plane, the measured spatial angles refer to the tilted coordinate system. Use them in the function for tilting the working plane as incremental values.
-result-projection-angle-a = Projection angle of the A axis
-result-projection-angle-a__tnc426-430 = Angle of the A axis
-result-projection-angle-b = Projection angle of the B axis
-result-projection-angle-b__tnc426-430 = Angle of the B axis
+result-projection-angle-a = Projection angle of the A-axis
+result-projection-angle-a__tnc426-430 = Angle of the A-axis
+result-projection-angle-b = Projection angle of the B-axis
+result-projection-angle-b__tnc426-430 = Angle of the B-axis
 result-spatial-angle-a = Spatial angle A
 result-spatial-angle-b = Spatial angle B
 result-spatial-angle-c = Spatial angle C
@@ -134,7 +134,7 @@ note-trigger-position-of-ball-centre = Q115 to Q119 hold the coordinates of the 
 # --- 3 ---
 cycle-measuring = Measuring
     .nc = MEASURING
-    .purpose = Measures any position of the workpiece in a selectable probing direction. Unlike in the other measuring cycles, the measuring path and the measuring feed rate are entered directly in this cycle, and the retraction after the measurement is entered, too. It serves to make cycles of the machine builder.
+    .purpose = Measures any position of the workpiece in a selectable probing direction. Unlike in the other measuring cycles, the measuring path and the measuring feed rate are entered directly in this cycle, as is the retraction after the measurement. It is intended for special cycles created by the machine builder.
 cycle-measuring__tnc426-430 =
     .purpose = Measures any position of the workpiece in a selectable probing direction. Unlike in the other measuring cycles, the measuring feed rate is entered directly in this cycle. It is a measuring cycle for special uses.
 step-move-in-polar-direction = The touch probe moves from its present position at the entered feed rate in the programmed probing direction. The probing direction is defined in the cycle by a polar angle.

@@ -3,23 +3,23 @@
 # --- saved kinematics ---
 parameter-kinematics-memory-mode = Mode (0/1/2/3)
     .label = MODE
-    .help = Whether a kinematics is saved or restored.
+    .help = Defines whether the kinematics are saved or restored.
 parameter-kinematics-memory-mode__itnc530 = Mode (0/1/2)
 choice-save-kinematics = save the kinematics
 choice-save-kinematics__itnc530 = save the active kinematics
-choice-restore-kinematics = restore a saved kinematics
+choice-restore-kinematics = restore saved kinematics
 choice-show-saved-kinematics = show the present state of the memory
 choice-delete-saved-kinematics = delete a data record
 parameter-kinematics-memory-location = Memory designation
     .label = MEMORY DESIGNATION
-    .help = Number or name of the data record, at most 16 characters. There are 16 memory locations. It has no function in mode 2. In the modes 1 and 3 (restore and delete) it may contain wildcards. If several records match the wildcards, the mean values of their data are restored (mode 1), or all of them are deleted after confirmation (mode 3). Wildcards: ? is a single undefined character, $ a single letter, # a single undefined digit, * a string of any length.
+    .help = Number or name of the data record, at most 16 characters. There are 16 memory locations. The designation has no function in mode 2. In the modes 1 and 3 (restore and delete) it may contain wildcards. If several records match the wildcards, the mean values of their data are restored (mode 1), or all of them are deleted after confirmation (mode 3). Wildcards: ? is a single undefined character, $ a single letter, # a single undefined digit, * a string of any length.
 parameter-kinematics-memory-location__itnc530 = Memory location (0…9)
     .label = MEMORY LOCATION
-    .help = Number of the memory location in which the complete kinematics is saved, or from which the saved kinematics is restored. It has no function in mode 2.
+    .help = Number of the memory location in which the complete kinematics are saved, or from which the saved kinematics are restored. It has no function in mode 2.
 
 # --- preset compensation ---
 parameter-sphere-touch-points__preset-compensation = Number of measuring points
-    .help = Number of probings with which the control measures the calibration sphere in the plane.
+    .help = Number of points at which the control probes the calibration sphere in the plane.
 
 # --- calibration of touch probes ---
 parameter-calibration-sphere-probings = Number of probings in the plane (4/3)
@@ -34,7 +34,7 @@ parameter-kinematics-reference-angle__calibrate-on-stud =
     .help = Angle between the main axis of the working plane and the first touch point.
 parameter-length-calibration = Calibrate length (0/1)
     .label = CALIBRATE LENGTH
-    .help = Whether the control also calibrates the length of the touch probe after calibrating the radius.
+    .help = Defines whether the control also calibrates the length of the touch probe after calibrating the radius.
 choice-no-length-calibration = do not calibrate the length of the touch probe
 choice-length-calibration = calibrate the length of the touch probe
 parameter-length-reference = Datum for length
@@ -55,7 +55,7 @@ parameter-calibration-part-radius = Radius of calibration ring
     .help = Radius of the calibration part.
 parameter-calibration-inside-or-outside = Calibrate inside=0/calibrate outside=1
     .word = MEASURING MODE:
-    .help = Whether the control calibrates inside a ring or outside on a stud.
+    .help = Defines whether the control calibrates inside a ring or outside on a stud.
 choice-calibrate-inside = calibrate inside
 choice-calibrate-outside = calibrate outside
 
@@ -98,13 +98,13 @@ parameter-probing-angle = Probing angle
     .word = ANGLE:
     .help = Direction of traverse of the touch probe with respect to the direction of the lines.
 parameter-probing-angle__digitize-lines-analog =
-    .help = Direction of traverse of the touch probe with respect to the direction of the lines. Direction of lines and probing angle together give any digitizing direction.
+    .help = Direction of traverse of the touch probe with respect to the direction of the lines. Direction of lines and probing angle together allow any digitizing direction.
 parameter-feed-reduction-height = Height for feed rate reduction
     .word = HEIGHT:
     .help = Coordinate in the tool axis at which the control changes from rapid traverse to the probing feed rate at the beginning of each line.
 parameter-digitizing-time-limit = Time limit
     .word = TIME:
-    .help = Time within which the touch probe must reach the first touch point of a contour line again after one round. { $mp-contour-line-accuracy } determines how exactly the first touch point must be reached. If the time is exceeded, the control interrupts the digitizing cycle. With 0 there is no time limit.
+    .help = Time within which the touch probe must reach the first touch point of a contour line again after one round. { $mp-contour-line-accuracy } determines how accurately the first touch point must be reached. If the time is exceeded, the control interrupts the digitizing cycle. With 0 there is no time limit.
 parameter-contour-line-start = Starting point
     .help = Coordinates of the starting point in the working plane.
 parameter-contour-line-approach = Axis and direction of approach
@@ -116,16 +116,16 @@ parameter-contour-line-direction = Starting probe axis and direction
 
 # --- digitizing: feed rates, distances, tolerance ---
 parameter-digitizing-feed = Feed rate F
-    .help = Digitizing speed. The higher it is, the less exact are the digitized data.
+    .help = Digitizing speed. The higher it is, the less accurate the digitized data are.
 parameter-digitizing-first-line-feed = MIN. feed rate
     .help = Feed rate for digitizing the first line.
 parameter-digitizing-first-line-feed__digitize-contour-lines-analog =
     .help = Feed rate for digitizing the first contour line.
 parameter-least-line-spacing = MIN. line spacing
     .word = MIN.L.SPAC:
-    .help = If a value smaller than the line spacing is entered, the control reduces the line spacing down to this minimum where the contour is steep. In this way the points are equally dense on very irregular surfaces as well.
+    .help = If a value smaller than the line spacing is entered, the control reduces the line spacing down to this minimum where the contour is steep. In this way the points are equally dense even on very irregular surfaces.
 parameter-least-line-spacing__digitize-contour-lines-analog =
-    .help = If a value smaller than the line spacing is entered, the control reduces the line spacing down to this minimum where the contour is flat. In this way the points are equally dense on very irregular surfaces as well.
+    .help = If a value smaller than the line spacing is entered, the control reduces the line spacing down to this minimum where the contour is flat. In this way the points are equally dense even on very irregular surfaces.
 parameter-line-spacing = Line spacing
     .word = L.SPAC:
     .help = Offset of the touch probe at the end of a line, that is, the distance between two lines.
@@ -134,7 +134,7 @@ parameter-signed-line-spacing = Line spacing and direction
     .help = Offset of the touch probe when it reaches the starting point of a contour line. The sign determines the direction of the offset.
 parameter-point-spacing = MAX. point spacing
     .word = P.SPAC:
-    .help = Greatest distance between the points that the control stores. It also considers points that are important and critical for the form of the part, for example in inside corners.
+    .help = Greatest distance between the points that the control stores. It also takes into account points that are important and critical for the form of the part, for example in inside corners.
 parameter-point-spacing__digitize-lines =
     .help = Greatest distance between the points that the control stores.
 parameter-point-spacing__digitize-lines-analog =

@@ -3,7 +3,7 @@
 # --- recess turning and recessing ---
 parameter-recess-clearance = Set-up clearance
     .label = SAFETY CLEARANCE
-    .help = Reserved, at present without function.
+    .help = Reserved, currently without function.
 parameter-flank-angle__extended-radial-recess-turning =
     .help = Angle between the flank at the contour starting point and the perpendicular to the rotary axis.
 parameter-flank-angle__extended-radial-recessing =
@@ -84,7 +84,7 @@ parameter-thread-cutting-depth = Maximum cutting depth
     .label = MAX. CUTTING DEPTH
     .help = Greatest cutting depth perpendicular to the thread pitch.
 parameter-thread-cutting-depth__longitudinal-thread =
-    .help = Greatest infeed depth in radial direction, referred to the radius.
+    .help = Greatest infeed depth in the radial direction, referred to the radius.
 parameter-thread-infeed-angle = Infeed angle
     .label = INFEED ANGLE
     .help = Angle at which the infeed { $q-thread-cutting-depth } is made. The reference for the angle is parallel to the thread pitch.

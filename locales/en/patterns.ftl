@@ -13,7 +13,7 @@ say-in-a-straight-line = { $q-pattern-traverse-type } = 0: in a straight line
 until-all-operations-done = all { $q-number-of-operations } machining operations are done
 condition-stepping-angle-computed = no stepping angle { $q-pattern-stepping-angle } is entered
 guard-pattern-angles-equal = Starting angle and stopping angle are equal. Enter different angles, or a stepping angle.
-note-pattern-is-def-active = The cycle acts from its definition: it calls the machining cycle that was defined last by itself.
+note-pattern-is-def-active = The cycle acts from its definition: it automatically calls the machining cycle that was defined last.
 note-pattern-overrides-heights = If one of the machining cycles 200 to 209 and 251 to 267 is combined with this cycle, the set-up clearance { $q-set-up-clearance }, the workpiece surface coordinate { $q-surface-coordinate } and the 2nd set-up clearance { $q-second-set-up-clearance } of this cycle apply.
 note-pattern-combinations = The cycle can be combined with the machining cycles 200 to 209, 240, 251 to 253, 256, 257, 262 to 265 and 267. Cycle 254 (circular slot) can only be combined with cycle 221.
 note-pattern-alternatives = For irregular point patterns use point tables with CYCL CALL PAT. More regular point patterns are available with the function PATTERN DEF.

@@ -25,12 +25,12 @@ note-sign-of-thread-depth = The sign of the thread depth { $q-thread-depth } det
 note-thread-depth-gives-direction = The sign of the thread depth { $q-thread-depth } determines the working direction.
 note-positive-thread-depth-reverses = Danger of collision! With a positive depth the control reverses the calculation of the pre-position: at rapid traverse the tool moves in the tool axis to the set-up clearance below the workpiece surface.
 note-floating-tap-holder = The tool must be clamped in a floating tap holder, which evens out tolerances of feed rate and spindle speed during machining.
-note-overrides-while-tapping = While the cycle is executed, the override knob for the spindle speed does not act. That for the feed rate still acts in part; the machine manufacturer determines how (consult the machine manual).
+note-overrides-while-tapping = While the cycle is executed, the override knob for the spindle speed does not act. The override knob for the feed rate still acts in part; the machine builder determines how (consult the machine manual).
 note-right-hand-with-m3 = Activate the spindle with M3 for right-hand threads, with M4 for left-hand threads.
 note-feed-from-speed-and-pitch = Determine the feed rate with F = S × p. F: feed rate (mm/min), S: spindle speed (rev/min), p: thread pitch (mm).
 note-retract-after-interruption = If the external stop key is pressed during tapping, the control shows a soft key with which the tool can be retracted.
-note-feed-follows-spindle-speed = The control calculates the feed rate from the spindle speed. If the override knob for the feed rate is turned during tapping, the control adapts the feed rate by itself. The override knob for the spindle speed is not active.
-note-spindle-stopped-after-tapping = At the end of the cycle the spindle is stopped. Switch it on again with M3 (or M4) before the next machining.
+note-feed-follows-spindle-speed = The control calculates the feed rate from the spindle speed. If the override knob for the feed rate is turned during tapping, the control adapts the feed rate automatically. The override knob for the spindle speed is not active.
+note-spindle-stopped-after-tapping = At the end of the cycle the spindle is stopped. Switch it on again with M3 (or M4) before the next machining operation.
 note-retract-by-soft-key = If the external stop key is pressed during tapping, the control shows the soft key for manual traverse. After it is pressed, the tool can be retracted under control with the positive direction key of the active spindle axis.
 note-retraction-speed-is-limited = If a speed factor for a faster retraction is defined in { $q-retraction-speed-factor }, the control limits the speed to the highest one permitted in the active gear range.
 
@@ -62,7 +62,7 @@ step-feed-to-start-plane-of-helix = The tool moves at the feed rate for pre-posi
 step-approach-thread-and-compensate = The tool moves tangentially on a helix to the thread diameter { $q-nominal-diameter }. While it does so, it also makes a compensating movement in the tool axis, so that the path of the thread begins in the programmed starting plane.
 step-approach-thread = The tool moves tangentially on a helix to the thread diameter { $q-nominal-diameter }.
 step-approach-and-mill-one-turn = The tool moves tangentially on a helix to the thread diameter { $q-nominal-diameter } and mills the thread with a helical movement of 360°.
-step-mill-thread-in-turns = The tool mills the thread at the feed rate { $q-milling-feed }, as the threads per step { $q-threads-per-step } say:
+step-mill-thread-in-turns = The tool mills the thread at the feed rate { $q-milling-feed }, as defined by the threads per step { $q-threads-per-step }:
 say-thread-in-one-turn = { $q-threads-per-step } = 0: in one helical movement
 say-thread-on-continuous-helix = { $q-threads-per-step } = 1: in one continuous helical movement
 say-thread-on-several-helices = { $q-threads-per-step } > 1: in several offset helical movements
@@ -95,7 +95,7 @@ guard-thread-near-hole-depth = The thread depth must be less than the total hole
 # --- thread milling: notes ---
 note-thread-approach-on-half-circle = The thread diameter is approached on a half circle from the centre outwards. If the tool diameter is four times smaller than the thread diameter, the tool is pre-positioned to the side.
 note-compensation-before-approach = Before the approach the control makes a compensating movement in the tool axis, which is at most half the thread pitch. Make sure that there is enough room in the hole.
-note-thread-depth-moves-start = If the thread depth is changed, the control changes the starting point of the helical movement by itself.
+note-thread-depth-moves-start = If the thread depth is changed, the control changes the starting point of the helical movement automatically.
 note-depths-give-direction = The signs of the depth parameters determine the working direction, in this order: 1. thread depth { $q-thread-depth }, 2. countersinking depth { $q-countersinking-depth }, 3. depth at front { $q-depth-at-front }.
 note-depths-give-direction__thread-drilling-milling = The signs of the depth parameters determine the working direction, in this order: 1. thread depth { $q-thread-depth }, 2. total hole depth { $q-total-hole-depth }, 3. depth at front { $q-depth-at-front }.
 note-two-depths-give-direction = The signs of the depth parameters determine the working direction, in this order: 1. thread depth { $q-thread-depth }, 2. depth at front { $q-depth-at-front }.
@@ -114,5 +114,5 @@ note-direction-of-inside-thread = The working direction depends on the sign of t
 note-direction-of-outside-thread = The working direction depends on the sign of the thread pitch { $q-thread-pitch } and on the milling type { $q-milling-type }. With clockwise tools and outside threads: right-hand (+) with climb milling (+1, RL): Z−; left-hand (−) with up-cut milling (−1, RR): Z−; right-hand (+) with up-cut milling (−1, RR): Z+; left-hand (−) with climb milling (+1, RL): Z+.
 note-feed-of-cutting-edge = When milling threads, the control refers the programmed feed rate to the cutting edge. Since it displays the feed rate of the path of the tool centre, the displayed value differs from the programmed one.
 note-mirroring-turns-thread = The direction of the thread changes if the cycle is executed together with cycle 8 (mirroring) in only one axis.
-note-same-signs-of-depths = Danger of collision! Always enter the same sign for all depths, since the cycles contain several sequences that do not depend on each other. To repeat, for example, only the countersinking, enter 0 as thread depth; the countersinking depth then determines the working direction.
+note-same-signs-of-depths = Danger of collision! Always enter the same sign for all depths, since the cycles contain several sequences that do not depend on each other. To repeat, for example, only the countersinking, enter 0 as the thread depth; the countersinking depth then determines the working direction.
 note-tool-breakage-in-thread = If the tool breaks while a thread is cut: stop the program run, change to the mode Positioning with Manual Data Input and move the tool on a straight line to the centre of the hole. Then retract the tool in the infeed axis and change it.

@@ -9,7 +9,7 @@ note-transform-reset-ways = A coordinate transformation is reset by defining the
 # --- 7 ---
 cycle-datum-shift = Datum shift
     .nc = DATUM SHIFT
-    .purpose = Repeats machining operations at any position of the workpiece. After the definition all coordinates refer to the new datum. The shift is given in the program or taken from a datum table, for example for operations that recur at several positions, or for a shift that is needed often.
+    .purpose = Shifts the datum, so that machining operations can be repeated at any position on the workpiece. After the definition all coordinates refer to the new datum. The shift is given in the program or taken from a datum table, for example for operations that recur at several positions, or for a shift that is needed often.
 step-shift-datum = The control shifts the datum:
 say-shift-by-table-row = with a row number: by the values of that row of the active datum table
 say-shift-by-coordinates = with coordinates: in each programmed axis to the given coordinate; absolute values refer to the workpiece datum, incremental values to the datum that was valid last
@@ -17,14 +17,14 @@ note-reset-datum-shift = To reset the datum shift, program a shift to the coordi
 note-rotary-axes-may-be-shifted = Rotary axes may be entered, too.
 note-datum-shift-in-status-display = The additional status display shows the datum shift in each axis.
 note-datum-table-refers-to-preset = Danger of collision! Datums of a datum table always and exclusively refer to the current preset.
-note-select-datum-table-in-program = If datums are taken from a datum table, activate the wanted table in the program with the function SEL TABLE, in a block before this cycle. It stays active until another datum table is selected with SEL TABLE or with PGM MGT. To program SEL TABLE, press the key PGM CALL and the soft key for datum tables, enter the full path of the table or select the file with a soft key, and confirm with the key END.
-note-select-datum-table-before-run = Without SEL TABLE the wanted datum table must be activated with the file manager before the test run or the program run (this also applies to the programming graphics): in the mode Test Run it then has the status S, in a program run mode the status M.
+note-select-datum-table-in-program = If datums are taken from a datum table, activate the required table in the program with the function SEL TABLE, in a block before this cycle. It stays active until another datum table is selected with SEL TABLE or with PGM MGT. To program SEL TABLE, press the key PGM CALL and the soft key for datum tables, enter the full path of the table or select the file with a soft key, and confirm with the key END.
+note-select-datum-table-before-run = Without SEL TABLE the required datum table must be activated with the file manager before the test run or the program run (this also applies to the programming graphics): in the mode Test Run it then has the status S, in a program run mode the status M.
 note-datum-table-is-absolute = Coordinate values of datum tables act only as absolute values.
 note-datum-table-rows-at-end = New rows can only be added at the end of the datum table.
 note-datum-table-name-begins-with-letter = The file name of a new datum table must begin with a letter.
-note-save-datum-table-changes = After changing a value in a datum table, save the change with the key ENT. Otherwise it is not considered when the program is run.
+note-save-datum-table-changes = After changing a value in a datum table, save the change with the key ENT. Otherwise it has no effect when the program is run.
 note-edit-datum-table = A datum table is edited in the mode Programming and Editing: call the file manager with the key PGM MGT, show the files of the type .D with the soft keys, and select a table or enter a new file name. Soft keys go to the beginning, the end, the next or previous page, or the beginning or end of a row, insert a row or several rows at the end, delete a row, find, and copy and insert a value. To leave the table, show another file type in the file manager and select the wanted file.
-note-datum-table-columns = If no datum is wanted for an active axis, clear its entry with the key DEL. The properties of the columns can be edited after the code number 555343 is entered in the MOD menu; the soft key EDIT FORMAT then shows the columns with their properties. Changes apply only to the table that is open.
+note-datum-table-columns = If no datum is to be defined for an active axis, clear its entry with the key DEL. The properties of the columns can be edited after the code number 555343 is entered in the MOD menu; the soft key EDIT FORMAT then shows the columns with their properties. Changes apply only to the table that is open.
 note-datum-row-in-status-display = The additional status display shows name and path of the active datum table, the number of the active datum, and its comment from the column DOC.
 
 # --- 10 ---
@@ -43,11 +43,11 @@ note-program-radius-compensation-again = The definition of the cycle cancels an 
 # --- 247 ---
 cycle-activate-preset = Datum setting
     .nc = DATUM SETTING
-    .purpose = Activates a preset of the preset table as new datum.
+    .purpose = Activates a preset of the preset table as the new datum.
 step-activate-preset = The control activates the preset { $q-preset-number } of the preset table as datum.
 step-cancel-transforms-of-preset = It resets datum shift, mirroring, rotation, scaling factor and axis-specific scaling factor.
 note-coordinates-refer-to-new-preset = After the definition all coordinates and datum shifts (absolute and incremental) refer to the new preset.
 note-preset-cancels-transforms = When a datum of the preset table is activated, the control resets datum shift, mirroring, rotation, scaling factor and axis-specific scaling factor.
 note-preset-zero = Preset number 0 (row 0) activates the datum that was last set manually in the mode Manual Operation.
 note-preset-not-in-test-run = The cycle does not act in the mode Test Run.
-note-preset-in-status-display = The status display shows the number of the active preset behind the datum symbol; the additional status display (position display) shows it behind the datum.
+note-preset-in-status-display = The status display shows the number of the active preset after the datum symbol; the additional status display (position display) shows it after the datum.

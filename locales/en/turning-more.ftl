@@ -3,42 +3,42 @@
 # --- 841, 842, 840, 851, 852, 850 ---
 cycle-simple-radial-recess-turning = Simple radial recess turning
     .nc = SIMPLE RECESS TURNING, RADIAL
-    .purpose = Machines rectangular grooves in longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines rectangular grooves in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-extended-radial-recess-turning = Extended radial recess turning
     .nc = EXTENDED RECESS TURNING, RADIAL
-    .purpose = Machines grooves in longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Machines grooves in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-radial-contour-recess-turning = Radial contour recess turning
     .nc = CONTOUR RECESS TURNING, RADIAL
-    .purpose = Machines grooves of any shape in longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines grooves of any shape in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-simple-axial-recess-turning = Simple axial recess turning
     .nc = SIMPLE RECESS TURNING, AXIAL
-    .purpose = Machines rectangular grooves in transverse direction (on a face) by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines rectangular grooves in the transverse direction (on a face) by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-extended-axial-recess-turning = Extended axial recess turning
     .nc = EXTENDED RECESS TURNING, AXIAL
-    .purpose = Machines grooves in transverse direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Machines grooves in the transverse direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-axial-contour-recess-turning = Axial contour recess turning
     .nc = CONTOUR RECESS TURNING, AXIAL
-    .purpose = Machines grooves of any shape in transverse direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines grooves of any shape in the transverse direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Radial recessing
     .nc = RADIAL RECESSING
-    .purpose = Recesses rectangular grooves radially: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts rectangular grooves radially: roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-extended-radial-recessing = Extended radial recessing
     .nc = EXTENDED RADIAL RECESSING
-    .purpose = Recesses grooves radially: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Cuts grooves radially: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-radial-contour-recessing = Radial contour recessing
     .nc = RADIAL CONTOUR RECESSING
-    .purpose = Recesses grooves of any shape radially: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts grooves of any shape radially: roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-axial-recessing = Axial recessing
     .nc = AXIAL RECESSING
-    .purpose = Recesses rectangular grooves axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts rectangular grooves axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis.
 cycle-extended-axial-recessing = Extended axial recessing
     .nc = EXTENDED AXIAL RECESSING
-    .purpose = Recesses grooves axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Cuts grooves axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-axial-contour-recessing = Axial contour recessing
     .nc = AXIAL CONTOUR RECESSING
-    .purpose = Recesses grooves of any shape axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts grooves of any shape axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 831, 832, 830 ---
 cycle-longitudinal-thread = Longitudinal thread
@@ -61,8 +61,8 @@ step-rapid-to-first-recess-z = The control positions the tool in Z at rapid trav
 step-rapid-to-first-recess-x = The control positions the tool in X at rapid traverse (first recessing position).
 step-recess-from-start-to-first-depth = The control recesses from the starting point of the cycle to the first plunging depth.
 step-recess-to-first-depth = The control recesses to the first plunging depth.
-step-rough-groove-lengthwise = The control roughs the area between the starting position and the end point in longitudinal direction at the feed rate { $q-turning-roughing-feed }.
-step-rough-groove-crosswise = The control roughs the area between the starting position and the end point in transverse direction at the feed rate { $q-turning-roughing-feed }.
+step-rough-groove-lengthwise = The control roughs the area between the starting position and the end point in the longitudinal direction at the feed rate { $q-turning-roughing-feed }.
+step-rough-groove-crosswise = The control roughs the area between the starting position and the end point in the transverse direction at the feed rate { $q-turning-roughing-feed }.
 step-choose-side-of-next-recess = The machining direction { $q-recess-direction } determines where the next infeed is made:
 say-lift-off-and-return = { $q-recess-direction } = 1 (one direction only): the control lifts the tool off by the set-up clearance, returns it at rapid traverse and approaches the contour again at the defined feed rate
 say-infeed-at-both-sides = { $q-recess-direction } = 0 (both directions): the infeed is made on both sides
@@ -70,8 +70,8 @@ step-recess-to-next-depth = The tool recesses to the next plunging depth.
 until-groove-depth-reached = the depth of the groove is reached
 step-recess-at-both-walls = The control positions the tool at the set-up clearance again and makes one recess at each side wall.
 step-infeed-parallel-to-axis = The control makes an infeed parallel to the axis at rapid traverse. The lateral infeed is 0.8 times the cutting width.
-step-recess-radially = The control machines the area between the starting position and the end point in radial direction at the feed rate { $q-turning-roughing-feed }.
-step-recess-axially = The control machines the area between the starting position and the end point in axial direction at the feed rate { $q-turning-roughing-feed }.
+step-recess-radially = The control machines the area between the starting position and the end point in the radial direction at the feed rate { $q-turning-roughing-feed }.
+step-recess-axially = The control machines the area between the starting position and the end point in the axial direction at the feed rate { $q-turning-roughing-feed }.
 until-groove-width-reached = the width of the groove is reached
 until-groove-shape-reached = the shape of the groove is reached
 
@@ -100,9 +100,9 @@ step-cut-thread-along-contour = The control cuts the thread parallel to the defi
 step-lift-off-thread = The control lifts the tool off at rapid traverse by the set-up clearance.
 step-infeed-at-angle = The control makes an infeed. The infeeds follow the infeed angle { $q-thread-infeed-angle }.
 until-thread-depth-reached = the depth of the thread is reached
-step-make-air-cuts = The control makes as many air cuts as { $q-number-of-air-cuts } defines.
+step-make-air-cuts = The control makes the number of air cuts defined in { $q-number-of-air-cuts }.
 step-infeed-for-next-start = For the next start the control takes the tool back to the first infeed. The cut begins at an angle of the spindle that is turned by the spacing of the starts.
-until-all-thread-starts-cut = as many thread starts as { $q-number-of-thread-starts } defines have been cut
+until-all-thread-starts-cut = all { $q-number-of-thread-starts } thread starts have been cut
 
 # --- conditions ---
 condition-cutting-limit-wanted = { $q-cutting-limit } = 1
@@ -113,12 +113,12 @@ condition-end-diameter-given = { $q-taper-dimensioning } defines the taper with 
 condition-end-z-given = { $q-taper-dimensioning } defines the taper with the Z coordinate of the contour end
 
 # --- errors ---
-guard-recess-offset-too-great = The lateral offset is more than 80 % of the effective cutting width, which is the cutting width less twice the cutting radius.
+guard-recess-offset-too-great = The lateral offset is more than 80% of the effective cutting width, which is the cutting width less twice the cutting radius.
 
 # --- notes: grooves ---
 note-recess-turning-alternates = In recess turning, recesses to the plunging depth and roughing cuts alternate. Machining thus needs as few retractions and infeeds as possible.
 note-groove-extended-scope = Extended scope: a chamfer or a rounding can be added at the start and at the end of the contour; angles can be defined for the side walls of the groove; radii can be added at the corners of the contour.
-note-recess-cuts-get-shorter = After the second infeed the control shortens each further cut by 0.1 mm. This reduces the lateral load on the tool. If an offset width { $q-recess-offset-width } is entered in the cycle, the cut is shortened by that value instead. The material left over is removed with one recessing movement at the end of recessing. If the lateral offset exceeds 80 % of the effective cutting width (cutting width − 2 × cutting radius), the control shows an error message.
+note-recess-cuts-get-shorter = After the second infeed the control shortens each further cut by 0.1 mm. This reduces the lateral load on the tool. If an offset width { $q-recess-offset-width } is entered in the cycle, the cut is shortened by that value instead. The material left over is removed with one recessing movement at the end of recessing. If the lateral offset exceeds 80% of the effective cutting width (cutting width − 2 × cutting radius), the control shows an error message.
 title-groove-with-chamfers = Groove with chamfers in a turned shoulder (worked program)
 
 # --- notes: threads ---
@@ -128,8 +128,8 @@ note-standard-thread-depth__longitudinal-thread = If no thread depth is entered 
 note-thread-outside-or-inside = The cycle can be used for outside and for inside machining.
 note-extended-thread-scope = Extended scope: a longitudinal or a face thread can be selected; the parameters for the type of taper dimensioning, the taper angle and the contour starting point in X define various tapered threads; the starting path and the overrun path define the distances in which the feed axis is accelerated and decelerated.
 note-overrun-after-contour = Danger of collision! Cycle { $cycle } moves on by the overrun path { $q-overrun-path } after the programmed contour. Take the available space into account.
-note-clearance-is-starting-path = The control uses the set-up clearance { $q-thread-clearance } as starting path. It must be long enough for the feed axes to be accelerated to the required speed.
-note-pitch-is-overrun-path = The control uses the thread pitch { $q-turned-thread-pitch } as overrun path. It must be long enough for the feed axes to be decelerated.
+note-clearance-is-starting-path = The control uses the set-up clearance { $q-thread-clearance } as the starting path. It must be long enough for the feed axes to be accelerated to the required speed.
+note-pitch-is-overrun-path = The control uses the thread pitch { $q-turned-thread-pitch } as the overrun path. It must be long enough for the feed axes to be decelerated.
 note-extended-thread-has-paths = Cycle 832 has parameters for the starting path and the overrun path.
 note-starting-path-long-enough = The starting path { $q-starting-path } must be long enough for the feed axes to be accelerated to the required speed.
 note-overrun-path-long-enough = The overrun path { $q-overrun-path } must be long enough for the feed axes to be decelerated.
@@ -142,4 +142,4 @@ note-thread-retracts-directly = Danger of collision! The tool retracts on the di
 note-contour-by-cycle-14 = The contour is described in a subprogram, with path functions or FK functions. Before the cycle call, program cycle 14 (contour) to define the number of the subprogram.
 note-local-parameters-in-contour = If local parameters QL are used in the contour subprogram, they must also be assigned or calculated in the contour subprogram.
 note-cutting-limit-limits-area = The cutting limit limits the area of the contour that is machined. Approach and departure paths may cross the cutting limit.
-note-cutting-limit-by-tool-position = The position of the tool before the cycle call affects how the cutting limit acts: the control removes the material on the side of the cutting limit on which the tool stands before the cycle call.
+note-cutting-limit-by-tool-position = The position of the tool before the cycle call affects how the cutting limit acts: the control removes the material on the side of the cutting limit on which the tool is before the cycle call.

@@ -3,8 +3,8 @@
 # --- common sentences of the turning cycles ---
 group-turning-roughing = Roughing
 group-turning-finishing = Finishing
-step-rapid-radial-infeed = The control advances the tool in radial direction, parallel to the axis, at rapid traverse. It computes the infeed from the maximum cutting depth { $q-max-cutting-depth }.
-step-cut-longitudinally = The control machines the area between the starting position and the end point in longitudinal direction at the feed rate { $q-turning-roughing-feed }.
+step-rapid-radial-infeed = The control advances the tool in the radial direction, parallel to the axis, at rapid traverse. It calculates the infeed from the maximum cutting depth { $q-max-cutting-depth }.
+step-cut-longitudinally = The control machines the area between the starting position and the end point in the longitudinal direction at the feed rate { $q-turning-roughing-feed }.
 step-retract-by-infeed = The control retracts the tool by the infeed at the defined feed rate:
 say-follow-contour-within-infeed = with { $q-contour-smoothing } = 0 along the contour, within the infeed range
 say-lift-off-at-45-degrees = otherwise at an angle of 45°
@@ -30,90 +30,90 @@ note-position-at-starting-position = Before the cycle call, program a positionin
 note-position-at-safe-position = Before the cycle call, program a positioning block to a safe position with radius compensation R0.
 note-tool-position-determines-area = The position of the tool at the cycle call (the starting point of the cycle) determines the size of the area to be machined.
 note-tool-position-influences-area = The position of the tool at the cycle call (the starting point of the cycle) influences the area to be machined.
-note-pre-positioning-influences-time = The pre-positioning of the tool strongly influences the working range of the cycle and therefore the machining time. In roughing, the starting point of the cycle is the position of the tool at the cycle call. The control computes the area to be machined from the starting point and from the end point or contour defined in the cycle. If the starting point lies within this area, some cycles first move the tool to the set-up clearance.
+note-pre-positioning-influences-time = The pre-positioning of the tool strongly influences the working range of the cycle and therefore the machining time. In roughing, the starting point of the cycle is the position of the tool at the cycle call. The control calculates the area to be machined from the starting point and from the end point or contour defined in the cycle. If the starting point lies within this area, some cycles first move the tool to the set-up clearance.
 note-finishing-approach-from-envelope = Danger to tool and workpiece! In finishing, the cycle moves the tool to the starting point automatically. How it approaches depends on the position of the tool at the cycle call: inside or outside the envelope, which is the programmed contour enlarged by the set-up clearance { $q-turning-clearance }. If the tool is inside the envelope, it moves at the defined feed rate on a direct path to the starting position, which can damage the contour: position the tool so that it can reach the starting position without damage to the contour. If the tool is outside the envelope, it moves at rapid traverse up to the envelope, and at the programmed feed rate within it.
-note-cutting-geometry-considered = The control considers the cutting geometry of the tool ({ $mp-tool-orientation }, { $mp-cutting-edge-radius }, { $mp-point-angle }, { $mp-tool-angle }) so that the defined contour elements cannot be damaged. If the contour cannot be machined completely with the active tool, the control shows a warning.
+note-cutting-geometry-considered = The control takes into account the cutting geometry of the tool ({ $mp-tool-orientation }, { $mp-cutting-edge-radius }, { $mp-point-angle }, { $mp-tool-angle }) so that the defined contour elements cannot be damaged. If the contour cannot be machined completely with the active tool, the control shows a warning.
 note-feed-rates-with-m136 = If M136 is programmed before the cycle, the control interprets the feed rates in the cycle in mm/rev, without M136 in mm/min.
-note-inclined-turning = If the cycle is executed during inclined machining (M144), the angles of the tool relative to the contour change. The control considers this change automatically and thus also monitors machining in the inclined position for damage to the contour.
+note-inclined-turning = If the cycle is executed during inclined machining (M144), the angles of the tool relative to the contour change. The control automatically takes this change into account and thus also monitors machining in the inclined position for damage to the contour.
 note-blank-form-update = With blank form update (FUNCTION TURNDATA BLANK) the control recognizes areas that are already machined and adapts all approach and departure paths to the individual operations. It is available only in a machining cycle in the turning mode; the blank must be a closed contour (starting position = end position) and is the cross-section of a rotationally symmetric body.
 note-finished-part-beyond-blank = With blank form update the control adapts approach and retraction to the updated blank. If areas of the finished part extend beyond the blank, workpiece and tool can be damaged.
-step-rapid-axial-infeed = The control advances the tool in axial direction, parallel to the axis, at rapid traverse. It computes the infeed from the maximum cutting depth { $q-max-axial-cutting-depth }.
-step-cut-across-axis = The control machines the area between the starting position and the end point in face direction at the feed rate { $q-turning-roughing-feed }.
-step-cut-contour-longitudinally = The control machines the area between the starting position and the end point in longitudinal direction. The longitudinal cut runs parallel to the axis at the feed rate { $q-turning-roughing-feed }.
-step-cut-contour-across-axis = The control machines the area between the starting position and the end point in face direction. The face cut runs parallel to the axis at the feed rate { $q-turning-roughing-feed }.
+step-rapid-axial-infeed = The control advances the tool in the axial direction, parallel to the axis, at rapid traverse. It calculates the infeed from the maximum cutting depth { $q-max-axial-cutting-depth }.
+step-cut-across-axis = The control machines the area between the starting position and the end point in the transverse direction at the feed rate { $q-turning-roughing-feed }.
+step-cut-contour-longitudinally = The control machines the area between the starting position and the end point in the longitudinal direction. The longitudinal cut runs parallel to the axis at the feed rate { $q-turning-roughing-feed }.
+step-cut-contour-across-axis = The control machines the area between the starting position and the end point in the transverse direction. The face cut runs parallel to the axis at the feed rate { $q-turning-roughing-feed }.
 step-cut-parallel-to-contour = The control machines the area between the starting position and the end point. The cut runs parallel to the contour at the feed rate { $q-turning-roughing-feed }.
 step-retract-to-starting-position-in-x = The control retracts the tool at the defined feed rate to the starting position in X.
 step-clear-area-in-x-then-z = If the starting point (the position of the tool at the cycle call) lies within the area to be machined, the control positions the tool in X and then in Z at the set-up clearance { $q-turning-clearance } and starts the cycle from there.
 step-clear-area-in-z-then-x = If the starting point (the position of the tool at the cycle call) lies within the area to be machined, the control positions the tool in Z and then in X at the set-up clearance { $q-turning-clearance } and starts the cycle from there.
 step-clear-area-in-z = If the starting point lies within the area to be machined, the control first positions the tool in Z at the set-up clearance { $q-turning-clearance }.
 step-clear-plunging-start-in-z = If the Z coordinate of the starting point (the position of the tool at the cycle call) is less than the contour start { $q-plunging-start-z }, the control positions the tool in Z at the set-up clearance { $q-turning-clearance } and starts the cycle from there.
-step-clear-contour-start-in-z = If the Z coordinate of the starting point (the position of the tool at the cycle call) is less than the starting point of the contour, the control positions the tool in Z at the set-up clearance { $q-turning-clearance } and starts the cycle from there.
+step-clear-contour-start-in-z = If the Z coordinate of the starting point (the position of the tool at the cycle call) is less than that of the starting point of the contour, the control positions the tool in Z at the set-up clearance { $q-turning-clearance } and starts the cycle from there.
 step-clear-contour-start-before-finishing = { step-clear-contour-start-in-z }
-step-position-at-contour-start-in-z = If the Z coordinate of the starting point (the position of the tool at the cycle call) is less than the starting point of the contour, the control positions the tool in Z at the starting point of the contour and starts the cycle from there.
+step-position-at-contour-start-in-z = If the Z coordinate of the starting point (the position of the tool at the cycle call) is less than that of the starting point of the contour, the control positions the tool in Z at the starting point of the contour and starts the cycle from there.
 step-rapid-infeed = The control advances the tool at rapid traverse.
 step-finish-turned-contour-to-end = The control finishes the contour of the workpiece, from the starting point to the end point of the contour, at the feed rate { $q-turning-finishing-feed }.
 condition-start-element-added = { $q-start-element-type } adds an element at the start of the contour
 condition-end-element-added = { $q-end-element-type } adds an element at the end of the contour
 condition-undercuts-machined = { $q-undercut-machining } allows plunging elements to be machined
 note-area-from-starting-point-to-end-point = In roughing, the cycle machines the area from the starting point of the cycle to the end point defined in the cycle.
-note-infeed-within-undercut = Within the undercut the control advances the tool at the feed rate { $q-turning-roughing-feed }. Each retraction there is by the set-up clearance { $q-turning-clearance }.
+note-infeed-within-undercut = Within the undercut the control advances the tool at the feed rate { $q-turning-roughing-feed }. Each retraction there is equal to the set-up clearance { $q-turning-clearance }.
 note-contour-direction-decides = The programmed direction of the contour determines the direction of machining.
 title-shoulder-with-recess = Shoulder with recess
 
 # --- 811 ---
 cycle-turn-shoulder-longitudinal = Turn shoulder longitudinal
     .nc = SHOULDER, LONGITDNL.
-    .purpose = Turns right-angled shoulders in longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns right-angled shoulders in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 812 ---
 cycle-turn-shoulder-longitudinal-extended = Turn shoulder longitudinal, extended
     .nc = SHOULDER, LONG. EXT.
-    .purpose = Turns shoulders in longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts run parallel to the axis.
+    .purpose = Turns shoulders in the longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts run parallel to the axis.
 
 # --- 813 ---
 cycle-turn-plunge-longitudinal = Turn plunge longitudinal
     .nc = TURN, LONG. PLUNGE
-    .purpose = Turns shoulders with plunging elements (undercuts) in longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns shoulders with plunging elements (undercuts) in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 814 ---
 cycle-turn-plunge-longitudinal-extended = Turn plunge longitudinal, extended
     .nc = TURN, LONG. PLUNGE EXT.
-    .purpose = Turns shoulders with plunging elements (undercuts) in longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts run parallel to the axis.
+    .purpose = Turns shoulders with plunging elements (undercuts) in the longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts run parallel to the axis.
 
 # --- 810 ---
 cycle-turn-contour-longitudinal = Turn contour longitudinal
     .nc = TURN CONTOUR LONG.
-    .purpose = Turns workpieces with any turning contour, which a subprogram describes, in longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns workpieces with any turning contour described in a subprogram, in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 815 ---
 cycle-turn-contour-parallel = Turn contour-parallel
     .nc = CONTOUR-PARALLEL
-    .purpose = Turns workpieces with any turning contour, which a subprogram describes, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the contour.
+    .purpose = Turns workpieces with any turning contour described in a subprogram, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the contour.
 
 # --- 821 ---
 cycle-turn-shoulder-face = Turn shoulder face
     .nc = SHOULDER, FACE
-    .purpose = Face turns right-angled shoulders, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns right-angled shoulders in the transverse direction (face turning), outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 822 ---
 cycle-turn-shoulder-face-extended = Turn shoulder face, extended
     .nc = SHOULDER, FACE EXT.
-    .purpose = Face turns shoulders, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts run parallel to the axis.
+    .purpose = Turns shoulders in the transverse direction (face turning), outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts run parallel to the axis.
 
 # --- 823 ---
 cycle-turn-plunge-face = Turn plunge face
     .nc = TURN, FACE PLUNGE
-    .purpose = Face turns plunging elements (undercuts), outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns plunging elements (undercuts) in the transverse direction (face turning), outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 824 ---
 cycle-turn-plunge-face-extended = Turn plunge face, extended
     .nc = TURN, FACE PLUNGE EXT.
-    .purpose = Face turns plunging elements (undercuts), outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts run parallel to the axis.
+    .purpose = Turns plunging elements (undercuts) in the transverse direction (face turning), outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts run parallel to the axis.
 
 # --- 820 ---
 cycle-turn-contour-face = Turn contour face
     .nc = TURN CONTOUR FACE
-    .purpose = Face turns workpieces with any turning contour, which a subprogram describes, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns workpieces with any turning contour described in a subprogram, in the transverse direction (face turning) outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
 
 # --- 800 ---
 cycle-adapt-turning-system = Adapt rotary coordinate system
@@ -129,7 +129,7 @@ note-turning-system-until-tool-call = The cycle is effective from its definition
 note-turning-tool-clamped-and-measured = The tool must be clamped in the correct position and measured.
 note-turning-tool-selected = The cycle can only be used if a turning tool is selected.
 note-check-tool-orientation = Check the orientation of the tool before machining.
-note-own-functions-for-tool-alignment = The machine manufacturer may provide functions of his own for aligning the tool. Refer to the machine manual.
+note-own-functions-for-tool-alignment = The machine builder may provide special functions for aligning the tool. Refer to the machine manual.
 note-cycle-depends-on-machine = Cycle { $cycle } depends on the machine. Refer to the machine manual.
 
 # --- 801 ---

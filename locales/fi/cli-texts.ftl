@@ -23,6 +23,7 @@ cli-texts-imported = { $language }: { $dry ->
        *[no] otettu { $taken }
     }, ennallaan { $unchanged }, kesken { $open }, hylätty { $refused }.
 cli-texts-count = { $name }: käännetty { $translated }/{ $texts }, puuttuu { $missing }, vanhentunut { $stale }, hyväksymättä { $unaccepted }, sama kuin englanniksi { $same }, liian pitkä { $long }, sanoja kääntämättä { $words }
+cli-texts-group = ryhmä { $name }
 cli-texts-accepted = { $language }: { $count ->
         [one] { $count } teksti hyväksytty.
        *[other] { $count } tekstiä hyväksytty.

@@ -72,7 +72,7 @@ say-plunge-on-helix-or-in-strokes = muussa tapauksessa kierukkarataa pitkin sis�
 step-rough-contour-level = Tässä syvyydessä työkalu jyrsii muodon sisältä ulospäin syöttöarvolla { $q-roughing-feed }; saarekkeiden ympärillä radat lähestyvät taskun muotoa. Näin se koneistaa:
 say-rough-what-coarser-tool-left = jos esirouhintatyökalu { $q-coarse-roughing-tool } on annettu, vain sen, mitä tämä työkalu ei ole voinut koneistaa
 say-rough-whole-region = muussa tapauksessa koko alueen
-message-contour-material-left = Työkalu ei yllä koko muotoon: se jättää ainetta nurkkiin tai kapeisiin kohtiin.
+message-contour-material-left = Työkalu ei yllä koko muotoon: se jättää materiaalia nurkkiin tai kapeisiin kohtiin.
 note-centre-cutting-or-pilot-drilling = Käytä tarvittaessa keskeltä lastuavaa varsijyrsintä (DIN 844) tai esiporaa työkierrolla 21.
 note-rough-out-plunging = Työkalun sisäänpisto määräytyy parametrista { $q-reciprocation-feed } ja työkalutaulukon sarakkeista { $mp-plunging-angle } ja { $mp-cutting-edge-length }. Kun { $q-reciprocation-feed } = 0, se tunkeutuu aina kohtisuoraan. Kun { $mp-plunging-angle } = 90°, se tunkeutuu kohtisuoraan syöttöarvolla { $q-reciprocation-feed }. Jos heiluriliikkeen syöttöarvo on annettu ja { $mp-plunging-angle } on välillä 0,1–89,999, se tunkeutuu kierukkarataa pitkin tällä kulmalla. Jos heiluriliikkeen syöttöarvo on annettu mutta työkalutaulukosta puuttuu { $mp-plunging-angle }, ohjaus antaa virheilmoituksen. Jos kierukalle ei ole tilaa (esimerkiksi urassa), ohjaus yrittää tunkeutua heiluriliikkeellä; sen pituus on { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = Jos limityskerroin on suurempi kuin 1, teräväkulmaisiin taskumuotoihin voi jäädä materiaalia. Tarkasta sisin rata testausgrafiikalla ja muuta limityskerrointa tarvittaessa hieman. Lastut jakautuvat silloin toisin, mikä johtaa usein haluttuun tulokseen.
@@ -105,7 +105,7 @@ note-start-depends-on-sequence = Alkupiste riippuu myös koneistusjärjestyksest
 # --- 25 ---
 cycle-contour-train = Muotorailo
     .nc = MUOTORAILO
-    .purpose = Työkierto koneistaa avoimia ja suljettuja muotoja yhdessä työkierron 14 kanssa. Muotoa pitkin paikoituslauseilla tehtyyn koneistukseen verrattuna ohjaus valvoo koneistusta, jyrsii kauttaaltaan myötälastulla tai vastalastulla ja voi jyrsiä edestakaisin ja työvaroja käyttäen.
+    .purpose = Työkierto koneistaa avoimia ja suljettuja muotoja yhdessä työkierron 14 kanssa. Toisin kuin paikoituslauseilla ohjelmoidussa muodossa ohjaus valvoo koneistusta, jyrsii kauttaaltaan myötälastulla tai vastalastulla ja voi jyrsiä edestakaisin ja työvaroja käyttäen.
 step-position-over-contour-start = Ohjaus siirtää työkalun varmuuskorkeudelle { $q-contour-clearance-height } ja muodon alkupisteen yläpuolelle.
 step-plunge-beside-contour = Työkalu siirtyy syöttöarvolla { $q-contour-plunging-feed } seuraavaan asetussyvyyteen eli arvon { $q-contour-plunging-depth } verran syvemmälle.
 step-mill-along-contour = Työkalu jyrsii muotoa pitkin syöttöarvolla { $q-contour-milling-feed } ottaen huomioon silitystyövaran { $q-side-allowance }:
@@ -131,7 +131,7 @@ guard-clearance-within-tool-radius = Varmuusetäisyys ei ole suurempi kuin työk
 guard-spindle-not-across-rotary-axis = Karan akseli ei ole kohtisuorassa pyöröpöydän akselia vastaan.
 guard-datum-off-rotary-axis = Peruspiste ei ole pyöröpöydän akselilla: lieriö heittäisi.
 guard-depth-out-of-cylinder = Jyrsintäsyvyys on positiivinen: työkalu liikkuisi poispäin lieriön akselista.
-guard-slot-core-left = Ura on yli kaksi kertaa niin leveä kuin työkalu: seinämien väliin jää ainetta.
+guard-slot-core-left = Ura on yli kaksi kertaa niin leveä kuin työkalu: seinämien väliin jää materiaalia.
 note-contour-in-development = Kuvaa muoto työkierrolla 14 valittavassa aliohjelmassa, aina koordinaateilla X ja Y koneen kiertoakseleista riippumatta. Silloin muodon kuvaus ei riipu koneen konfiguraatiosta.
 note-prepare-for-cylinder-interpolation = Koneen valmistajan on valmisteltava kone ja ohjaus lieriövaippainterpolaatiota varten. Katso koneen käyttöohjekirjaa.
 note-contour-begins-with-both-coordinates-of-cylinder = Ohjelmoi muotoaliohjelman ensimmäisessä NC-lauseessa aina lieriövaipan molemmat koordinaatit.

@@ -25,7 +25,7 @@ step-retract-and-treat-datum__tnc426-430 = Ohjaus palauttaa kosketusjärjestelm�
 step-store-actual-values = Ohjaus tallentaa todellisarvot tulosparametreihin.
 note-pocket-sides-rather-small = Törmäysvaara! Jotta kosketusjärjestelmä ja työkappale eivät törmää, anna taskun 1. ja 2. sivun pituudeksi mieluummin liian pieni kuin liian suuri arvo.
 note-stud-sides-rather-large = Törmäysvaara! Jotta kosketusjärjestelmä ja työkappale eivät törmää, anna kaulan 1. ja 2. sivun pituudeksi mieluummin liian suuri kuin liian pieni arvo.
-title-introduction-to-probing = Kosketustyökiertojen johdannon NC-lause
+title-introduction-to-probing = Toinen esimerkki
 
 # --- 413 ---
 cycle-datum-outside-circle = Peruspisteen asetus ympyrän ulkopuolelle (kaula)
@@ -37,6 +37,7 @@ cycle-datum-outside-circle__tnc426-430 =
 note-stud-diameter-rather-large = Törmäysvaara! Jotta kosketusjärjestelmä ja työkappale eivät törmää, anna kaulan asetushalkaisijaksi mieluummin liian suuri kuin liian pieni arvo.
 note-small-stepping-angle-less-exact__datum-outside-circle = Mitä pienempi kulma-askel { $q-probing-stepping-angle } on, sitä epätarkemmin ohjaus laskee peruspisteen.
 title-datum-at-arc-centre-and-top = Peruspisteen asetus ympyräsegmentin keskipisteeseen ja työkappaleen yläpintaan
+title-datum-at-arc-centre-and-top__tnc426-430 = Peruspisteen asetus ympyräsegmentin keskipisteeseen
 
 # --- tulokset ---
 result-side-main-actual = Sivun pituuden todellisarvo pääakselilla

@@ -159,6 +159,7 @@ diag-hole-outside-blank =
         [surface] Pinta { $value } on kaukana aihiosta.
        *[through] Reikä ulottuu arvoon { $value }, kauas aihion läpi.
     }
+diag-insert-points-away = Teräpala ei voi lastuta siihen suuntaan, johon { $cycle } etenee: sen suunta (TO) on { $orientation }, joten kärki osoittaa poispäin kappaleesta tai syötöstä.
 diag-iso-incomplete =
     Tämä lause on puutteellinen: { $what ->
         [value] kirjaimella ei ole arvoa
@@ -258,7 +259,11 @@ diag-plane-not-positioned =
         [cycle] Mikään lause ei paikoita kiertoakseleita tämän käännön jälkeen; koneesta riippuu, tekeekö työkierto sen.
        *[plane] STAY ei liikuta kiertoakseleita, eikä mikään ohjelman lause aja niitä tämän tason kulmiin.
     }
-diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
+diag-plane-not-reset =
+    { $what ->
+        [zero] { $cycle } asettaa tässä kaikki kulmat arvoon 0, mutta mikään ei kytke koneistustason kääntöä pois päältä.
+       *[tilted] Ohjelma päättyy tässä koneistustason ollessa käännettynä.
+    }
 diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, mutta siinä ei ole tason molempia koordinaatteja absoluuttisina.
 diag-position-twice = Piste { $value }; { $other } on jo koneistettu tällä määrittelyllä ja tällä työkalulla.
 diag-probe-while-turning = { $cycle } koskettaa tässä karan pyöriessä.
@@ -273,7 +278,7 @@ diag-program-end-missing =
        *[pgm] END PGM -lausetta
     }.
 diag-programs-call-in-circle = Ohjelma { $name } kutsuu tätä ohjelmaa takaisin, suoraan tai muiden kautta.
-diag-rapid-into-blank = Työkalu ajaa tässä pikaliikkeellä aihioon: Z menee arvoon { $value }, ja aihion yläpinta on arvossa { $top }.
+diag-rapid-into-blank = Työkalu ajaa tässä pikaliikkeellä aihioon: Z menee asemaan { $value }, ja aihion yläpinta on asemassa { $top }.
 diag-repeat-count-wrong = Toistojen määrän on oltava kokonaisluku 0–65534.
 diag-repeat-of-later-label = Labelin { $label } on oltava ennen toistoa, ei sen jäljessä.
 diag-repeated-infeed =
@@ -288,7 +293,7 @@ diag-reset-order-wrong =
        *[shift] Nollapisteen siirto peruutetaan tässä, mutta sen jälkeen käännetty taso on vielä käännettynä.
     }
 diag-retract-missing =
-    Työkalu on vielä arvossa { $value } aihion sisällä tai aivan sen yläpuolella, kun { $what ->
+    Työkalu on vielä asemassa { $value } aihion sisällä, vieressä tai aivan sen yläpuolella, kun { $what ->
         [change] se vaihdetaan
         [tilt] taso käännetään MOVE-sanalla
         [end] ohjelma päättyy
@@ -341,6 +346,7 @@ diag-tool-axis-missing = Tässä työkalukutsussa ei ole työkaluakselia, eikä 
 diag-tool-axis-other =
     { $what ->
         [pattern] PATTERN DEF toimii vain työkaluakselilla { $axis }, mutta tässä on voimassa toinen.
+        [lifted] Tässä työkalukutsussa on toinen työkaluakseli kuin aihiolla, mutta työkalua vedetään irti vain akselilla { $axis }.
        *[blank] Aihion työkaluakseli on { $axis }, mutta se ei ole yhdelläkään ohjelman työkalulla.
     }
 diag-tool-definition-wrong =
@@ -356,9 +362,11 @@ diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.
+        [contour] Työkalu, jolla on juuri kosketettu, kulkee tässä muotoa pitkin.
        *[mill] { $cycle } koneistaa tässä työkalulla, jolla on juuri kosketettu.
     }
 diag-tool-unused = Työkalu { $tool } kutsutaan tässä, ja seuraava lause kutsuu toisen.
+diag-tool-zero = { $cycle } suoritetaan työkalulla 0: karassa ei ole työkalua.
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } on lukenut parametrin { $parameter } määriteltäessä: tässä kirjoitettava arvo ei muuta sen kutsua.
@@ -375,6 +383,7 @@ diag-transformation-forbidden =
         [turning] ohjaus on sorvauskäytössä (FUNCTION MODE TURN)
        *[tilting] koneistustaso on käännetty
     }; käsikirja kieltää sen.
+diag-transformation-without-effect = { $other } peruuttaa työkierron { $cycle } muunnoksen, ennen kuin mikään käyttää sitä.
 diag-transformation-left-on =
     Ohjelman päättyessä on vielä voimassa { $what ->
         [datum-shift] nollapisteen siirto

@@ -30,11 +30,13 @@ diag-insert-direction = Työkalun { $tool } teräpala ei osoita kappaletta eikä
 diag-jump-limit = Suoritus päättyy: hyppyjä, toistoja ja kutsuja on suoritettu yli { NUMBER($limit) }.
 diag-jump-target-missing = Labelia { $label } ei ole.
 diag-jump-target-twice = Label { $label } on ohjelmassa kahdesti.
+diag-kinematics-unknown = Lauseen FUNCTION MODE jälkeen nimetty kinematiikka ”{ $name }” ei ole simuloidun koneen ”{ $machine }” kinematiikka.
 diag-lines-parallel = Suorat ovat yhdensuuntaiset: niillä ei ole leikkauspistettä.
 diag-log-failed = Pöytäkirjaa { $name } ei voi kirjoittaa: { $reason }
 diag-log-template = Pöytäkirjalla { $name } ei ole mallia.
 diag-log-text = Pöytäkirjan teksti { $name } puuttuu ({ $reason }).
 diag-machine-parameter-missing = Koneparametria { $name } ja sen kolmea koordinaattia ei ole määritelty.
+diag-milling-mode-missing = { $cycle } suoritetaan vain jyrsintäkäytössä, mutta voimassa on sorvauskäyttö (FUNCTION MODE TURN).
 diag-move-limit = Suoritus päättyy: työkalun liikkeitä on suoritettu yli { NUMBER($limit) }.
 diag-no-cycle-to-call = Työkierto kutsutaan, mutta koneistustyökiertoa ei ole määritelty.
 diag-no-such-parameter = Parametria { $q } ei ole.
@@ -57,6 +59,7 @@ diag-probe-no-direction = Kosketusvarsi on jo kosketettavassa pisteessä, joten 
 diag-program-missing = Ohjelmaa { $name } ei ole.
 diag-radius-missing = Tästä lauseesta puuttuu säde R.
 diag-radius-too-small = Säde { NUMBER($radius) }{"\u00A0"}mm ei riitä jänteelle { NUMBER($chord, maximumFractionDigits: 4) }{"\u00A0"}mm.
+diag-recess-impossible = Uralle ei ole tilaa, sen keskikohta, syvyys tai leveys puuttuu, tai se ei ole suorassa elementissä.
 diag-recursive-call = Ohjelmanosa kutsuu itseään.
 diag-repeat-count = REP vaatii kokonaisluvun väliltä 0–65534; annettu luku on { NUMBER($found) }.
 diag-rotary-axis-missing = Koneessa ei ole kiertoakselia { $axis }.
@@ -69,7 +72,7 @@ diag-text-too-long = Merkkijonoparametrissa olisi yli { NUMBER($limit) } merkki�
 diag-tool-locked = Työkalulle { $tool } on asetettu esto.
 diag-tool-not-in-table = Työkalua { $tool } ei ole työkalutaulukossa.
 diag-turn-limit = Suoritus päättyy: yhdessä liikkeessä on yli { NUMBER($limit) } kierrosta.
-diag-undercut-impossible = Vapaasorvaukselle ei ole tilaa, tai se ei ole pyörintäakselin suuntaisen pinnan ja sitä vastaan kohtisuoran otsapinnan välissä.
+diag-undercut-impossible = Vapaasorvaukselle ei ole tilaa, siltä puuttuu mitta, tai se ei ole pyörintäakselin suuntaisen pinnan ja sitä vastaan kohtisuoran otsapinnan välissä.
 diag-unsupported-axis = Simuloidussa koneessa ei ole akselia { $axis }.
 diag-unsupported-block = Lausetta { $word } ei voi simuloida.
 diag-unsupported-cycle = Ohjauksen { $control } käsikirja vain mainitsee työkierron { $cycle } nimeltä: sitä ei voi simuloida.
@@ -98,7 +101,7 @@ diag-pattern-unreadable = ”{ $found }” ei kelpaa PATTERN DEF -lauseeseen.
 diag-position-incomplete = CYCL CALL POS vaatii kaikkien kolmen akselin koordinaatit.
 diag-value-not-predefined = Arvoksi on ohjelmoitu PREDEF, mutta mikään GLOBAL DEF ei ole määritellyt arvoa.
 diag-contour-crossing = Aliohjelman { $label } muoto leikkaa tai sivuaa itseään kohdassa: pääakseli { NUMBER($x) } mm, sivuakseli { NUMBER($y) } mm.
-diag-contour-begin-incomplete = Labelin { $label } muodon alussa ei ole kumpaakin koordinaattia X ja Y.
+diag-contour-begin-incomplete = Muodon { $label } alussa ei ole koneistustason kumpaakin koordinaattia.
 diag-contour-data-undefined = Mikään työkierto ei ole vielä määritellyt muototietoja.
 diag-contour-count = Muoto koostuu yli { NUMBER($limit) } osamuodosta.
 diag-contour-depth =
@@ -112,12 +115,13 @@ diag-contour-lead = Työkierron koneistamassa muodossa ei voi olla lausetta { $w
 diag-contour-not-defined = Mikään työkierto ei ole vielä nimennyt muodon aliohjelmia.
 diag-contour-open = Labelin { $label } muoto on avoin: se päättyy { NUMBER($distance) } mm:n päähän alkupisteestään.
 diag-contour-side-missing = Labelin { $label } muodosta puuttuu sädekorjaus RL tai RR, joka kertoo, onko se tasku vai saareke.
+diag-contour-tool-axis = Labelin { $label } muodossa on työkaluakselin koordinaatti.
 diag-free-contour-contradicts = Mikään muoto ei täytä kaikkia arvoja, jotka tästä elementistä ja sitä edeltävistä on annettu.
 diag-free-contour-open =
     { $what ->
-        [line] Tämän suoran paikka tai suunta ei määräydy: jokin arvo puuttuu.
-        [arc] Tämän kaaren keskipiste tai säde ei määräydy: jokin arvo puuttuu.
-       *[end] Tämän elementin loppupiste ei määräydy: jokin arvo puuttuu.
+        [line] Tämän suoran paikka tai suunta ei määräydy. Arvoja puuttuu vielä: { $values }.
+        [arc] Tämän kaaren keskipiste tai säde ei määräydy. Arvoja puuttuu vielä: { $values }.
+       *[end] Tämän elementin loppupiste ei määräydy. Arvoja puuttuu vielä: { $values }.
     }
 diag-free-contour-reference = Lause { $block } ei ole tämän vapaan muodon elementti eikä sitä edeltävä paikoituslause.
 diag-free-contour-selection = Valinta FSELECT { $wanted } ei ole mahdollinen: ratkaisujen määrä tässä on { $solutions }.

@@ -1,6 +1,8 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = Ohjelma päättää itsensä virheeseen { $number } (FN 14).
 explain-error-of-program = FN 14: ERROR päättää ohjelman sen omaan virheeseen; numero valitsee ilmoituksen, jonka ohjaus näyttää. Ohjelmat käyttävät sitä, kun ne eivät voi jatkaa, esimerkiksi kun parametrin arvo ei kelpaa. Esimerkki: ”FN 14: ERROR = 1010”. Korjaus: tarkista lausetta edeltävä ehto ja anna parametreille arvot, joilla ohjelma voi toimia.
+diag-tool-setter-askew = Työkalu ei ole kohtisuorassa työkalukosketusjärjestelmän pintaan nähden.
+explain-tool-setter-askew = Kääntöpää tai koneistustaso on kallistettu toisin kuin työkalukosketusjärjestelmä on asennettu: työkalu koskettaisi sitä vinosti, eikä tulos olisi pituus eikä säde. Esimerkki: työkalu on vaakasuorassa, mutta kosketusjärjestelmän pinta osoittaa ylöspäin. Korjaus: käännä kiertoakselit ennen työkiertoa niin, että työkalu on kosketusjärjestelmän suuntainen, tai asenna skenaarion kosketusjärjestelmä vastaavasti (”rotate”).
 diag-tool-setter-collision = Törmäys: työkalu osuu työkalukosketusjärjestelmään liikkeellä, joka alkaa asemasta X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 explain-tool-setter-collision = Työkalu osuu skenaarion työkalukosketusjärjestelmään liikkeellä, joka ei ole mittaus: työkalu sellaisena kuin se todella on, pisimpine ja leveimpine terineen. Koneessa molemmat voisivat rikkoutua. Usein varmuuskorkeus on liian pieni tai työkalutaulukon pituus ja säde poikkeavat todellisesta enemmän kuin kosketusjärjestelmän turvaetäisyys sallii. Syötä likimääräiset arvot ennen ensimmäistä mittausta tai kierrä kosketusjärjestelmä.
 diag-tool-setter-missing = Skenaariossa ei ole työkalukosketusjärjestelmää.

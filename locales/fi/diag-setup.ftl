@@ -43,7 +43,7 @@ diag-spindle-start-wrong =
 diag-tap-without-hole =
     { $what ->
         [missing] Kohtaan { $value }; { $other } ei ole porattu reikää tälle kierretapille.
-       *[shallow] Kierretappi menee arvoon { $value }, mutta reikä päättyy arvoon { $other }.
+       *[shallow] Kierretappi ulottuu asemaan { $value }, mutta reikä päättyy asemaan { $other }.
     }
 diag-tcpm-missing = Kiertoakselit liikkuvat tässä yhdessä lineaariakselien kanssa ilman TCPM-toimintoa, vaikka ohjelma kytkee TCPM:n myöhemmin pois.
 diag-tool-called-twice = Työkalua { $tool } kutsutaan tässä uudelleen, eikä kutsujen välissä ole mitään.

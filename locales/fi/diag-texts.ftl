@@ -24,3 +24,5 @@ diag-texts-unit-markup = Yksikön ”{ $key }” käännös muuttaisi sivun muot
 diag-texts-unit-numbers = Yksikön ”{ $key }” luvut eroavat lähteestä: puuttuu { $missing }, lähteessä ei ole { $foreign }.
 diag-texts-unknown-topic = Proosasivua ”{ $topic }” ei ole.
 diag-draft-language = Luonnos tehdään yhdestä kielestä: ilmoita se valitsimella --lang, esimerkiksi ”--draft --lang de”.
+diag-texts-unit-swapped = Yksiköt ”{ $key }” ja ”{ $other }” ovat saaneet toistensa sanat.
+diag-texts-unit-negation = Yksiköstä ”{ $key }” on poistettu kieltävä sana, joten teksti sanoo päinvastaista.

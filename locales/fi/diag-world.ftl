@@ -48,7 +48,7 @@ diag-scene-stl-word = Tässä pitäisi olla { $wanted ->
 diag-solid-not-finite = Jokin mitta ei ole äärellinen positiivinen luku.
 diag-solid-too-many = Muodossa on liian monta pintaa: sen reunojen etsiminen kestäisi liian kauan. Jätä pois se, minkä lähelle mikään työkalu tai kosketuspää ei tule.
 diag-solid-edge-unsupported = Kosketuskuula saattaa koskettaa reunaa, joka ei ole suora eikä ympyrä; tätä kosketusta ei voi laskea tarkasti.
-diag-solid-cusp = Kosketuskuula saattaa koskettaa kohtaa, jossa pinnat sivuavat toisiaan eikä ainetta jää väliin; tätä kosketusta ei voi laskea tarkasti.
+diag-solid-cusp = Kosketuskuula saattaa koskettaa kohtaa, jossa pinnat sivuavat toisiaan eikä materiaalia jää väliin; tätä kosketusta ei voi laskea tarkasti.
 diag-solid-mesh-cut = Kolmiopinta ei voi olla osa erotusta.
 diag-solid-helix-unsupported = Kosketuskuula saattaa koskettaa työkappaletta kierukkaradalla tai usean akselin liikkuessa; tätä kosketusta ei voi laskea tarkasti.
 

@@ -34,3 +34,7 @@ explain-texts-unknown-topic =
     Proosasivut ovat tiedostoja kansiossa locales/en/topics; tiedoston nimi ilman päätettä ”.md” on aihe, esimerkiksi sl-cycles. Ilman valitsinta --topic viedään kaikki tekstit, myös sivut.
 explain-draft-language =
     Luonnos täyttää tekeillä olevan kielen aukot englannilla, jotta sivuja voi lukea, ennen kuin kaikki on käännetty. Se tehdään yhdestä kielestä, jottei valmista kieltä vahingossa näytetä luonnoksena. Kielellä ei tarvitse vielä olla kansiota. Ilman valitsinta --draft sivu, josta puuttuu teksti, hylätään.
+explain-texts-unit-swapped =
+    Kahdesta valinnasta tai tuloksesta kummallakin on tiedostossa ne sanat, jotka toisella on nyt, joten lukija antaisi väärän arvon. Kumpaakaan ei oteta. Palauta sanat. Jos vaihtuneet ovat nykyiset sanat, muuta niitä Fluent-tiedostossa.
+explain-texts-unit-negation =
+    Englanninkielinen teksti kieltää jotakin, ja tiedoston käännös on nykyinen ilman kieltävää sanaa, esimerkiksi ”ei” tai ”eikä”. Se sallisi kielletyn tai ilmoittaisi tapahtuneeksi sellaista, mitä ei tapahtunut. Palauta sana. Jos virke kieltää muulla tavalla, kirjoita se niin; jos sana oli väärin, poista se Fluent-tiedostosta.

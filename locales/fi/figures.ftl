@@ -8,7 +8,7 @@ figure-centring-diameter = Keskiöinti halkaisijaan
 figure-rotation = Kiertokulma
 figure-pocket-position = Sijainti kutsuttaessa
 figure-milling-type = Myötä- ja vastajyrsintä
-figure-allowances = Viimeistelyvarat
+figure-allowances = Silitystyövarat
 figure-slot-position = Sijainti kutsuttaessa
 figure-stud-position = Sijainti kutsuttaessa
 figure-approach = Lähestymisasema
@@ -35,6 +35,16 @@ figure-pattern = Useita uria
 figure-side-allowance = Sivun silitystyövara
 figure-rounding = Sisänurkan pyöristyssäde
 figure-between-points = Liike kosketuspisteiden välillä
+figure-between-holes = Liike paikkojen välillä
+figure-depth-or-diameter = Syvyys tai halkaisija
+figure-threads-per-step = Kierrokset tai ruuvilinjat
+figure-countersinking-moment = Upotuksen ajankohta
+figure-finishing-counter-clockwise = Silitys vastapäivään, Q9 = +1
+figure-finishing-clockwise = Silitys myötäpäivään, Q9 = −1
+figure-train-climb = Myötäjyrsintä, Q15 = +1
+figure-train-up-cut = Vastajyrsintä, Q15 = −1
+figure-train-to-and-fro = Edestakaisin, Q15 = 0
+figure-operation = Koneistuslaajuus
 figure-no-contact = Liike ilman kosketusta
 way-rapid = pikaliike
 way-feed = syöttöliike
@@ -48,6 +58,7 @@ cli-coverage-figures = { $count } pituutta, kulmaa tai sijaintia ({ $of }:stä) 
 
 diag-figure-example-missing = Työkierron { $cycle } kuva { $name } piirretään esimerkistä { $example }, jota työkierrolla ei ole.
 diag-figure-moment-never = Työkierron { $cycle } kuvan { $name } suoritus ei koskaan saavuta kuvattua hetkeä ({ $reason }).
+diag-figure-name-taken = Työkierron { $cycle } kahden kuvan nimi on { $name }.
 diag-figure-no-value = Työkierron { $cycle } kuvassa { $figure } parametrin { $name } mittapaikoilla ei ole kuvatulla hetkellä arvoa.
 diag-figure-no-centre = Työkierron { $cycle } kuvassa { $figure } parametri { $name } on kulma, mutta sen keskipiste puuttuu tai ei ole piste.
 diag-figure-axis-not-visible = Työkierron { $cycle } kuvassa { $figure } parametri { $name } mitataan akselilla, joka ei näy kuvasuunnassa.
@@ -56,8 +67,8 @@ diag-figure-measured-otherwise = Työkierron { $cycle } kuvassa { $figure } para
 diag-figure-nothing-to-see = Työkierron { $cycle } kuvassa { $figure } parametrin { $name } arvo on 0, joten mitään ei näy.
 diag-figure-place-not-reached = Työkierron { $cycle } kuvassa { $figure } parametri { $name } päättyy paikkaan ({ $place }), johon työkalu ei liiku ja jossa työkappaletta ei ole.
 diag-figure-none = Työkierrolla { $cycle } ei ole kuvaa tässä ohjauksessa.
-diag-figure-parameter-not-shown = Mikään työkierron { $cycle } kuva ei näytä parametria { $name }, eikä määrittelyssä ole perustelua.
-figure-teeth = Terät mittauslaitteella
+diag-figure-parameter-not-shown = Mikään työkierron { $cycle } kuva ei näytä parametria { $name }, eikä työkierron kuvauksessa ole perustelua.
+figure-teeth = Terien mittaus
 figure-turning-tool = Pyörivä työkalu
 figure-single-teeth = Yksittäiset terät
 figure-line-angle = Rivien kulma
@@ -81,4 +92,8 @@ figure-measuring-axis = Mittausakseli
 figure-traverse-direction = Liikesuunta
 figure-straight-or-circle = Suoraan tai ympyränkaarella
 figure-program = Ohjelma ylhäältä
+figure-program-turned = Ohjelma: puolet kappaleesta leikattuna
+figure-program-side = Ohjelma sivulta
+figure-program-across = Ohjelma kiertoakselin suunnassa
+figure-program-tilted = Ohjelman kallistettu taso
 figure-wide-slot = Leveä ura

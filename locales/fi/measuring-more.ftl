@@ -26,8 +26,8 @@ say-part-is-scrap__measure-rectangular-pocket = hylky (Q182 = 1), jos jokin sivu
 say-part-needs-rework__measure-rectangular-pocket = jälkityö (Q181 = 1), jos jokin sivu on lyhyempi kuin { $q-first-side-least-length } tai { $q-second-side-least-length }
 say-part-is-scrap__measure-rectangular-stud = hylky (Q182 = 1), jos jokin sivu on lyhyempi kuin { $q-first-side-least-length } tai { $q-second-side-least-length } tai keskipiste poikkeaa enemmän kuin { $q-centre-tolerance-main } tai { $q-centre-tolerance-minor } sallii
 say-part-needs-rework__measure-rectangular-stud = jälkityö (Q181 = 1), jos jokin sivu on pidempi kuin { $q-first-side-greatest-length } tai { $q-second-side-greatest-length }
-result-side-main-deviation = Poikkeama pääakselin sivun pituudesta
-result-side-minor-deviation = Poikkeama sivuakselin sivun pituudesta
+result-side-main-deviation = Sivun pituuden poikkeama pääakselilla
+result-side-minor-deviation = Sivun pituuden poikkeama sivuakselilla
 title-measure-and-rework-rectangular-stud = Suorakulmakaulan mittaus ja silitys mitattujen arvojen mukaan
 title-measure-rectangular-pocket-with-log = Suorakulmataskun mittaus ja tulosten kirjaus pöytäkirjaan
 
@@ -54,8 +54,8 @@ say-part-needs-rework__measure-slot-width = jälkityö (Q181 = 1), jos ura on ka
 say-part-is-scrap__measure-ridge-width = hylky (Q182 = 1), jos uuma on kapeampi kuin { $q-least-dimension }
 say-part-needs-rework__measure-ridge-width = jälkityö (Q181 = 1), jos uuma on leveämpi kuin { $q-greatest-dimension }
 note-clearance-acts-in-probe-axis-only = Varmuusetäisyys { $q-probing-clearance } vaikuttaa vain, kun kosketusakselin peruspistettä kosketetaan.
-result-measured-length-actual = Mitattavan pituuden todellisarvo
-result-measured-length-deviation = Mitattavan pituuden poikkeama
+result-measured-length-actual = Mitatun pituuden todellisarvo
+result-measured-length-deviation = Mitatun pituuden poikkeama
 
 # --- 427 ---
 cycle-measure-coordinate = Koordinaatin mittaus
@@ -71,7 +71,7 @@ say-correct-tool-length = jos { $q-monitored-tool } ei ole 0 ja { $q-measuring-a
 say-correct-tool-radius__measure-coordinate = jos { $q-monitored-tool } ei ole 0 ja { $q-measuring-axis } = 1 tai 2, se korjaa delta-sädettä työkalutaulukon sarakkeessa DR parametrista { $q-traverse-direction } määräytyvään suuntaan; jos poikkeama on suurempi kuin rikkotoleranssi RBREAK, se antaa virheilmoituksen, pysäyttää ohjelmanajon ja asettaa työkalulle eston (sarake TL = L)
 note-coordinate-is-outside-dimension = Ohjaus olettaa, että mitataan ulkomitta (kaula). Mittauksen tila saadaan oikeaksi valitsemalla suurin ja pienin mitta sekä kosketussuunta sopivasti.
 note-coordinate-corrects-radius-or-length = Jos mittausakselina on koneistustason akseli ({ $q-measuring-axis } = 1 tai 2), ohjaus korjaa työkalun sädettä; korjauksen suunta määräytyy liikesuunnasta { $q-traverse-direction }. Jos mittausakselina on kosketusakseli ({ $q-measuring-axis } = 3), se korjaa työkalun pituutta.
-result-measured-coordinate__measure-coordinate = Mitattava koordinaatti
+result-measured-coordinate__measure-coordinate = Mitattu koordinaatti
 
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Reikäympyrän mittaus
@@ -94,14 +94,14 @@ say-travel-to-point-at-clearance-height = jos { $q-traverse-to-clearance-height 
 say-travel-to-point-at-measuring-height = jos { $q-traverse-to-clearance-height } = 0, mittauskorkeudella { $q-measuring-height }
 step-retract-and-store-angle = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja tallentaa mitatun kulman tulosparametriin.
 note-angle-about-a-or-b = Jos mittausakselina on kosketusakseli ({ $q-measuring-axis } = 3): kun mitataan kulma A-akselin ympäri, anna parametreille { $q-first-point-main } ja { $q-second-point-main } sama arvo; kun mitataan kulma B-akselin ympäri, anna niille eri arvot.
-note-results-shown-in-help-graphic = Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit; kirkastaustainen kuuluu valittuun sisäänsyöttöparametriin.
+note-results-shown-in-help-graphic = Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit; vaaleataustainen tulosparametri kuuluu valittuun sisäänsyöttöparametriin.
 note-results-shown-in-help-graphic__tnc426-430 = Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit.
-result-measured-angle = Mitattava kulma koneistustason pääakselin suhteen
+result-measured-angle = Mitattu kulma koneistustason pääakselin suhteen
 
 # --- 431 ---
 cycle-measure-plane = Tason mittaus
     .nc = TASON MITTAUS
-    .purpose = Työkierto mittaa tason kulmat mittaamalla kolme pistettä ja tallentaa arvot parametreihin.
+    .purpose = Työkierto määrittää tason kulmat kolmesta mitatusta pisteestä ja tallentaa arvot parametreihin.
 step-measure-first-point-of-plane = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun ensimmäiseen kosketuspisteeseen pikaliikkeellä (arvo sarakkeesta { $mp-positioning-feed }) ja paikoituslogiikalla ja mittaa siellä tason ensimmäisen pisteen. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran kosketussuuntaa vastaan.
 step-measure-first-point-of-plane__tnc426-430 = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun ensimmäiseen kosketuspisteeseen pikaliikkeellä (arvo koneparametrista { $mp-positioning-feed } tai { $mp-analog-positioning-feed }) ja paikoituslogiikalla ja mittaa siellä tason ensimmäisen pisteen. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran kosketussuuntaa vastaan.
 step-measure-second-point-of-plane = Kosketusjärjestelmä palaa varmuuskorkeudelle { $q-clearance-height } ja siirtyy koneistustasossa toiseen kosketuspisteeseen, jossa ohjaus mittaa tason toisen pisteen todellisarvon.

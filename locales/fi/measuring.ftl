@@ -21,8 +21,8 @@ step-stop-on-tolerance-error = Ohjaus reagoi toleranssin ylitykseen parametrin {
 say-stop-with-tolerance-error = jos { $q-stop-on-tolerance-error } = 1, se keskeyttää ohjelmanajon ja antaa virheilmoituksen
 say-stop-with-tolerance-error__probing-3d = jos { $q-tolerance-error-reaction } = 1, se keskeyttää ohjelmanajon ja antaa virheilmoituksen
 say-continue-program = muussa tapauksessa ohjelma jatkuu
-result-centre-main-deviation = Poikkeama pääakselin keskipisteestä
-result-centre-minor-deviation = Poikkeama sivuakselin keskipisteestä
+result-centre-main-deviation = Keskipisteen poikkeama pääakselilla
+result-centre-minor-deviation = Keskipisteen poikkeama sivuakselilla
 result-diameter-deviation = Halkaisijan poikkeama
 result-status-good = 1: mittausarvot ovat toleranssin sisäpuolella
 result-status-rework = 1: jälkityö tarpeellinen
@@ -67,27 +67,27 @@ note-no-log-for-reference-plane = Ohjaus ei laadi mittauspöytäkirjaa tästä t
 # --- 444 ---
 cycle-probing-3d = Kosketus 3D
     .nc = KOSKETUS 3D
-    .purpose = Työkierto tarkastaa yksittäisen pisteen osan pinnalla, esimerkiksi vapaamuotoisella pinnalla. Työkierto osoittaa, onko piste normaalivektorin suunnassa asetuskoordinaattiensa ylä- vai alapuolella; sen jälkeen voidaan tehdä esimerkiksi jälkityöstö. Käytettävissä ovat toleranssivalvonta, pöytäkirja ja tulosparametrit.
+    .purpose = Työkierto tarkastaa yksittäisen pisteen osan pinnalla, esimerkiksi vapaamuotoisella pinnalla. Työkierto osoittaa, onko piste normaalivektorin suunnassa asetuskoordinaattiensa ylä- vai alapuolella; sen jälkeen voidaan tehdä esimerkiksi jälkityö. Käytettävissä ovat toleranssivalvonta, pöytäkirja ja tulosparametrit.
 step-position-on-normal = Kosketusjärjestelmä siirtyy hetkellisasemastaan normaalivektorilla olevaan pisteeseen. Pisteen etäisyys asetuskoordinaateista on kosketuskuulan säde plus { $mp-set-up } plus { $q-probing-clearance }. Esipaikoituksessa otetaan huomioon varmuuskorkeus { $q-clearance-height }.
 step-probe-nominal-point = Kosketusjärjestelmä ajaa asetuskoordinaatteihin. Kosketusliikkeen määrää { $mp-probing-distance } eikä normaalivektori, jota käytetään vain koordinaattien oikeaan laskentaan.
 step-return-and-store-position = Kun ohjaus on mitannut aseman, kosketusjärjestelmä vetäytyy ja pysähtyy. Ohjaus tallentaa mitatut koordinaatit ja poikkeamat tulosparametreihin.
 step-retract-against-probing-direction = Ohjaus siirtää kosketusjärjestelmää takaisin kosketussuuntaa vastaan parametrissa MB määritellyn arvon verran.
 step-set-workpiece-status = Ohjaus asettaa työkappaleen tilan Q183:
 say-surface-status-undefined = −1 (ei määritelty), jos { $q-tolerance-specification } ei määrittele toleranssia
-say-surface-needs-rework = 1 (jälkityöstö), jos piste on toleranssialueen yläpuolella
+say-surface-needs-rework = 1 (jälkityö), jos piste on toleranssialueen yläpuolella
 say-surface-is-scrap = 2 (hylätty), jos piste on toleranssialueen alapuolella
 say-surface-is-good = 0 (hyväksytty) muussa tapauksessa
 step-write-surface-log = Ohjaus laatii pöytäkirjan ja tallentaa sen HTML-muodossa.
 step-react-to-tolerance-error = Ohjaus reagoi toleranssin ulkopuolella olevaan pisteeseen parametrin { $q-tolerance-error-reaction } mukaan:
 say-stop-below-nominal = jos { $q-tolerance-error-reaction } = 2 ja piste on asetuskoordinaatin alapuolella, se näyttää ilmoituksen ja keskeyttää ohjelman
-result-position-main-actual = Pääakselin mitattu asema
-result-position-minor-actual = Sivuakselin mitattu asema
-result-position-tool-actual = Työkaluakselin mitattu asema
-result-position-main-deviation = Pääakselin mitattu poikkeama
-result-position-minor-deviation = Sivuakselin mitattu poikkeama
-result-position-tool-deviation = Työkaluakselin mitattu poikkeama
+result-position-main-actual = Mitattu asema pääakselilla
+result-position-minor-actual = Mitattu asema sivuakselilla
+result-position-tool-actual = Mitattu asema työkaluakselilla
+result-position-main-deviation = Mitattu poikkeama pääakselilla
+result-position-minor-deviation = Mitattu poikkeama sivuakselilla
+result-position-tool-deviation = Mitattu poikkeama työkaluakselilla
 result-deviation-3d = Mitattu 3D-poikkeama; pienempi kuin 0: alimitta, suurempi kuin 0: ylimitta
-result-workpiece-status = Työkappaleen tila: −1 = ei määritelty, 0 = hyväksytty, 1 = jälkityöstö, 2 = hylätty
+result-workpiece-status = Työkappaleen tila: −1 = ei määritelty, 0 = hyväksytty, 1 = jälkityö, 2 = hylätty
 guard-zero-normal-vector = Normaalivektorin kaikki komponentit ovat 0.
 guard-rotary-axes-askew = Kiertoakselien asemat eivät vastaa koneistustason kääntökulmia.
 guard-mill-mode-only = Työkierto voidaan suorittaa vain koneistustilassa FUNCTION MODE MILL.
@@ -95,14 +95,14 @@ guard-surface-below-nominal = Piste on asetuskoordinaattinsa alapuolella ja tole
 note-function-must-be-enabled = Koneen valmistajan on vapautettava ja mukautettava tämä toiminto. Katso koneen käyttöohjekirjaa.
 note-mill-mode-only = Työkierto voidaan suorittaa vain koneistustilassa FUNCTION MODE MILL.
 note-calibrate-in-3d = Kalibroi kosketusjärjestelmä 3D-kalibroinnilla ennen tätä työkiertoa, jotta tulokset ovat tarkkoja. 3D-kalibrointi edellyttää optiota 92, 3D-ToolComp.
-note-surface-log-contents = Pöytäkirja sisältää pää-, sivu- ja työkaluakselille: todellisen kosketussuunnan (vektorina sisäänsyöttöjärjestelmässä; vektorin pituus on konfiguroitu kosketusliike), asetuskoordinaatin, olokoordinaatin sekä, jos { $q-tolerance-specification } määrittelee toleranssin, ylä- ja alamittapoikkeaman ja poikkeaman normaalivektorin suunnassa. Värit osoittavat arvot: vihreä hyväksytty, oranssi jälkityöstö, punainen hylätty. Myös 3D-poikkeama kirjataan pöytäkirjaan.
+note-surface-log-contents = Pöytäkirja sisältää pää-, sivu- ja työkaluakselille: todellisen kosketussuunnan (vektorina sisäänsyöttöjärjestelmässä; vektorin pituus on konfiguroitu kosketusliike), asetuskoordinaatin, olokoordinaatin sekä, jos { $q-tolerance-specification } määrittelee toleranssin, ylä- ja alamittapoikkeaman ja poikkeaman normaalivektorin suunnassa. Värit osoittavat arvot: vihreä hyväksytty, oranssi jälkityö, punainen hylätty. Myös 3D-poikkeama kirjataan pöytäkirjaan.
 note-surface-log-directory = Ohjaus tallentaa pöytäkirjan HTML-tiedostona NC-ohjelman hakemistoon, jos toiminnolle FN 16 on konfiguroitu polku.
 note-mirror-or-scaling-is-an-error = Ohjaus antaa virheilmoituksen, jos peilaus (työkierto 8), mittakerroin (työkierto 11) tai akselikohtainen mittakerroin (työkierto 26) on voimassa, kun työkierto aktivoidaan.
 note-tcpm-considered = Aktiivinen TCPM otetaan kosketuksessa huomioon. TCPM:n kanssa asemia voidaan koskettaa myös silloin, kun koneistustason kääntö on epäyhtenäisessä tilassa.
 note-track-with-controlled-spindle = Jos koneessa on ohjattu kara, aktivoi kulman jälkiseuranta kosketusjärjestelmän taulukossa (sarake { $mp-track }). Se parantaa yleensä 3D-kosketusjärjestelmällä tehtävien mittausten tarkkuutta.
 note-coordinates-in-input-system = Kaikki työkierron koordinaatit perustuvat sisäänsyöttöjärjestelmään.
 note-results-in-parameters = Ohjaus kirjoittaa mitatut arvot tulosparametreihin.
-note-status-independent-of-reaction = Parametrin Q183 työkappaleen tila hyväksytty, jälkityöstö tai hylätty asetetaan parametrista { $q-tolerance-error-reaction } riippumatta.
+note-status-independent-of-reaction = Parametrin Q183 työkappaleen tila hyväksytty, jälkityö tai hylätty asetetaan parametrista { $q-tolerance-error-reaction } riippumatta.
 note-normal-from-cad = Normaalivektori ({ $q-surface-normal-main }, { $q-surface-normal-minor }, { $q-surface-normal-tool }) on kohtisuorassa sitä ajateltua tasoa vastaan, jossa asetuskoordinaatit sijaitsevat, ja osoittaa pinnasta poispäin. Se on parasta ottaa CAD- tai CAM-järjestelmästä.
 note-normal-does-not-set-path = Normaalivektori ei määrää kosketusliikettä.
 note-tolerance-grammar = Esimerkkejä toleranssimäärittelystä: "0.4-0.1": toleranssialue on asetuskoordinaatista −0,1 … +0,4. "0.4": asetuskoordinaatista arvoon +0,4. "-0.1": arvosta −0,1 asetuskoordinaattiin. " ", "0" ja "0.1+0.1": ohjaus ei ota toleranssia huomioon.

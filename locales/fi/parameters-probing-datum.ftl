@@ -195,10 +195,10 @@ parameter-second-stud-diameter = Kaulan 2 halkaisija
     .help = Toisen kaulan likimääräinen halkaisija. Anna mieluummin liian suuri kuin liian pieni arvo.
 parameter-measuring-height__rotation-two-studs = Kaulan 1 mittauskorkeus kosketusakselilla
     .label = MITTAUSKORKEUS 1
-    .help = Kosketuskuulan keskipisteen (kosketuspisteen) koordinaatti kosketusakselilla, jossa kaula 1 mitataan.
+    .help = Korkeus, jolla kaula 1 mitataan: kosketuskuulan keskipisteen (kosketuspisteen) koordinaatti kosketusakselilla.
 parameter-second-measuring-height = Kaulan 2 mittauskorkeus kosketusakselilla
     .label = MITTAUSKORKEUS 2
-    .help = Kosketuskuulan keskipisteen (kosketuspisteen) koordinaatti kosketusakselilla, jossa kaula 2 mitataan.
+    .help = Korkeus, jolla kaula 2 mitataan: kosketuskuulan keskipisteen (kosketuspisteen) koordinaatti kosketusakselilla.
 
 # --- mitä kulmalle tehdään ---
 parameter-reference-line-angle = Peruskäännön esiasetus

@@ -68,7 +68,7 @@ parameter-second-measurement-offset = 2. mittauksen siirtymä
     .help = Matka, jonka verran kosketusjärjestelmää siirretään ennen toista mittausta. Arvolla 0 ohjaus ei siirrä kosketusjärjestelmää.
 parameter-nominal-length = Asetuspituus
     .label = ASETUSPITUUS
-    .help = Mitattavan pituuden asetusarvo.
+    .help = Mitatun pituuden asetusarvo.
 parameter-greatest-dimension = Suurin mitta
     .label = SUURIN MITTA
     .help = Suurin sallittu pituus.
@@ -228,7 +228,7 @@ parameter-greatest-measuring-path = Maksimi mittausliike
     .label-aliases = ETÄIS
     .help = Matka, jonka kosketusjärjestelmä siirtyy alkupisteestä. Vahvista näppäimellä ENT.
 parameter-measuring-feed = Mittaussyöttöarvo
-    .help = Mittaussyöttöarvo yksikössä mm/min.
+    .help = Syöttöarvo, jolla kosketusjärjestelmä liikkuu mitattaessa (mm/min).
 parameter-greatest-retraction-path = Maksimi vetäytymisliike
     .help = Matka kosketussuuntaa vastaan kosketusvarren taipumisen jälkeen. Ohjaus vetää kosketusjärjestelmän enintään alkupisteeseen, joten törmäystä ei voi tapahtua.
 parameter-probing-reference-system = PERUSJÄRJESTELMÄ (0=HETK/1=REF)

@@ -36,7 +36,7 @@ parameter-probing-stepping-angle = Kulma-askel
 # --- kosketus ---
 parameter-measuring-height = Mittauskorkeus kosketusakselilla
     .label = MITTAUSKORKEUS
-    .help = Kosketuskuulan keskipisteen (kosketuspisteen) koordinaatti kosketusakselilla, jossa mittaus tehdään.
+    .help = Korkeus, jolla mitataan: kosketuskuulan keskipisteen (kosketuspisteen) koordinaatti kosketusakselilla.
 parameter-probing-clearance = Varmuusetäisyys
     .label = VARMUUSETÄIS.
     .label-aliases = VARMUUSETÄISYYS
@@ -86,7 +86,7 @@ parameter-new-datum-minor = Sivuakselin uusi peruspiste
 parameter-measured-value-transfer = Mittausarvojen lähetys (0,1)
     .label = MITTAUSARVON LUOVUTUS
     .help = Määrää, tallennetaanko mitattu peruspiste nollapistetaulukkoon vai esiasetustaulukkoon.
-choice-transfer-from-old-program = Älä käytä; ohjaus syöttää tämän arvon, kun vanhoja ohjelmia luetaan sisään
+choice-transfer-from-old-program = Älä käytä; ohjaus syöttää tämän arvon, kun vanhoja ohjelmia luetaan ohjaukseen
 choice-transfer-to-datum-table = Mitatun peruspisteen kirjoitus aktiiviseen nollapistetaulukkoon; arvot perustuvat työkappaleen aktiiviseen koordinaatistoon
 choice-transfer-to-preset-table = Mitatun peruspisteen kirjoitus esiasetustaulukkoon; arvot perustuvat koneen koordinaatistoon (REF-järjestelmä)
 parameter-probing-in-probe-axis = Kosketus kosk.akselilla

@@ -49,7 +49,7 @@ note-results-in-active-system = Ohjaus antaa kaikki tulokset sekä tulosparametr
 note-results-in-active-system__tnc320 = Ohjaus antaa kaikki tulokset sekä tulosparametreissa että pöytäkirjatiedostossa aktiivisessa koordinaatistossa, joka voi olla siirretty ja/tai kierretty.
 note-results-in-active-system__tnc426-430 = Ohjaus antaa kaikki tulokset sekä tulosparametreissa että pöytäkirjatiedostossa aktiivisessa koordinaatistossa, joka voi olla siirretty.
 note-results-in-q-parameters = Mittaustulokset ovat sen jälkeen yleisesti voimassa olevissa Q-parametreissa Q150 … Q160, joita ohjelma voi käyttää.
-note-deviations-in-q-parameters = Mittaustulokset ovat sen jälkeen yleisesti voimassa olevissa Q-parametreissa Q150 … Q160, poikkeamat asetusarvoista parametreissa Q161 … Q166. Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit; kirkastaustainen tulosparametri kuuluu valittuun sisäänsyöttöparametriin.
+note-deviations-in-q-parameters = Mittaustulokset ovat sen jälkeen yleisesti voimassa olevissa Q-parametreissa Q150 … Q160, poikkeamat asetusarvoista parametreissa Q161 … Q166. Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit; vaaleataustainen tulosparametri kuuluu valittuun sisäänsyöttöparametriin.
 note-deviations-in-q-parameters__tnc426-430 = Mittaustulokset ovat sen jälkeen yleisesti voimassa olevissa Q-parametreissa Q150 … Q160, poikkeamat asetusarvoista parametreissa Q161 … Q166. Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit.
 
 # --- tulokset ---

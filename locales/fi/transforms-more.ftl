@@ -21,7 +21,7 @@ note-reset-scaling = Peruuta mittakerroin ohjelmoimalla työkierto uudelleen ker
 note-scaling-in-status-display = Lisätilanäyttö esittää voimassa olevan mittakertoimen.
 note-scaling-acts-on = Kerroin vaikuttaa samanaikaisesti kaikkiin kolmeen koordinaattiakseliin ja työkierroissa annettuihin mittoihin.
 note-shift-datum-before-scaling = Ennen suurennusta tai pienennystä nollapiste kannattaa siirtää muodon reunaan tai nurkkaan.
-note-scaling-limits = Suurennus: kerroin yli 1 ja enintään 99,999 999. Pienennys: kerroin alle 1 ja vähintään 0,000 001.
+note-scaling-limits = Suurennus: kerroin yli 1 ja enintään 99,999999. Pienennys: kerroin alle 1 ja vähintään 0,000001.
 
 # --- 26 ---
 cycle-axis-scaling = Akselikohtainen mittakerroin

@@ -118,7 +118,7 @@ cycle-turn-contour-face = Muodon tasosorvaus
 # --- 800 ---
 cycle-adapt-turning-system = Kiertokoordinaatiston sovitus
     .nc = KIERTOKOORDINAATISTON SOVITUS
-    .purpose = Työkierto suuntaa työkappaleen koordinaatiston sorvausta varten ja asettaa työkalun terän oikeaan suuntaan; voi peilata työkalun, jolloin sitä voidaan käyttää sekä sisä- että ulkopuoliseen koneistukseen.
+    .purpose = Työkierto suuntaa työkappaleen koordinaatiston sorvausta varten ja asettaa työkalun terän oikeaan suuntaan. Se voi myös peilata työkalun, jolloin sitä voidaan käyttää sekä sisä- että ulkopuoliseen koneistukseen.
 step-align-turning-system = Ohjaus suuntaa työkappaleen koordinaatiston prekessiokulmaan { $q-precession-angle } ja kääntää työkalun terän vastaavasti: ulkopuolisessa koneistuksessa pyöröpöydän keskipisteeseen, sisäpuolisessa koneistuksessa vastakkaiseen suuntaan.
 step-reverse-turning-tool = Parametrilla { $q-tool-reversal } työkalun koordinaatisto voidaan peilata: silloin ohjaus kääntää karaa 180° ja peilaa työkalun suuntauksen { $mp-tool-orientation }. Näin samaa työkalua voidaan käyttää sekä sisä- että ulkopuoliseen koneistukseen.
 note-before-turning = Aja työkalu ennen sorvausta oikeaan asemaan ja suuntaa sen terä.

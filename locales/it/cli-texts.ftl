@@ -23,6 +23,7 @@ cli-texts-imported = { $language }: { $dry ->
        *[no] riprese { $taken }
     }, invariate { $unchanged }, non definitive { $open }, rifiutate { $refused }.
 cli-texts-count = { $name }: { $translated } di { $texts } tradotti, { $missing } mancanti, { $stale } superati, { $unaccepted } non approvati, { $same } uguali all’inglese, { $long } troppo lunghi, { $words } parole da tradurre
+cli-texts-group = gruppo { $name }
 cli-texts-accepted = { $language }: { $count ->
         [one] { $count } testo approvato.
        *[other] { $count } testi approvati.

@@ -53,7 +53,7 @@ step-retract-and-return-to-stop-distance = Il controllo ritrae l’utensile in r
 until-drilling-depth-reached = non è raggiunta la profondità di foratura
 step-dwell-and-retract-to-start = Sul fondo del foro l’utensile sosta per eseguire la spoglia e poi si ritrae in rapido (FMAX) alla posizione di partenza.
 until-pilot-holes-drilled = non sono stati forati tutti i punti di penetrazione
-note-stop-distance-determined = Il controllo determina automaticamente la distanza di prearresto t: 0,6 mm con una profondità di foratura fino a 30 mm, un cinquantesimo della profondità di foratura oltre 30 mm, ma mai più di 7 mm.
+note-stop-distance-determined = Il controllo determina automaticamente la distanza di prearresto t: 0,6 mm con una profondità di foratura fino a 30 mm, un cinquantesimo della profondità di foratura se supera 30 mm, ma mai più di 7 mm.
 note-infeed-points-consider = Per i punti di penetrazione il controllo tiene conto dei sovrametalli di finitura laterale e del fondo e del raggio dell’utensile di svuotamento.
 note-delta-radius-not-considered-for-infeed-points = Nel calcolo dei punti di penetrazione il controllo non tiene conto di un valore delta DR programmato nel blocco TOOL CALL.
 note-narrow-places-not-pre-drilled = In punti stretti il controllo potrebbe non essere in grado di preforare con un utensile più grande di quello di svuotamento.
@@ -64,7 +64,7 @@ cycle-rough-out = Svuotamento
     .purpose = Svuota il profilo fino al sovrametallo del fondo, livello per livello, oppure lavora soltanto ciò che un utensile più grosso ha lasciato.
 step-position-over-infeed-point = Il controllo posiziona l’utensile sopra il punto di penetrazione, tenendo conto del sovrametallo di finitura laterale.
 step-take-depths-of-partial-contours = Il controllo lavora un segmento di profilo con una profondità propria fino a tale profondità, tutti gli altri fino alla profondità di fresatura dei dati del profilo.
-step-go-to-infeed-point = L'utensile si porta in rapido sopra il punto di penetrazione e scende fino alla distanza di sicurezza dalla superficie già lavorata.
+step-go-to-infeed-point = L’utensile si porta in rapido sopra il punto di penetrazione e scende fino alla distanza di sicurezza dalla superficie già lavorata.
 step-plunge-to-contour-level = L’utensile si porta alla profondità incremento successiva, più in basso di { $q-contour-plunging-depth }:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: in verticale con l’avanzamento { $q-contour-plunging-feed }, anche se per l’utensile attivo è definito un angolo di penetrazione { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: in verticale con l’avanzamento con pendolamento { $q-reciprocation-feed }
@@ -72,7 +72,7 @@ say-plunge-on-helix-or-in-strokes = altrimenti lungo un’elica con l’angolo d
 step-rough-contour-level = A questa profondità l’utensile fresa il profilo dall’interno verso l’esterno con l’avanzamento { $q-roughing-feed }. Intorno alle isole fresa su traiettorie che si avvicinano sempre più al profilo della tasca:
 say-rough-what-coarser-tool-left = se è inserito un utensile di sgrossatura { $q-coarse-roughing-tool }, soltanto ciò che questo utensile non ha potuto lavorare
 say-rough-whole-region = altrimenti l’intera area
-message-contour-material-left = L'utensile non raggiunge tutto il profilo: lascia materiale negli angoli o nei punti stretti.
+message-contour-material-left = L’utensile non raggiunge tutto il profilo: lascia materiale negli angoli o nei punti stretti.
 note-centre-cutting-or-pilot-drilling = Se necessario, utilizzare una fresa con tagliente al centro (DIN 844) oppure preforare con il ciclo 21.
 note-rough-out-plunging = Il modo in cui l’utensile penetra è determinato dal parametro { $q-reciprocation-feed } e dalle colonne { $mp-plunging-angle } e { $mp-cutting-edge-length } della tabella utensili. Con { $q-reciprocation-feed } = 0 penetra sempre in verticale. Con { $mp-plunging-angle } = 90° penetra in verticale con l’avanzamento { $q-reciprocation-feed }. Con un avanzamento con pendolamento e { $mp-plunging-angle } da 0,1 a 89,999 penetra lungo un’elica con questo angolo. Con un avanzamento con pendolamento e senza { $mp-plunging-angle } nella tabella utensili il controllo emette un messaggio d’errore. Se non c’è spazio per un’elica (ad esempio in una scanalatura), il controllo tenta di penetrare con pendolamento; la lunghezza di pendolamento è { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = Con un fattore di sovrapposizione maggiore di 1, nei profili di tasche con spigoli interni acuti può rimanere del materiale. Verificare la traiettoria più interna nel test grafico e, se necessario, modificare leggermente il fattore di sovrapposizione. In questo modo la suddivisione dei tagli cambia, il che spesso porta al risultato desiderato.

@@ -23,7 +23,7 @@ step-retract-and-treat-datum__tnc426-430 = Il controllo riporta il sistema di ta
 step-store-actual-values = Il controllo memorizza i valori reali nei parametri di risultato.
 note-pocket-sides-rather-small = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per il 1° e il 2° lato della tasca lunghezze approssimate per difetto.
 note-stud-sides-rather-large = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per il 1° e il 2° lato dell’isola lunghezze approssimate per eccesso.
-title-introduction-to-probing = Blocco NC dell’introduzione ai cicli di tastatura
+title-introduction-to-probing = Altro esempio
 
 # --- 413 ---
 cycle-datum-outside-circle = Impostazione origine cerchio esterno (isola)
@@ -34,6 +34,7 @@ cycle-datum-outside-circle__tnc426-430 =
 note-stud-diameter-rather-large = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per l’isola un diametro nominale approssimato per eccesso.
 note-small-stepping-angle-less-exact__datum-outside-circle = Quanto più piccolo è l’angolo incrementale { $q-probing-stepping-angle }, tanto meno precisa è l’origine calcolata dal controllo.
 title-datum-at-arc-centre-and-top = Impostazione dell’origine al centro di un segmento circolare e sul bordo superiore del pezzo
+title-datum-at-arc-centre-and-top__tnc426-430 = Impostazione dell’origine al centro di un segmento circolare
 
 # --- results ---
 result-side-main-actual = Valore reale lunghezza lato asse principale
@@ -51,7 +52,7 @@ cycle-datum-slot-centre = Impostazione origine centro scanalatura
 cycle-datum-ridge-centre = Impostazione origine centro isola
     .nc = ORIGINE CENTRO ISOLA
     .purpose = Misura il centro di un’isola e lo imposta come origine. A scelta, il controllo scrive il centro anche in una tabella origini o nella tabella Preset.
-step-travel-at-clearance-height-to-second = Il sistema di tastatura si porta all’altezza di sicurezza { $q-clearance-height } al secondo punto di tastatura.
+step-travel-at-clearance-height-to-second = Il sistema di tastatura si porta, all’altezza di sicurezza { $q-clearance-height }, al secondo punto di tastatura.
 say-start-again-from-centre__datum-slot-centre = se la scanalatura e la distanza di sicurezza non lasciano spazio per un preposizionamento vicino ai punti di tastatura, rimane al centro e non si porta all’altezza di sicurezza
 note-slot-width-rather-small = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire una larghezza della scanalatura approssimata per difetto.
 note-ridge-width-rather-large = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire una larghezza dell’isola approssimata per eccesso.

@@ -4,7 +4,7 @@ diag-approach-twice = Qui ci si avvicina al profilo con la correzione del raggio
 diag-approach-without-compensation =
     { $what ->
         [approach] Qui ci si avvicina al profilo senza RL o RR.
-       *[departure] Qui ci si allontana dal profilo, ma nessuna compensazione del raggio è attiva.
+       *[departure] Qui ci si allontana dal profilo, ma nessuna correzione del raggio è attiva.
     }
 diag-arc-in-unequal-scaling = { $cycle } scala gli assi di questo arco con fattori diversi: il risultato non è un arco.
 diag-arc-too-narrow = Il raggio { $radius } all’interno del profilo è inferiore a quello dell’utensile, { $tool }.
@@ -40,9 +40,9 @@ diag-compensation-at-cycle =
     { $cycle } viene eseguito qui con la correzione del raggio attiva.
 diag-compensation-left-on = Qui la correzione del raggio è ancora attiva.
 diag-compensation-on-arc = La correzione del raggio non deve iniziare su un arco.
-diag-compensation-other-side = Lo stesso profilo è stato lavorato prima con la compensazione del raggio opposta: qui l’utensile è sull’altro lato.
+diag-compensation-other-side = Lo stesso profilo è stato lavorato prima con la correzione del raggio opposta: qui l’utensile è sull’altro lato.
 diag-compensation-switched = La correzione del raggio cambia lato qui senza R0 intermedio.
-diag-contour-at-rapid = Qui l’utensile percorre in rapido un profilo con compensazione del raggio.
+diag-contour-at-rapid = Qui l’utensile percorre in rapido un profilo con correzione del raggio.
 diag-contour-data-missing = { $cycle } viene chiamato, ma { $data } non è stato definito prima.
 diag-contour-def-wrong =
     { $what ->
@@ -155,10 +155,11 @@ diag-global-def-wrong =
 diag-guard = Il controllo non accetta questi valori.
 diag-hole-outside-blank =
     { $what ->
-        [beside] Il foro in { $value }; { $other } è accanto al pezzo grezzo.
+        [beside] Il foro in { $value }; { $other } è fuori dal pezzo grezzo.
         [surface] La superficie a { $value } è lontana dal pezzo grezzo.
        *[through] Il foro arriva a { $value }, ben oltre il pezzo grezzo.
     }
+diag-insert-points-away = L’inserto non può tagliare dove va { $cycle }: il suo orientamento (TO) è { $orientation }, perciò la punta è rivolta dalla parte opposta al pezzo o all’avanzamento.
 diag-iso-incomplete =
     Questo blocco è incompleto: { $what ->
         [value] una lettera è senza valore
@@ -181,7 +182,7 @@ diag-labels-of-unknown-language =
     }
 diag-languages-mixed = La maggior parte delle etichette è in una lingua ({ $language }); le definizioni in queste righe sono in un’altra ({ $others }): { $lines }.
 diag-loop-endless = Questo salto chiude una ripetizione che non termina mai.
-diag-machine-coordinates-compensated = Qui si programmano coordinate macchina (M91, M92) con compensazione del raggio.
+diag-machine-coordinates-compensated = Qui si programmano coordinate macchina (M91, M92) con correzione del raggio.
 diag-machine-coordinates-missing = Altrove il programma si disimpegna a { $value } con M91; qui M91 manca, e la quota vale dall’origine del pezzo.
 diag-main-runs-into-subprogram = Il programma principale prosegue qui nel sottoprogramma { $label }: non lo termina né M2 né M30.
 diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value }, sotto il fondo a { $floor } lasciato in quel punto da { $milling }.
@@ -258,7 +259,11 @@ diag-plane-not-positioned =
         [cycle] Nessun blocco posiziona gli assi rotativi dopo questa rotazione del piano; se lo fa il ciclo dipende dalla macchina.
        *[plane] STAY non muove gli assi rotativi, e nessun blocco del programma li porta agli angoli di questo piano.
     }
-diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
+diag-plane-not-reset =
+    { $what ->
+        [zero] { $cycle } imposta qui tutti gli angoli a 0, ma nulla disattiva la rotazione del piano di lavoro.
+       *[tilted] Il programma termina qui con il piano di lavoro ruotato.
+    }
 diag-position-after-contour = Questa è la prima posizione dopo { $cycle }, ma non ha valori assoluti per entrambe le coordinate del piano.
 diag-position-twice = Il punto { $value }; { $other } è già stato lavorato con questa definizione e questo utensile.
 diag-probe-while-turning = { $cycle } tasta qui mentre il mandrino gira.
@@ -288,7 +293,7 @@ diag-reset-order-wrong =
        *[shift] Qui lo spostamento origine viene annullato, ma il piano di lavoro ruotato dopo di esso è ancora ruotato.
     }
 diag-retract-missing =
-    L’utensile si trova ancora a { $value }, nel pezzo grezzo o appena sopra, quando { $what ->
+    L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando { $what ->
         [change] viene cambiato
         [tilt] il piano viene ruotato con MOVE
         [end] il programma termina
@@ -341,6 +346,7 @@ diag-tool-axis-missing = Questa chiamata utensile non ha l’asse utensile, e ne
 diag-tool-axis-other =
     { $what ->
         [pattern] PATTERN DEF lavora solo con l’asse utensile { $axis }, ma qui ne è attivo un altro.
+        [lifted] Questa chiamata utensile indica un asse utensile diverso da quello del grezzo, ma l’utensile viene disimpegnato solo lungo { $axis }.
        *[blank] Il grezzo ha l’asse utensile { $axis }, ma nessun utensile del programma lo ha.
     }
 diag-tool-definition-wrong =
@@ -356,9 +362,11 @@ diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.
+        [contour] L’utensile che ha appena tastato si muove qui lungo un profilo.
        *[mill] { $cycle } lavora qui con l’utensile che ha appena tastato.
     }
 diag-tool-unused = L’utensile { $tool } viene chiamato qui, e il blocco successivo ne chiama un altro.
+diag-tool-zero = { $cycle } viene eseguito con l’utensile 0: nel mandrino non c’è alcun utensile.
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } ha letto { $parameter } alla definizione: il valore scritto qui non influisce sulla sua chiamata.
@@ -375,6 +383,7 @@ diag-transformation-forbidden =
         [turning] il controllo sia nel modo tornitura (FUNCTION MODE TURN)
        *[tilting] il piano di lavoro sia ruotato
     }: il manuale lo vieta.
+diag-transformation-without-effect = { $other } annulla la conversione di { $cycle } prima che qualcosa la utilizzi.
 diag-transformation-left-on =
     Il programma termina qui con { $what ->
         [datum-shift] uno spostamento origine attivo

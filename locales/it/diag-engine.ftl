@@ -26,20 +26,22 @@ diag-fit-collinear = I { NUMBER($points) } punti di tastatura sono su una retta:
 diag-fit-failed = Nessun cerchio approssima i { NUMBER($points) } punti di tastatura.
 diag-fit-too-few = I punti di tastatura sono troppo pochi per un cerchio: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Gli incrementi non raggiungono mai la profondità di { NUMBER($depth) } mm: il primo è di { NUMBER($first) } mm, ciascuno è minore di { NUMBER($less) } mm, il minimo è di { NUMBER($least) } mm; finiscono a { NUMBER($reached) } mm.
-diag-insert-direction = L'inserto dell'utensile { $tool } non è rivolto verso il pezzo o nella direzione dei tagli: il suo orientamento (TO) è { $orientation }.
+diag-insert-direction = L’inserto dell’utensile { $tool } non è rivolto verso il pezzo o nella direzione dei tagli: il suo orientamento (TO) è { $orientation }.
 diag-jump-limit = L’esecuzione è stata terminata: sono stati eseguiti più di { NUMBER($limit) } salti, ripetizioni e chiamate.
 diag-jump-target-missing = Manca il label { $label }.
 diag-jump-target-twice = Il label { $label } compare due volte nel programma.
+diag-kinematics-unknown = La cinematica «{ $name }» dopo FUNCTION MODE non è quella della macchina simulata, «{ $machine }».
 diag-lines-parallel = Le due rette sono parallele: non hanno un’intersezione.
 diag-log-failed = Impossibile scrivere il protocollo { $name }: { $reason }
 diag-log-template = Il protocollo { $name } non ha un modello.
 diag-log-text = Manca il testo { $name } del protocollo ({ $reason }).
+diag-milling-mode-missing = { $cycle } si esegue solo nel modo fresatura, ma è attivo il modo tornitura (FUNCTION MODE TURN).
 diag-move-limit = L’esecuzione è stata terminata: sono stati eseguiti più di { NUMBER($limit) } movimenti dell’utensile.
 diag-machine-parameter-missing = Il parametro macchina { $name } con le sue tre coordinate non è definito.
 diag-no-cycle-to-call = Viene chiamato un ciclo, ma non è stato definito alcun ciclo di lavorazione.
 diag-no-such-parameter = Non esiste il parametro { $q }.
 diag-number-too-large = Il risultato è troppo grande per il formato numerico.
-diag-orientation-missing = La compensazione del raggio in tornitura richiede l'orientamento (TO) dell'utensile { $tool }: indica dove si trova la punta rispetto al centro del raggio.
+diag-orientation-missing = La correzione del raggio in tornitura richiede l’orientamento (TO) dell’utensile { $tool }: indica dove si trova la punta rispetto al centro del raggio.
 diag-outside-domain = { $function } non è definita per { NUMBER($value) }.
 diag-parameter-missing = { $q } manca in { $cycle }.
 diag-parameter-out-of-range = { $q } non accetta il valore { NUMBER($value) }.
@@ -57,13 +59,14 @@ diag-probe-no-direction = Lo stilo è già nel punto da tastare, perciò non c�
 diag-program-missing = Manca il programma { $name }.
 diag-radius-missing = Il raggio R manca in questo blocco.
 diag-radius-too-small = Il raggio di { NUMBER($radius) } mm non basta per una corda di { NUMBER($chord, maximumFractionDigits: 4) } mm.
+diag-recess-impossible = Non c’è spazio per la gola, mancano il suo centro, la profondità o la larghezza, oppure non è su un elemento rettilineo.
 diag-recursive-call = Una parte di programma chiama se stessa.
 diag-repeat-count = REP richiede un numero intero da 0 a 65534, non { NUMBER($found) }.
 diag-rotary-axis-missing = La macchina non ha un asse rotativo { $axis }.
 diag-rotary-axis-unsuitable = L’asse rotativo { $axis } non ruota nel piano della posizione obliqua e non la può compensare.
 diag-shaft-collision = Il gambo dello stilo tocca il pezzo in X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Questo utensile non può lavorare la forma: occorrono almeno { NUMBER($least) } mm, sono disponibili { NUMBER($found) } mm.
-diag-cutting-width-missing = L'utensile { $tool } non è un utensile per gole: la larghezza di taglio (CUTWIDTH) deve essere maggiore di 0 e almeno doppia del raggio del tagliente (RS).
+diag-cutting-width-missing = L’utensile { $tool } non è un utensile per gole: la larghezza di taglio (CUTWIDTH) deve essere maggiore di 0 e almeno doppia del raggio del tagliente (RS).
 diag-series-count = Il numero di ripetizioni deve essere intero e non negativo, non { NUMBER($found) }.
 diag-series-limit = Il ciclo ripeterebbe i suoi passi più di { NUMBER($limit) } volte.
 diag-strategy-argument = Manca un argomento di una strategia.
@@ -72,7 +75,7 @@ diag-text-too-long = Un parametro stringa supererebbe { NUMBER($limit) } caratte
 diag-tool-locked = L’utensile { $tool } è bloccato.
 diag-tool-not-in-table = L’utensile { $tool } non è nella tabella utensili.
 diag-turn-limit = L’esecuzione è stata terminata: un movimento ha più di { NUMBER($limit) } giri.
-diag-undercut-impossible = Non c'è spazio per la gola di scarico, oppure essa non si trova tra una superficie lungo l'asse di rotazione e una faccia ad angolo retto.
+diag-undercut-impossible = Non c’è spazio per la gola di scarico, manca una misura, oppure essa non si trova tra una superficie lungo l’asse di rotazione e una faccia ad angolo retto.
 diag-unsupported-axis = La macchina simulata non ha l’asse { $axis }.
 diag-unsupported-block = { $word } non si può simulare.
 diag-unsupported-cycle = Il manuale di { $control } menziona { $cycle } soltanto per nome: non si può simulare.
@@ -96,8 +99,8 @@ diag-pattern-tool-axis = Le sagome si possono usare solo con l’asse utensile Z
 diag-pattern-unreadable = «{ $found }» non si può usare in PATTERN DEF.
 diag-position-incomplete = CYCL CALL POS richiede le coordinate di tutti e tre gli assi.
 diag-value-not-predefined = È programmato PREDEF, ma nessun GLOBAL DEF ha definito il valore.
-diag-contour-crossing = Il profilo della label { $label } interseca o tocca sé stesso nel punto con asse principale { NUMBER($x) } mm e asse secondario { NUMBER($y) } mm.
-diag-contour-begin-incomplete = Il profilo della label { $label } non inizia con entrambe le coordinate X e Y.
+diag-contour-crossing = Il profilo del label { $label } interseca o tocca sé stesso nel punto con asse principale { NUMBER($x) } mm e asse secondario { NUMBER($y) } mm.
+diag-contour-begin-incomplete = Il profilo { $label } non inizia con entrambe le coordinate del piano di lavoro.
 diag-contour-data-undefined = Nessun ciclo ha ancora definito i dati del profilo.
 diag-contour-count = Il profilo è formato da più di { NUMBER($limit) } segmenti di profilo.
 diag-contour-depth =
@@ -106,17 +109,18 @@ diag-contour-depth =
        *[cycle] Un segmento di profilo ha una profondità di { NUMBER($depth) } mm, maggiore della profondità di fresatura dei dati del profilo.
     }
 diag-contour-elements = I profili hanno in totale più di { NUMBER($limit) } elementi.
-diag-contour-empty = Il sottoprogramma della label { $label } non descrive un profilo che racchiuda un'area.
+diag-contour-empty = Il sottoprogramma del label { $label } non descrive un profilo che racchiuda un’area.
 diag-contour-lead = Un profilo lavorato da un ciclo non può contenere { $word }: il ciclo lo accosta e se ne allontana da sé.
 diag-contour-not-defined = Nessun ciclo ha ancora indicato i sottoprogrammi del profilo.
-diag-contour-open = Il profilo della label { $label } è aperto: termina a { NUMBER($distance) } mm dal punto di partenza.
-diag-contour-side-missing = Nel profilo della label { $label } manca la compensazione del raggio RL o RR, che stabilisce se si tratta di una tasca o di un'isola.
+diag-contour-open = Il profilo del label { $label } è aperto: termina a { NUMBER($distance) } mm dal punto di partenza.
+diag-contour-side-missing = Nel profilo del label { $label } manca la correzione del raggio RL o RR, che stabilisce se si tratta di una tasca o di un’isola.
+diag-contour-tool-axis = Il profilo della label { $label } contiene una coordinata nell’asse utensile.
 diag-free-contour-contradicts = Nessun profilo soddisfa tutti i valori indicati per questo elemento e per quelli precedenti.
 diag-free-contour-open =
     { $what ->
-        [line] La posizione o la direzione di questa retta non è determinata: manca un valore.
-        [arc] Il centro o il raggio di questo arco non è determinato: manca un valore.
-       *[end] La fine di questo elemento non è determinata: manca un valore.
+        [line] La posizione o la direzione di questa retta non è determinata. Valori ancora mancanti: { $values }.
+        [arc] Il centro o il raggio di questo arco non è determinato. Valori ancora mancanti: { $values }.
+       *[end] La fine di questo elemento non è determinata. Valori ancora mancanti: { $values }.
     }
 diag-free-contour-reference = Il blocco { $block } non è un elemento di questo profilo libero né il blocco di posizionamento che lo precede.
 diag-free-contour-selection = FSELECT { $wanted } non si può selezionare: il numero di soluzioni qui è { $solutions }.

@@ -24,3 +24,5 @@ diag-texts-unit-markup = La traduzione dell’unità «{ $key }» cambierebbe la
 diag-texts-unit-numbers = I numeri dell’unità «{ $key }» non sono quelli del testo di partenza: mancanti { $missing }, estranei { $foreign }.
 diag-texts-unknown-topic = Non esiste una pagina di prosa «{ $topic }».
 diag-draft-language = Una bozza riguarda una sola lingua: indicarla con --lang, ad esempio «--draft --lang de».
+diag-texts-unit-swapped = Le unità «{ $key }» e «{ $other }» hanno l’una le parole dell’altra.
+diag-texts-unit-negation = Nell’unità «{ $key }» è stata tolta una parola che nega, perciò il testo dice il contrario.

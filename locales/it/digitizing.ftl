@@ -66,7 +66,7 @@ note-complete-path-of-data = Nel menu dell’interfaccia dati inserire il percor
 note-digitizing-not-in-iso = I cicli di digitalizzazione non sono disponibili in DIN/ISO.
 
 # --- notes: what is needed ---
-note-digitizing-needs-option = Per la digitalizzazione occorrono un sistema di tastatura, il modulo software Opzione digitalizzazione e, se necessario, il software di elaborazione SUSA di HEIDENHAIN per elaborare i dati digitalizzati con il ciclo MEANDRO.
+note-digitizing-needs-option = Per la digitalizzazione occorrono un sistema di tastatura, il modulo software Opzione digitalizzazione e, se necessario, il software di elaborazione SUSA di HEIDENHAIN per i dati digitalizzati con il ciclo MEANDRO.
 note-calibrate-before-digitizing = Calibrare il sistema di tastatura prima della digitalizzazione.
 note-digitizing-axes = I cicli di digitalizzazione si programmano con gli assi principali X, Y e Z e con gli assi rotativi A, B e C.
 note-digitizing-speed-touch-trigger = Con un sistema di tastatura digitale la velocità di digitalizzazione è compresa tra 200 e 800 mm/min, con una distanza tra i punti di 1 mm.

@@ -34,3 +34,7 @@ explain-texts-unknown-topic =
     Le pagine di prosa sono file sotto locales/en/topics; il nome del file senza «.md» è l’argomento, ad esempio sl-cycles. Senza --topic si esportano tutti i testi, pagine comprese.
 explain-draft-language =
     Una bozza riempie con l’inglese le lacune di una lingua in preparazione, così che le pagine si possano leggere prima che tutto sia tradotto. Riguarda una sola lingua, perché una lingua finita non appaia per errore come bozza. La lingua può non avere ancora una cartella. Senza --draft una pagina a cui manca un testo è rifiutata.
+explain-texts-unit-swapped =
+    Di due scelte o di due risultati, ciascuno ha nel file le parole che oggi ha l’altro, perciò chi legge imposterebbe il valore sbagliato. Nessuno dei due viene acquisito. Rimettere le parole al loro posto. Se a essere scambiate sono le parole di oggi, correggerle nel file Fluent.
+explain-texts-unit-negation =
+    Il testo inglese nega qualcosa, e la traduzione nel file è quella di oggi senza una parola come «non» o «né». Consentirebbe ciò che è vietato, oppure direbbe avvenuto ciò che non è avvenuto. Rimettere la parola. Se la frase nega in un altro modo, scriverla così; se la parola era sbagliata, toglierla nel file Fluent.

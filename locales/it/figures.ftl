@@ -1,7 +1,7 @@
 # Parole delle figure.
 
 figure-section = Sezione
-figure-plan = Vista dall'alto
+figure-plan = Vista dall’alto
 figure-chip-breaking = Rottura truciolo
 figure-deepened-start = Punto di partenza abbassato
 figure-centring-diameter = Centrinatura fino al diametro
@@ -35,6 +35,16 @@ figure-pattern = Più scanalature
 figure-side-allowance = Sovrametallo laterale
 figure-rounding = Raggio spigolo interno
 figure-between-points = Percorso tra i punti da tastare
+figure-between-holes = Percorso tra le posizioni
+figure-depth-or-diameter = Profondità o diametro
+figure-threads-per-step = Giri o eliche
+figure-countersinking-moment = Momento della svasatura
+figure-finishing-counter-clockwise = Finitura in senso antiorario, Q9 = +1
+figure-finishing-clockwise = Finitura in senso orario, Q9 = −1
+figure-train-climb = Fresatura concorde, Q15 = +1
+figure-train-up-cut = Fresatura discorde, Q15 = −1
+figure-train-to-and-fro = Avanti e indietro, Q15 = 0
+figure-operation = Lavorazione
 figure-no-contact = Percorso senza contatto
 way-rapid = rapido
 way-feed = avanzamento
@@ -46,15 +56,16 @@ cli-examples-figure =
     ciklo figure 205 --control tnc640 --lang sl --out figures
 cli-coverage-figures = { $count } di { $of } lunghezze, angoli e posizioni senza figura: { $ids }
 
-diag-figure-example-missing = La figura { $name } di { $cycle } deve essere disegnata dall'esempio { $example }, che il ciclo non possiede.
-diag-figure-moment-never = L'esecuzione della figura { $name } di { $cycle } non arriva mai al momento da mostrare ({ $reason }).
+diag-figure-example-missing = La figura { $name } di { $cycle } deve essere disegnata dall’esempio { $example }, che il ciclo non possiede.
+diag-figure-moment-never = L’esecuzione della figura { $name } di { $cycle } non arriva mai al momento da mostrare ({ $reason }).
+diag-figure-name-taken = Due figure di { $cycle } si chiamano entrambe { $name }.
 diag-figure-no-value = La figura { $figure } di { $cycle } mostra { $name } tra punti che in quel momento non hanno valore.
 diag-figure-no-centre = La figura { $figure } di { $cycle } mostra { $name } come angolo, ma il centro manca o non è un punto.
 diag-figure-axis-not-visible = La figura { $figure } di { $cycle } mostra { $name } lungo un asse che la vista non contiene.
 diag-figure-mixed-places = La figura { $figure } di { $cycle } mostra { $name } tra una coordinata e un punto: i due estremi devono essere dello stesso tipo.
-diag-figure-measured-otherwise = La figura { $figure } di { $cycle } mostra { $name } tra punti che nell'esecuzione distano { $measured }; il valore è { $value }.
-diag-figure-nothing-to-see = La figura { $figure } di { $cycle } mostra { $name } con il valore 0: non c'è nulla da vedere.
-diag-figure-place-not-reached = La figura { $figure } di { $cycle } mostra { $name } fino a un punto ({ $place }) che né l'utensile né il pezzo raggiungono.
+diag-figure-measured-otherwise = La figura { $figure } di { $cycle } mostra { $name } tra punti che nell’esecuzione distano { $measured }; il valore è { $value }.
+diag-figure-nothing-to-see = La figura { $figure } di { $cycle } mostra { $name } con il valore 0: non c’è nulla da vedere.
+diag-figure-place-not-reached = La figura { $figure } di { $cycle } mostra { $name } fino a un punto ({ $place }) che né l’utensile né il pezzo raggiungono.
 diag-figure-none = Il ciclo { $cycle } non ha figure su questo controllo numerico.
 diag-figure-parameter-not-shown = Nessuna figura di { $cycle } mostra { $name } e la specifica non ne indica il motivo.
 figure-teeth = Taglienti sul sistema di tastatura utensile
@@ -81,4 +92,8 @@ figure-measuring-axis = Asse di misura
 figure-traverse-direction = Direzione di spostamento
 figure-straight-or-circle = In linea retta o su cerchio
 figure-program = Il programma dall’alto
+figure-program-turned = Il programma: metà del pezzo in sezione
+figure-program-side = Il programma di lato
+figure-program-across = Il programma lungo l’asse rotativo
+figure-program-tilted = Il piano ruotato del programma
 figure-wide-slot = Scanalatura larga

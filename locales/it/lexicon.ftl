@@ -9,4 +9,4 @@ lexicon-count = numero | n. | filetti | rotture | tastature | punti | tagli | ri
 lexicon-factor = fattore | sovrapposizione | moltiplica
 lexicon-absolute = coordinata | centro | altezza | origine | posizione | nominale | punto | angolo | diametro | inizi | fine | final | rotazione | raggio | numero | partenza
 lexicon-incremental = distanza | prof | sovrametallo | increment | ritrazione | decremento | lunghezza | percorso | svasatura | lamatura | prearresto | tagliente | spessore | uscita | larghezza | oltrecorsa | arresto | grandezza | abbassato | corsa | apertura
-lexicon-negation = non | no | né | senza | nessun- | mai | nulla | niente | neppure | neanche | nemmeno | diverso | diversa | contrario | esclu- | evita- | manca- | invariat- | indipendent- | imped-
+lexicon-negation = non | no | né+ | senza | nessun- | mai | nulla | niente | neppure | neanche | nemmeno | diverso | diversa | contrario | esclu- | evita- | manca- | invariat- | indipendent- | imped-

@@ -7,21 +7,21 @@ say-part-needs-rework = ripresa (Q181=1) se un valore misurato è fuori tolleran
 # --- 422 ---
 cycle-measure-stud = Misurazione pezzo cerchio esterno (isola)
     .nc = MISURARE CERCHIO EST.
-    .purpose = Misura il centro e il diametro di un’isola circolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti in parametri.
-say-part-is-scrap__measure-stud = scarto (Q182=1) se l’isola è più piccola di { $q-stud-least-diameter } o il suo centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+    .purpose = Misura il centro e il diametro di un’isola circolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
+say-part-is-scrap__measure-stud = scarto (Q182=1) se l’isola è più piccola di { $q-stud-least-diameter } o il suo centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-stud = ripresa (Q181=1) se l’isola è più grande di { $q-stud-greatest-diameter }
 note-smallest-stepping-angle__measure-stud = Quanto più piccolo è l’angolo incrementale { $q-probing-stepping-angle }, tanto meno precise sono le dimensioni dell’isola calcolate dal controllo. Valore minimo di immissione: 5°.
 
 # --- 423, 424 ---
 cycle-measure-rectangular-pocket = Misurazione pezzo rettangolo interno
     .nc = MISURARE RETTANGOLO INT.
-    .purpose = Misura il centro, la lunghezza e la larghezza di una tasca rettangolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti in parametri.
+    .purpose = Misura il centro, la lunghezza e la larghezza di una tasca rettangolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
 cycle-measure-rectangular-stud = Misurazione pezzo rettangolo esterno
     .nc = MISURARE RETTANGOLO EST.
-    .purpose = Misura il centro, la lunghezza e la larghezza di un’isola rettangolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti in parametri.
-say-part-is-scrap__measure-rectangular-pocket = scarto (Q182=1) se un lato è più lungo di { $q-first-side-greatest-length } o { $q-second-side-greatest-length } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+    .purpose = Misura il centro, la lunghezza e la larghezza di un’isola rettangolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
+say-part-is-scrap__measure-rectangular-pocket = scarto (Q182=1) se un lato è più lungo di { $q-first-side-greatest-length } o { $q-second-side-greatest-length } o il centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-rectangular-pocket = ripresa (Q181=1) se un lato è più corto di { $q-first-side-least-length } o { $q-second-side-least-length }
-say-part-is-scrap__measure-rectangular-stud = scarto (Q182=1) se un lato è più corto di { $q-first-side-least-length } o { $q-second-side-least-length } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-part-is-scrap__measure-rectangular-stud = scarto (Q182=1) se un lato è più corto di { $q-first-side-least-length } o { $q-second-side-least-length } o il centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-rectangular-stud = ripresa (Q181=1) se un lato è più lungo di { $q-first-side-greatest-length } o { $q-second-side-greatest-length }
 result-side-main-deviation = Scostamento lunghezza lato asse principale
 result-side-minor-deviation = Scostamento lunghezza lato asse secondario
@@ -41,10 +41,10 @@ step-probe-first-in-negative-direction = Il sistema di tastatura esegue la prima
 step-probe-first-in-negative-direction__tnc426-430 = Il sistema di tastatura esegue la prima tastatura con l’avanzamento di tastatura ({ $mp-probing-feed } o { $mp-analog-probing-feed }), sempre in direzione negativa dell’asse programmato.
 step-probe-second-side-of-slot = Il sistema di tastatura esegue la seconda tastatura in base a { $q-second-measurement-offset }:
 step-probe-second-side-of-slot__tnc640 = Il sistema di tastatura esegue la seconda tastatura in base a { $q-second-measurement-offset }. Se la lunghezza nominale è grande, il controllo si porta in rapido al secondo punto di tastatura:
-say-offset-second-measurement = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura parallelamente all’asse di questo offset fino al punto di tastatura successivo ed esegue qui la tastatura
+say-offset-second-measurement = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura di questo offset, parallelamente all’asse, fino al punto di tastatura successivo ed esegue qui la tastatura
 say-offset-second-measurement__tnc640 = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura di questo offset fino al punto di tastatura successivo, con { $q-traverse-to-clearance-height }=1 all’altezza di sicurezza { $q-clearance-height }, ed esegue qui la tastatura
 say-measure-in-opposite-direction = con { $q-second-measurement-offset }=0 misura la larghezza direttamente nella direzione opposta
-step-probe-second-side-of-ridge = Il sistema di tastatura si porta all’altezza di sicurezza { $q-clearance-height } al punto di tastatura successivo ed esegue qui la seconda tastatura.
+step-probe-second-side-of-ridge = Il sistema di tastatura si porta, all’altezza di sicurezza { $q-clearance-height }, al punto di tastatura successivo ed esegue qui la seconda tastatura.
 say-part-is-scrap__measure-slot-width = scarto (Q182=1) se la scanalatura è più larga di { $q-greatest-dimension }
 say-part-needs-rework__measure-slot-width = ripresa (Q181=1) se la scanalatura è più stretta di { $q-least-dimension }
 say-part-is-scrap__measure-ridge-width = scarto (Q182=1) se l’isola è più stretta di { $q-least-dimension }
@@ -56,9 +56,9 @@ result-measured-length-deviation = Scostamento lunghezza misurata
 # --- 427 ---
 cycle-measure-coordinate = Misurazione pezzo asse singolo selezionabile
     .nc = MISURARE COORDINATA
-    .purpose = Misura una coordinata in un asse selezionabile e memorizza il valore in un parametro. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento in parametri.
-step-position-against-traverse-direction = Il controllo posiziona il sistema di tastatura sul punto di tastatura programmato, in rapido (valore della colonna { $mp-positioning-feed }) e con logica di posizionamento. Lo sposta della distanza di sicurezza in senso opposto alla direzione di spostamento { $q-traverse-direction }.
-step-position-against-traverse-direction__tnc426-430 = Il controllo posiziona il sistema di tastatura sul punto di tastatura programmato, in rapido (valore di { $mp-positioning-feed } o { $mp-analog-positioning-feed }) e con logica di posizionamento. Lo sposta della distanza di sicurezza in senso opposto alla direzione di spostamento { $q-traverse-direction }.
+    .purpose = Misura una coordinata in un asse selezionabile e memorizza il valore in un parametro. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento nei parametri di risultato.
+step-position-against-traverse-direction = Il controllo posiziona il sistema di tastatura sul punto di tastatura programmato, in rapido (valore della colonna { $mp-positioning-feed }) e con logica di posizionamento, arretrandolo della distanza di sicurezza in senso opposto alla direzione di spostamento { $q-traverse-direction }.
+step-position-against-traverse-direction__tnc426-430 = Il controllo posiziona il sistema di tastatura sul punto di tastatura programmato, in rapido (valore di { $mp-positioning-feed } o { $mp-analog-positioning-feed }) e con logica di posizionamento, arretrandolo della distanza di sicurezza in senso opposto alla direzione di spostamento { $q-traverse-direction }.
 step-probe-coordinate = Il controllo posiziona il sistema di tastatura nel piano di lavoro sul punto di tastatura programmato e misura qui il valore reale nell’asse selezionato.
 step-retract-and-store-measured-coordinate = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } e memorizza la coordinata rilevata nel parametro di risultato.
 say-part-is-scrap__measure-coordinate = scarto (Q182=1) se la coordinata misurata è minore di { $q-least-dimension }
@@ -71,11 +71,11 @@ note-coordinate-corrects-radius-or-length = Se l’asse di misura è un asse del
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Misurazione pezzo cerchio di fori
     .nc = MISURARE CERCHIO DI FORI
-    .purpose = Misura il centro e il diametro di un cerchio di fori misurando tre dei suoi fori. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento in parametri.
+    .purpose = Misura il centro e il diametro di un cerchio di fori misurando tre dei suoi fori. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento nei parametri di risultato.
 step-measure-centre-of-hole = Il sistema di tastatura si porta all’altezza di misura { $q-measuring-height } e rileva il centro del foro con quattro tastature.
 step-travel-to-next-hole = Il sistema di tastatura ritorna all’altezza di sicurezza { $q-clearance-height } e viene posizionato sul centro inserito del foro successivo.
 until-three-holes-measured = non sono stati rilevati i centri di tutti e tre i fori
-say-part-is-scrap__measure-bolt-hole-circle = scarto (Q182=1) se il diametro è maggiore di { $q-greatest-dimension } o minore di { $q-least-dimension } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-part-is-scrap__measure-bolt-hole-circle = scarto (Q182=1) se il diametro è maggiore di { $q-greatest-dimension } o minore di { $q-least-dimension } o il centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
 say-monitor-tool-breakage = con { $q-monitored-tool } diverso da 0 confronta lo scostamento con la tolleranza di rottura RBREAK; se lo scostamento è maggiore, visualizza un messaggio d’errore, arresta l’esecuzione del programma e blocca l’utensile (colonna TL = L). Non corregge l’utensile
 note-only-breakage-monitoring = Questo ciclo esegue solo il controllo rottura dell’utensile; non corregge l’utensile.
 result-bolt-circle-diameter-actual = Valore reale diametro cerchio di fori
@@ -97,8 +97,8 @@ result-measured-angle = Angolo misurato riferito all’asse principale del piano
 cycle-measure-plane = Misurazione pezzo piano
     .nc = MISURARE PIANO
     .purpose = Misura gli angoli di un piano misurando tre punti e memorizza i valori in parametri.
-step-measure-first-point-of-plane = Il controllo posiziona il sistema di tastatura sul primo punto di tastatura programmato, in rapido (valore della colonna { $mp-positioning-feed }) e con logica di posizionamento, e misura qui il primo punto del piano. Lo sposta della distanza di sicurezza in senso opposto alla direzione di tastatura.
-step-measure-first-point-of-plane__tnc426-430 = Il controllo posiziona il sistema di tastatura sul primo punto di tastatura programmato, in rapido (valore di { $mp-positioning-feed } o { $mp-analog-positioning-feed }) e con logica di posizionamento, e misura qui il primo punto del piano. Lo sposta della distanza di sicurezza in senso opposto alla direzione di tastatura.
+step-measure-first-point-of-plane = Il controllo posiziona il sistema di tastatura sul primo punto di tastatura programmato, in rapido (valore della colonna { $mp-positioning-feed }) e con logica di posizionamento, arretrandolo della distanza di sicurezza in senso opposto alla direzione di tastatura, e misura qui il primo punto del piano.
+step-measure-first-point-of-plane__tnc426-430 = Il controllo posiziona il sistema di tastatura sul primo punto di tastatura programmato, in rapido (valore di { $mp-positioning-feed } o { $mp-analog-positioning-feed }) e con logica di posizionamento, arretrandolo della distanza di sicurezza in senso opposto alla direzione di tastatura, e misura qui il primo punto del piano.
 step-measure-second-point-of-plane = Il sistema di tastatura ritorna all’altezza di sicurezza { $q-clearance-height } e si porta nel piano di lavoro al secondo punto di tastatura, dove il controllo misura il valore reale del secondo punto del piano.
 step-measure-third-point-of-plane = Il sistema di tastatura ritorna all’altezza di sicurezza { $q-clearance-height } e si porta nel piano di lavoro al terzo punto di tastatura, dove il controllo misura il valore reale del terzo punto del piano.
 step-retract-and-store-plane-angles = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } e memorizza gli angoli nei parametri di risultato.

@@ -3,10 +3,10 @@
 # --- 421 ---
 cycle-measure-hole = Misurazione pezzo cerchio interno (foro)
     .nc = MISURARE FORO
-    .purpose = Misura il centro e il diametro di un foro (tasca circolare). Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti in parametri.
+    .purpose = Misura il centro e il diametro di un foro (tasca circolare). Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
 step-retract-and-store-results = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } e memorizza nei parametri di risultato i valori reali e gli scostamenti dai valori nominali.
 step-set-measuring-status = Il controllo imposta lo stato della misurazione:
-say-hole-is-scrap = scarto (Q182=1) se il foro è più grande di { $q-hole-greatest-diameter } o il suo centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-hole-is-scrap = scarto (Q182=1) se il foro è più grande di { $q-hole-greatest-diameter } o il suo centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
 say-hole-needs-rework = ripresa (Q181=1) se il foro è più piccolo di { $q-hole-least-diameter }
 say-hole-is-good = altrimenti in tolleranza (Q180=1), anche se non è inserita alcuna tolleranza o quota limite
 step-write-measuring-log = Il controllo crea il protocollo di misura in base a { $q-measuring-log }:
@@ -14,7 +14,7 @@ say-log-to-file = con { $q-measuring-log }=1 memorizza il protocollo nel file TC
 say-log-on-screen = con { $q-measuring-log }=2 interrompe l’esecuzione del programma e visualizza il protocollo sullo schermo; il programma prosegue con Avvio NC
 say-no-log = altrimenti non crea alcun protocollo
 message-measuring-log-on-screen = Il protocollo di misura è visualizzato sullo schermo. Proseguire con Avvio NC.
-step-monitor-tool = Viene eseguito il controllo dell’utensile { $q-monitored-tool }:
+step-monitor-tool = Il controllo verifica l’utensile in base a { $q-monitored-tool }:
 say-correct-tool-radius = con { $q-monitored-tool } diverso da 0 lo scostamento del raggio viene sommato al raggio delta nella colonna DR della tabella utensili; se lo scostamento è maggiore della tolleranza di rottura RBREAK, viene visualizzato un messaggio d’errore, l’esecuzione del programma viene arrestata e l’utensile bloccato (colonna TL = L)
 say-no-tool-monitoring = con { $q-monitored-tool }=0 non viene controllato alcun utensile
 step-stop-on-tolerance-error = Il controllo reagisce al superamento di una tolleranza in base a { $q-stop-on-tolerance-error }:

@@ -91,7 +91,7 @@ until-all-lines-done = non sono state eseguite tutte le { $q-number-of-lines } r
 note-pattern-overrides-heights-and-rotation = Se uno dei cicli di lavorazione da 200 a 209 e da 251 a 267 viene combinato con questo ciclo, valgono la distanza di sicurezza { $q-set-up-clearance }, la coordinata della superficie del pezzo { $q-surface-coordinate }, la 2ª distanza di sicurezza { $q-second-set-up-clearance } e l’angolo di rotazione { $q-angle-of-rotation } di questo ciclo.
 
 # --- common to surfaces ---
-until-surface-milled = la superficie inserita non è completamente fresata
+until-surface-milled = la superficie definita non è completamente fresata
 note-pre-position-for-surface = Pericolo di collisione! Preposizionare l’utensile in modo da escludere collisioni con il pezzo o i dispositivi di bloccaggio.
 
 # --- 230 ---
@@ -126,7 +126,7 @@ note-centre-cut-or-pilot-drill = Se necessario, utilizzare una fresa con taglien
 # --- 232 ---
 cycle-face-milling = Fresatura a spianare
     .nc = FRESATURA A SPIANARE
-    .purpose = Fresa una superficie piana in più incrementi, tenendo conto di un sovrametallo di finitura, con una di tre strategie.
+    .purpose = Fresa una superficie piana in più incrementi secondo una di tre strategie, tenendo conto di un sovrametallo di finitura.
 step-position-beside-surface = Dalla posizione attuale il controllo posiziona l’utensile in rapido (FMAX) con logica di posizionamento sul punto di partenza 1, situato a fianco del pezzo e distante da esso il raggio dell’utensile più la distanza laterale { $q-side-clearance }:
 say-plane-then-spindle-axis = se l’utensile si trova sopra la 2ª distanza di sicurezza { $q-second-set-up-clearance }: dapprima nel piano di lavoro, poi nell’asse del mandrino
 say-second-clearance-then-plane = altrimenti: dapprima alla 2ª distanza di sicurezza { $q-second-set-up-clearance }, poi nel piano di lavoro
@@ -143,7 +143,7 @@ step-mill-next-face-line = L’utensile fresa poi la riga successiva:
 say-back-towards-start = { $q-face-milling-strategy } = 0: indietro in direzione del punto di partenza 1
 say-back-towards-start-inside = { $q-face-milling-strategy } = 1: indietro in direzione del punto di partenza 1; anche lo spostamento alla riga successiva avviene all’interno del pezzo
 say-down-and-towards-end = { $q-face-milling-strategy } = 2: si riporta alla profondità incremento attuale e poi procede in direzione del punto finale 2
-step-repeat-until-face-milled = L’operazione si ripete finché la superficie inserita non è completamente fresata. Al termine dell’ultima traiettoria l’utensile avanza alla profondità di lavorazione successiva. Per evitare percorsi a vuoto, la superficie viene poi lavorata in sequenza inversa.
+step-repeat-until-face-milled = L’operazione si ripete finché la superficie definita non è completamente fresata. Al termine dell’ultima traiettoria l’utensile avanza alla profondità di lavorazione successiva. Per evitare percorsi a vuoto, la superficie viene poi lavorata in sequenza inversa.
 until-face-infeeds-done = non sono stati eseguiti tutti gli incrementi tranne l’ultimo
 step-finish-face = Con l’ultimo incremento viene fresato solo il sovrametallo di finitura inserito { $q-floor-allowance }, con l’avanzamento di finitura { $q-finishing-feed }.
 step-rapid-back-to-second-clearance = Al termine il controllo ritrae l’utensile in rapido (FMAX) alla 2ª distanza di sicurezza { $q-second-set-up-clearance }.

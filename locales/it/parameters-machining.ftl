@@ -177,7 +177,7 @@ parameter-rotation-angle = Rotazione
     .help = Angolo di rotazione in gradi, assoluto o incrementale.
 parameter-preset-number = Numero origine
     .label = NUMERO ORIGINE
-    .help = Numero dell’origine della tabella Preset che deve essere attivata.
+    .help = Numero dell’origine da attivare nella tabella Preset.
     .prompt = Numero origine?
 
 # --- choices ---

@@ -3,7 +3,7 @@
 # --- extent, clearance, feeds ---
 parameter-turning-operation = Tipo di lavorazione
     .label = TIPO DI LAVORAZIONE
-    .help = Entità della lavorazione.
+    .help = Definire che cosa viene lavorato.
 choice-finish-to-final-dimensions = Solo finitura alla quota finale
 choice-finish-to-oversize = Solo finitura al sovrametallo
 parameter-turning-clearance = Distanza di sicurezza
@@ -23,7 +23,7 @@ parameter-turning-finishing-feed = Avanzamento di finitura
     .help = Velocità di spostamento dell’utensile durante la finitura. Se è programmata M136, il controllo la interpreta in millimetri al giro, senza M136 in millimetri al minuto.
 parameter-diameter-oversize = Sovrametallo diametro
     .label = SOVRAMETALLO DIAMETRO
-    .help = Sovrametallo del diametro sul profilo definito.
+    .help = Sovrametallo sul diametro del profilo definito.
 parameter-z-oversize = Sovrametallo Z
     .label = SOVRAMETALLO Z
     .help = Sovrametallo sul profilo definito in direzione assiale.

@@ -155,3 +155,23 @@ theme-digitizing = Digitalizzazione
 page-mentions =
     .cycle = cicl
     .joining = e o a
+
+# Lo stato delle traduzioni
+site-texts = Stato delle traduzioni
+site-texts-intro = Contano come tradotti i testi approvati e aggiornati. Le parole da tradurre sono quelle dei testi inglesi mancanti o superati.
+site-texts-all = Tutti i testi
+site-texts-groups = Gruppi di cicli
+site-texts-files = File
+site-texts-count = Testi
+site-texts-translated = Tradotti
+site-texts-stale = Superati
+site-texts-missing = Mancanti
+site-texts-unaccepted = Non approvati
+site-texts-same = Uguali all’inglese
+site-texts-long = Troppo lunghi
+site-texts-words = Parole da tradurre
+site-texts-open = Testi da completare
+site-texts-key = Testo
+site-texts-state = Stato
+site-texts-change = Che cosa è cambiato
+site-texts-more = Altri da completare:

@@ -6,7 +6,7 @@ help-tool-check-complete = Definire se l’utensile viene misurato per la prima 
 help-additional-tooth-measurement = Definire se viene eseguita anche la misurazione dei singoli taglienti. È possibile misurare al massimo 20 taglienti.
 help-additional-tooth-measurement__itnc530 = Definire se viene eseguita anche la misurazione dei singoli taglienti. È possibile misurare al massimo 99 taglienti.
 help-additional-tooth-measurement__tnc426-430 = Definire se viene eseguita anche la misurazione dei singoli taglienti.
-help-calibration-tool-height = Posizione nell’asse del mandrino che esclude qualsiasi collisione dell’utensile di calibrazione con pezzi o dispositivi di bloccaggio. Si riferisce all’origine attiva del pezzo. Se con questo valore la punta dell’utensile di calibrazione risulterebbe più bassa del bordo superiore del piatto, il controllo lo posiziona automaticamente sopra il piatto (zona di sicurezza definita in { $mp-setter-safety-distance }).
+help-calibration-tool-height = Posizione nell’asse del mandrino che esclude qualsiasi collisione dell’utensile di calibrazione con pezzi o dispositivi di bloccaggio. Si riferisce all’origine attiva del pezzo. Se con questo valore la punta dell’utensile di calibrazione venisse a trovarsi al di sotto del bordo superiore del piatto, il controllo lo posiziona automaticamente sopra il piatto (zona di sicurezza definita in { $mp-setter-safety-distance }).
 parameter-tool-check__tool-radius =
     .help = { help-tool-check-radius }
 parameter-tool-check__tool-radius-old =
@@ -43,15 +43,15 @@ parameter-tool-clearance-height__calibrate-tool-probe-old =
 # --- 32 and 482 ---
 cycle-tool-radius = Misurazione raggio utensile
     .nc = RAGGIO UTENSILE
-    .purpose = Misura o verifica il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza il risultato nella memoria utensili centrale TOOL.T e lo considera automaticamente al termine del ciclo.
+    .purpose = Misura o verifica il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza il risultato nella memoria utensili centrale TOOL.T e ne tiene conto automaticamente al termine del ciclo.
 cycle-tool-radius__tnc426-430 =
     .purpose = Misura o verifica il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza il risultato nella memoria utensili centrale TOOL.T e lo utilizza alla successiva chiamata utensile.
 cycle-tool-radius-old = Misurazione raggio utensile
     .nc = RAGGIO UTENSILE
-    .purpose = Misura o verifica il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza il risultato nella memoria utensili centrale TOOL.T e lo considera automaticamente al termine del ciclo. Vecchio formato del ciclo 482.
+    .purpose = Misura o verifica il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza il risultato nella memoria utensili centrale TOOL.T e ne tiene conto automaticamente al termine del ciclo. Vecchio formato del ciclo 482.
 cycle-tool-radius-old__tnc426-430 =
     .purpose = Misura o verifica il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza il risultato nella memoria utensili centrale TOOL.T e lo utilizza alla successiva chiamata utensile. Vecchio formato del ciclo 482.
-step-position-tool-beside-setter = Il controllo posiziona l’utensile a lato dell’elemento di tastatura, con la superficie frontale al di sotto del bordo superiore dell’elemento di quanto definito in { $mp-setter-axis-offset } e, se inserito nella tabella utensili, dell’offset di lunghezza supplementare { $mp-setter-offset-length }.
+step-position-tool-beside-setter = Il controllo posiziona l’utensile a lato dell’elemento di tastatura, con la superficie frontale al di sotto del bordo superiore dell’elemento, alla distanza definita in { $mp-setter-axis-offset } più, se inserito nella tabella utensili, l’offset di lunghezza supplementare { $mp-setter-offset-length }.
 step-probe-rotating-tool-radially = Il controllo tasta radialmente l’utensile rotante.
 step-measure-teeth-radially = Il controllo determina il raggio:
 say-measure-radii-of-teeth = con { $q-tooth-measurement }=1 misura poi i raggi di tutti i taglienti mediante orientamento del mandrino
@@ -60,22 +60,22 @@ step-store-tool-radius = Il controllo memorizza il risultato:
 say-overwrite-tool-radius = con { $q-tool-check }=0 sovrascrive il raggio utensile { $mp-tool-radius } in TOOL.T e imposta il valore delta { $mp-delta-radius } a 0
 say-enter-delta-radius = con { $q-tool-check }=1 confronta il raggio misurato con il raggio utensile { $mp-tool-radius }, registra lo scostamento con il suo segno come valore delta { $mp-delta-radius } e in Q116 e blocca l’utensile (stato L) se la tolleranza di usura o di rottura è superata
 result-tool-radius-deviation = Scostamento del raggio utensile
-note-diamond-coated-cylinders = Gli utensili cilindrici diamantati si possono misurare a mandrino fermo. Per farlo definire nella tabella utensili il numero dei taglienti { $mp-teeth } con 0 e adattare il parametro macchina { $mp-tool-measurement-config }. Consultare il manuale della macchina.
-note-diamond-coated-cylinders__itnc530 = Gli utensili cilindrici diamantati si possono misurare a mandrino fermo. Per farlo definire nella tabella utensili il numero dei taglienti { $mp-teeth } con 0 e adattare il parametro macchina { $mp-calibration-behaviour }. Consultare il manuale della macchina.
+note-diamond-coated-cylinders = Gli utensili cilindrici diamantati si possono misurare a mandrino fermo. Per farlo definire nella tabella utensili il numero dei taglienti { $mp-teeth } pari a 0 e adattare il parametro macchina { $mp-tool-measurement-config }. Consultare il manuale della macchina.
+note-diamond-coated-cylinders__itnc530 = Gli utensili cilindrici diamantati si possono misurare a mandrino fermo. Per farlo definire nella tabella utensili il numero dei taglienti { $mp-teeth } pari a 0 e adattare il parametro macchina { $mp-calibration-behaviour }. Consultare il manuale della macchina.
 note-two-ways-to-measure-tool = L’utensile può essere misurato in due modi: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente.
 
 # --- 33 and 483 ---
 cycle-tool-complete = Misurazione utensile completa
     .nc = MISURARE UTENSILE
-    .purpose = Misura o verifica la lunghezza e il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza i risultati nella memoria utensili centrale TOOL.T e li considera automaticamente al termine del ciclo.
+    .purpose = Misura o verifica la lunghezza e il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza i risultati nella memoria utensili centrale TOOL.T e ne tiene conto automaticamente al termine del ciclo.
 cycle-tool-complete__tnc426-430 =
     .purpose = Misura o verifica la lunghezza e il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza i risultati nella memoria utensili centrale TOOL.T e li utilizza alla successiva chiamata utensile.
 cycle-tool-complete-old = Misurazione utensile completa
     .nc = MISURARE UTENSILE
-    .purpose = Misura o verifica la lunghezza e il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza i risultati nella memoria utensili centrale TOOL.T e li considera automaticamente al termine del ciclo. Vecchio formato del ciclo 483.
+    .purpose = Misura o verifica la lunghezza e il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza i risultati nella memoria utensili centrale TOOL.T e ne tiene conto automaticamente al termine del ciclo. Vecchio formato del ciclo 483.
 cycle-tool-complete-old__tnc426-430 =
     .purpose = Misura o verifica la lunghezza e il raggio dell’utensile con il sistema di tastatura TT: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente. Il controllo memorizza i risultati nella memoria utensili centrale TOOL.T e li utilizza alla successiva chiamata utensile. Vecchio formato del ciclo 483.
-step-measure-radius-first = Il controllo misura l’utensile in una sequenza fissa. Dapprima misura il raggio, come i cicli 32 e 482: posiziona l’utensile a lato dell’elemento di tastatura, con la superficie frontale al di sotto del bordo superiore di quanto definito in { $mp-setter-axis-offset } e { $mp-setter-offset-length }, e tasta radialmente l’utensile rotante.
+step-measure-radius-first = Il controllo misura l’utensile in una sequenza fissa. Dapprima misura il raggio, come i cicli 32 e 482: posiziona l’utensile a lato dell’elemento di tastatura, con la superficie frontale al di sotto del bordo superiore dell’elemento (valori { $mp-setter-axis-offset } e { $mp-setter-offset-length }), e tasta radialmente l’utensile rotante.
 step-then-measure-length = Poi misura la lunghezza, come i cicli 31 e 481:
 step-store-radius-and-length = Il controllo memorizza i risultati:
 say-overwrite-radius-and-length = con { $q-tool-check }=0 sovrascrive il raggio utensile { $mp-tool-radius } e la lunghezza utensile { $mp-tool-length } in TOOL.T e imposta i valori delta { $mp-delta-radius } e { $mp-delta-length } a 0
@@ -96,7 +96,7 @@ guard-tool-call-missing__calibrate-tool-probe-old = Non è stato chiamato alcun 
 step-position-calibration-tool-over-setter = Il controllo posiziona l’utensile di calibrazione all’altezza di sicurezza { $q-tool-clearance-height }, ma non al di sotto della zona di sicurezza { $mp-setter-safety-distance } sopra il piatto.
 step-calibrate-tool-probe = Il controllo calibra automaticamente il sistema di tastatura con l’utensile di calibrazione.
 step-turn-spindle-for-centre-misalignment = A metà della calibrazione il controllo ruota il mandrino di 180°. In questo modo determina anche l’offset centrale dell’utensile di calibrazione.
-step-store-tool-probe-calibration = Il controllo memorizza i valori di calibrazione e li considera nelle misurazioni degli utensili che seguono.
+step-store-tool-probe-calibration = Il controllo memorizza i valori di calibrazione e ne tiene conto nelle misurazioni degli utensili che seguono.
 note-enter-calibration-tool-data = Prima della calibrazione inserire nella tabella utensili TOOL.T il raggio esatto e la lunghezza esatta dell’utensile di calibrazione.
 note-cylindrical-calibration-tool = Come utensile di calibrazione utilizzare un pezzo esattamente cilindrico, ad esempio una spina cilindrica.
 note-calibration-tool-size = Il diametro dell’utensile di calibrazione dovrebbe essere maggiore di 15 mm e l’utensile dovrebbe sporgere di circa 50 mm dal mandrino di serraggio. Una forza di tastatura di 1 N lo flette così di 0,1 µm.

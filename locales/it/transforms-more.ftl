@@ -21,7 +21,7 @@ note-reset-scaling = Per annullare il fattore di scala riprogrammare il ciclo co
 note-scaling-in-status-display = L’indicazione di stato supplementare visualizza il fattore di scala attivo.
 note-scaling-acts-on = Il fattore ha effetto contemporaneamente su tutti e tre gli assi di coordinate e sulle quote inserite nei cicli.
 note-shift-datum-before-scaling = Prima dell’ingrandimento o della riduzione, l’origine dovrebbe essere spostata su un bordo o uno spigolo del profilo.
-note-scaling-limits = Ingrandimento: fattore maggiore di 1 fino a 99,999 999. Riduzione: fattore minore di 1 fino a 0,000 001.
+note-scaling-limits = Ingrandimento: fattore maggiore di 1 fino a 99,999999. Riduzione: fattore minore di 1 fino a 0,000001.
 
 # --- 26 ---
 cycle-axis-scaling = Fattore di scala specifico per asse

@@ -64,7 +64,7 @@ step-recess-to-first-depth = Il controllo lavora a tuffo fino alla prima profond
 step-rough-groove-lengthwise = Il controllo sgrossa l’area tra la posizione di partenza e il punto finale in direzione longitudinale con l’avanzamento { $q-turning-roughing-feed }.
 step-rough-groove-crosswise = Il controllo sgrossa l’area tra la posizione di partenza e il punto finale in direzione trasversale con l’avanzamento { $q-turning-roughing-feed }.
 step-choose-side-of-next-recess = La direzione di lavorazione { $q-recess-direction } determina dove avviene l’incremento successivo:
-say-lift-off-and-return = { $q-recess-direction } = 1 (una sola direzione): il controllo distacca l’utensile della distanza di sicurezza, lo riporta indietro in rapido e lo accosta di nuovo al profilo con l’avanzamento definito
+say-lift-off-and-return = { $q-recess-direction } = 1 (una sola direzione): il controllo allontana l’utensile della distanza di sicurezza, lo riporta indietro in rapido e lo accosta di nuovo al profilo con l’avanzamento definito
 say-infeed-at-both-sides = { $q-recess-direction } = 0 (entrambe le direzioni): l’incremento avviene su entrambi i lati
 step-recess-to-next-depth = L’utensile lavora a tuffo fino alla profondità incremento successiva.
 until-groove-depth-reached = non è raggiunta la profondità della gola
@@ -118,7 +118,7 @@ guard-recess-offset-too-great = L’offset laterale supera l’80% della larghez
 # --- notes: grooves ---
 note-recess-turning-alternates = Nella tornitura di gole si alternano tagli a tuffo alla profondità incremento e tagli di sgrossatura. La lavorazione richiede così il minor numero possibile di ritrazioni e incrementi.
 note-groove-extended-scope = Funzioni estese: all’inizio e alla fine del profilo è possibile aggiungere uno smusso o un raccordo; per le pareti laterali della gola si possono definire angoli; sugli spigoli del profilo si possono aggiungere raggi.
-note-recess-cuts-get-shorter = Dopo il secondo incremento il controllo riduce ogni taglio successivo di 0,1 mm. Ciò diminuisce la sollecitazione laterale dell’utensile. Se nel ciclo è inserita una larghezza di offset { $q-recess-offset-width }, il taglio viene invece ridotto di questo valore. Il materiale residuo viene asportato con un tuffo al termine della lavorazione a tuffo. Se l’offset laterale supera l’80% della larghezza effettiva del tagliente (larghezza del tagliente − 2 × raggio del tagliente), il controllo visualizza un messaggio d’errore.
+note-recess-cuts-get-shorter = Dopo il secondo incremento il controllo riduce ogni taglio successivo di 0,1 mm. Ciò diminuisce la sollecitazione laterale dell’utensile. Se nel ciclo è inserita una larghezza di offset { $q-recess-offset-width }, il taglio viene invece ridotto di questo valore. Il materiale residuo viene asportato con un ultimo tuffo. Se l’offset laterale supera l’80% della larghezza effettiva del tagliente (larghezza del tagliente − 2 × raggio del tagliente), il controllo visualizza un messaggio d’errore.
 title-groove-with-chamfers = Gola con smussi in uno spallamento tornito (programma di esempio)
 
 # --- notes: threads ---

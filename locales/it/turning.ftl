@@ -139,4 +139,4 @@ cycle-reset-turning-system = Reset sistema di coordinate di tornitura
 step-reset-turning-system = Il controllo annulla tutte le impostazioni programmate con il ciclo 800: l’angolo di precessione Q497 e l’inversione dell’utensile Q498.
 note-tool-stays-oriented = L’utensile non viene riportato nel suo orientamento iniziale. Se il ciclo 800 lo ha orientato, rimane in questa posizione anche dopo il reset.
 note-cycle-without-parameters = Il ciclo non ha parametri. Terminarne l’inserimento con il tasto END.
-message-turning-contour-left = L'utensile non può lavorare completamente il profilo: l'inserto non lo raggiunge in ogni punto.
+message-turning-contour-left = L’utensile non può lavorare completamente il profilo: l’inserto non lo raggiunge in ogni punto.

@@ -23,6 +23,7 @@ cli-texts-imported = { $language }: { $dry ->
        *[no] adotadas { $taken }
     }, inalteradas { $unchanged }, não definitivas { $open }, recusadas { $refused }.
 cli-texts-count = { $name }: { $translated } de { $texts } traduzidos, { $missing } em falta, { $stale } desatualizados, { $unaccepted } por aceitar, { $same } iguais ao inglês, { $long } demasiado longos, { $words } palavras por traduzir
+cli-texts-group = grupo { $name }
 cli-texts-accepted = { $language }: { $count ->
         [one] { $count } texto aceite.
        *[other] { $count } textos aceites.

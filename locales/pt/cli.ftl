@@ -260,7 +260,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
     } { $kind ->
         [rapid-in-material] Avanço rápido através de { $amount } mm de material.
         [spindle-stopped] O cabeçote não roda enquanto a ferramenta atravessa { $amount } mm de material.
-        [edges-too-short] O material é cortado até { $amount } mm acima da ponta da ferramenta, para lá do comprimento das lâminas.
+        [edges-too-short] O material é cortado até { $amount } mm acima da ponta da ferramenta, para lá da longitude das navalhas.
         [turns-together] Os eixos rotativos rodam enquanto a ferramenta se desloca: não se conhece o material retirado.
         [turned] A peça está a ser torneada, mas não é um sólido de revolução em torno do eixo de torneamento, ou foi fresada antes: o que a ferramenta { $amount } remove não é acompanhado.
         [insert-unknown] Nenhum ciclo indica como a pastilha da ferramenta { $amount } encontra a peça: não se conhece o material retirado.

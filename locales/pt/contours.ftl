@@ -8,8 +8,8 @@ until-parts-of-contour-cleared = estejam maquinadas todas as áreas separadas do
 note-contour-element-limit = A memória para um ciclo SL é limitada. Num ciclo SL podem programar-se, no máximo, 16384 elementos de contorno.
 note-sign-of-milling-depth = O sinal da profundidade de fresagem determina a direção da maquinação. Com a profundidade 0, o comando não executa o ciclo.
 note-both-axes-after-contour-cycle = Perigo de colisão! Depois de um ciclo SL, programe o primeiro movimento no plano de maquinação com as duas coordenadas, por exemplo L X+80 Y+0 R0 FMAX.
-note-contour-cycle-properties = Antes de cada ciclo, o comando posiciona por si a ferramenta à distância de segurança. Cada nível é fresado sem levantar a ferramenta; as ilhas são contornadas lateralmente. O raio das esquinas interiores pode ser programado: a ferramenta não para aí nem deixa marcas (isto vale para a trajetória mais exterior do desbaste e para o acabamento lateral). No acabamento lateral, o comando aproxima-se do contorno num arco tangente; no acabamento do fundo, aproxima-se da peça também num arco tangente (com o eixo do cabeçote Z, no plano Z/X). O contorno é maquinado todo em sentido sincronizado ou todo em sentido contrário.
-note-contour-tool-by-name = A ferramenta pode ser introduzida pelo número ou pelo nome. Para introduzir o nome, prima a softkey NOME DA FERRAMENTA; ao sair do campo, o comando acrescenta por si as aspas.
+note-contour-cycle-properties = Antes de cada ciclo, o comando posiciona automaticamente a ferramenta à distância de segurança. Cada nível é fresado sem levantar a ferramenta; as ilhas são contornadas lateralmente. O raio das esquinas interiores pode ser programado: a ferramenta não se detém aí nem deixa marcas (isto vale para a trajetória mais exterior do desbaste e para o acabamento lateral). No acabamento lateral, o comando aproxima-se do contorno num arco tangente; no acabamento do fundo, aproxima-se da peça também num arco tangente (com o eixo do cabeçote Z, no plano Z/X). O contorno é maquinado todo em sentido sincronizado ou todo em sentido contrário.
+note-contour-tool-by-name = A ferramenta pode ser introduzida pelo número ou pelo nome. Para introduzir o nome, prima a softkey NOME DA FERRAMENTA; ao sair do campo, o comando acrescenta automaticamente as aspas.
 note-global-def-for-contours = A função GLOBAL DEF para a fresagem de contornos predefine a distância de segurança, a altura segura, o fator de sobreposição e o tipo de fresagem dos ciclos 20, 22, 23, 24 e 25.
 
 # --- 14 ---
@@ -53,7 +53,7 @@ step-retract-and-return-to-stop-distance = O comando retira a ferramenta em avan
 until-drilling-depth-reached = seja atingida a profundidade do furo
 step-dwell-and-retract-to-start = No fundo do furo, a ferramenta permanece o tempo de espera para cortar livremente e recua depois em avanço rápido (FMAX) para a posição de partida.
 until-pilot-holes-drilled = estejam furados todos os pontos de penetração
-note-stop-distance-determined = O comando determina por si a distância de paragem prévia t: 0,6 mm com uma profundidade do furo até 30 mm, um quinquagésimo da profundidade do furo acima de 30 mm, mas nunca mais de 7 mm.
+note-stop-distance-determined = O comando determina automaticamente a distância de paragem prévia t: 0,6 mm com uma profundidade do furo até 30 mm, um quinquagésimo da profundidade do furo se esta exceder 30 mm, mas nunca mais de 7 mm.
 note-infeed-points-consider = Nos pontos de penetração, o comando tem em conta as medidas excedentes de acabamento lateral e do fundo e o raio da ferramenta de desbaste.
 note-delta-radius-not-considered-for-infeed-points = Ao calcular os pontos de penetração, o comando não tem em conta um valor delta DR programado na frase TOOL CALL.
 note-narrow-places-not-pre-drilled = Em locais estreitos, o comando pode não conseguir fazer a furação prévia com uma ferramenta maior do que a ferramenta de desbaste.
@@ -86,7 +86,7 @@ cycle-floor-finishing = Acabamento do fundo
 step-approach-contour-floor = A ferramenta aproxima-se suavemente do fundo num arco tangente vertical, se houver espaço suficiente. Caso contrário, desce na vertical à profundidade com o avanço { $q-contour-plunging-feed }.
 step-find-start-of-floor-finishing = O comando determina o ponto inicial do acabamento do fundo.
 step-finish-contour-floor = A ferramenta fresa a medida excedente de acabamento deixada pelo desbaste, com o avanço { $q-roughing-feed }.
-note-starting-point-by-itself = O comando determina por si o ponto de partida do acabamento. Este depende do espaço existente na caixa.
+note-starting-point-by-itself = O comando determina automaticamente o ponto de partida do acabamento. Este depende do espaço existente na caixa.
 note-approach-radius-is-fixed = O raio de aproximação à profundidade final está fixado internamente e não depende do ângulo de penetração da ferramenta.
 
 # --- 24 ---
@@ -99,13 +99,13 @@ until-partial-contours-finished = esteja feito o acabamento de todos os contorno
 note-side-finishing-allowances = A soma da medida excedente de acabamento lateral { $q-remaining-side-allowance } e do raio da ferramenta de acabamento tem de ser menor do que a soma da medida excedente de acabamento lateral do ciclo 20 e do raio da ferramenta de desbaste.
 note-side-finishing-without-roughing = O mesmo vale se o ciclo for executado sem desbaste prévio com o ciclo 22; o raio da ferramenta de desbaste conta então como 0.
 note-side-finishing-mills-contours = O ciclo também pode ser utilizado para fresar contornos. Para isso, defina o contorno como uma única ilha (sem limite de caixa) e introduza no ciclo 20 uma medida excedente de acabamento lateral maior do que a soma da medida excedente de acabamento { $q-remaining-side-allowance } e do raio da ferramenta.
-note-start-depends-on-room-and-allowance = O comando determina por si o ponto de partida do acabamento. Este depende do espaço existente na caixa e da medida excedente programada no ciclo 20.
-note-start-depends-on-sequence = O ponto de partida depende também da sequência da maquinação. Se o ciclo de acabamento for selecionado com a tecla GOTO e o programa for então iniciado, o ponto de partida pode não ser o mesmo que resulta quando o programa é executado de princípio a fim.
+note-start-depends-on-room-and-allowance = O comando determina automaticamente o ponto de partida do acabamento. Este depende do espaço existente na caixa e da medida excedente programada no ciclo 20.
+note-start-depends-on-sequence = O ponto de partida depende também da sequência da maquinação. Se o ciclo de acabamento for selecionado com a tecla GOTO e o programa for então iniciado, o ponto de partida pode não ser o mesmo que resulta quando o programa é executado do princípio ao fim.
 
 # --- 25 ---
 cycle-contour-train = Traçado do contorno
     .nc = TRAÇADO DO CONTORNO
-    .purpose = Maquina contornos abertos e fechados, juntamente com o ciclo 14. Em comparação com frases de posicionamento ao longo do contorno, o comando supervisiona a maquinação, fresa todo o contorno em sentido sincronizado ou em sentido contrário e pode fresar em vaivém e com medidas excedentes.
+    .purpose = Maquina contornos abertos e fechados, juntamente com o ciclo 14. Ao contrário do que acontece com frases de posicionamento ao longo do contorno, o comando supervisiona a maquinação, fresa todo o contorno em sentido sincronizado ou em sentido contrário e pode fresar em vaivém e com medidas excedentes.
 step-position-over-contour-start = O comando desloca a ferramenta para a altura segura { $q-contour-clearance-height } e sobre o ponto de partida do contorno.
 step-plunge-beside-contour = A ferramenta desloca-se com o avanço { $q-contour-plunging-feed } para a profundidade de passo seguinte, { $q-contour-plunging-depth } mais funda.
 step-mill-along-contour = A ferramenta fresa ao longo do contorno com o avanço { $q-contour-milling-feed }, tendo em conta a medida excedente de acabamento { $q-side-allowance }:
@@ -163,19 +163,19 @@ step-mill-along-slot-wall = A ferramenta fresa ao longo da parede da ranhura com
 step-mill-back-along-opposite-wall = No fim do contorno, o comando desloca a ferramenta para a parede oposta da ranhura e de volta ao ponto de penetração.
 step-rework-slot-walls = Se estiver definida uma tolerância { $q-cylinder-slot-tolerance }, o comando retrabalha a ranhura de modo que as paredes fiquem o mais paralelas possível.
 note-walls-nearly-parallel = Ao contrário do ciclo 27, este ciclo ajusta a ferramenta de modo que, com correção de raio ativa, as paredes fiquem quase paralelas. Ficam exatamente paralelas com uma ferramenta que tenha exatamente a largura da ranhura.
-note-small-tool-distorts-slot = Quanto menor for a ferramenta em comparação com a largura da ranhura, maiores são as distorções em arcos e retas oblíquas. Para as reduzir, defina a tolerância { $q-cylinder-slot-tolerance }: o comando aproxima então a ranhura de uma feita com uma ferramenta da largura da ranhura.
-note-program-centre-path-of-slot = Programe a trajetória do ponto central do contorno com correção de raio. A correção de raio determina se o comando faz a ranhura em sentido sincronizado ou em sentido contrário.
+note-small-tool-distorts-slot = Quanto menor for a ferramenta em comparação com a largura da ranhura, maiores são as distorções em arcos e retas oblíquas. Para as reduzir, defina a tolerância { $q-cylinder-slot-tolerance }: o comando aproxima então a ranhura de uma fresada com uma ferramenta da largura da ranhura.
+note-program-centre-path-of-slot = Programe a trajetória do ponto central do contorno com correção de raio. A correção de raio determina se o comando fresa a ranhura em sentido sincronizado ou em sentido contrário.
 
 # --- 29 ---
 cycle-cylinder-surface-ridge = Superfície cilíndrica – fresar nervura
     .nc = SUPERF. CILÍNDRICA NERVURA
     .purpose = Transpõe para a superfície de um cilindro uma nervura definida na planificação, com paredes paralelas.
-step-position-over-ridge-start = O comando posiciona a ferramenta sobre o ponto de partida da maquinação, que calcula a partir da largura da nervura e do diâmetro da ferramenta: ao lado do primeiro ponto do subprograma de contorno, afastado metade da largura da nervura e o diâmetro da ferramenta. A correção de raio determina o lado: à esquerda da nervura (sentido sincronizado) ou à direita (sentido contrário).
-step-approach-ridge-wall = A esta profundidade, a ferramenta desloca-se para o contorno num arco tangente com o avanço { $q-contour-milling-feed }, tendo em conta a medida excedente de acabamento lateral { $q-side-allowance }, se a houver.
+step-position-over-ridge-start = O comando posiciona a ferramenta sobre o ponto de partida da maquinação, que calcula a partir da largura da nervura e do diâmetro da ferramenta: ao lado do primeiro ponto do subprograma de contorno, afastado dele metade da largura da nervura mais o diâmetro da ferramenta. A correção de raio determina o lado: à esquerda da nervura (sentido sincronizado) ou à direita (sentido contrário).
+step-approach-ridge-wall = A esta profundidade, a ferramenta desloca-se para o contorno num arco tangente com o avanço { $q-contour-milling-feed }, tendo em conta a medida excedente de acabamento lateral { $q-side-allowance }, se existir.
 step-mill-along-ridge-wall = A ferramenta fresa ao longo da parede da nervura com o avanço { $q-contour-milling-feed }, até a nervura estar completa.
 step-leave-ridge-wall = A ferramenta sai tangencialmente da parede da nervura e regressa ao ponto de partida da maquinação.
 note-ridge-walls-parallel = O ciclo ajusta a ferramenta de modo que, com correção de raio ativa, as paredes fiquem sempre paralelas.
-note-program-centre-path-of-ridge = Programe a trajetória do ponto central da nervura com correção de raio. A correção de raio determina se o comando faz a nervura em sentido sincronizado ou em sentido contrário.
+note-program-centre-path-of-ridge = Programe a trajetória do ponto central da nervura com correção de raio. A correção de raio determina se o comando fresa a nervura em sentido sincronizado ou em sentido contrário.
 note-ridge-ends-in-semicircles = Nas extremidades da nervura, o comando acrescenta sempre um semicírculo, cujo raio é metade da largura da nervura.
 
 # --- 225 ---
@@ -183,7 +183,7 @@ cycle-engraving = Gravar
     .nc = GRAVAR
     .purpose = Grava texto numa superfície plana da peça, em linha reta ou em arco.
 step-move-to-first-character = O comando posiciona a ferramenta no plano de maquinação, no ponto de partida do primeiro carácter.
-step-engrave-character = A ferramenta penetra na vertical com o avanço { $q-plunging-feed } até ao fundo da gravação e fresa o carácter com o avanço { $q-milling-feed }. Quando é preciso levantá-la dentro do carácter, isso faz-se para a distância de segurança { $q-set-up-clearance }. No fim do carácter, a ferramenta fica à distância de segurança acima da superfície da peça.
+step-engrave-character = A ferramenta penetra na vertical com o avanço { $q-plunging-feed } até ao fundo da gravação e fresa o carácter com o avanço { $q-milling-feed }. Quando é preciso levantá-la dentro do carácter, sobe até à distância de segurança { $q-set-up-clearance }. No fim do carácter, a ferramenta fica à distância de segurança acima da superfície da peça.
 step-move-over-next-character = O comando desloca a ferramenta, à distância de segurança, para o ponto de partida do carácter seguinte.
 until-characters-engraved = estejam gravados todos os caracteres
 step-end-engraving-at-second-clearance = O comando desloca a ferramenta para a 2ª distância de segurança { $q-second-set-up-clearance }.
@@ -194,5 +194,5 @@ note-text-from-string-parameter = O texto também pode ser dado por uma variáve
 note-engraving-characters = Caracteres que podem ser gravados: letras minúsculas, letras maiúsculas, algarismos e os caracteres especiais ! # $ % & ' ( ) * + , - . / : ; < = > ? @ [ \ ] _
 note-engraving-doubled-characters = O comando utiliza os caracteres especiais % e \ para funções especiais. Para gravar um deles, introduza-o duas vezes no texto, por exemplo %%.
 note-engraving-control-characters = O carácter especial \ introduz também caracteres não imprimíveis que dispõem o texto: \n é uma quebra de linha, \t um tabulador horizontal (a largura do tabulador é de 8 caracteres), \v um tabulador vertical (a largura do tabulador é de uma linha).
-note-proportional-font = O tipo de letra é proporcional: cada carácter tem a sua própria largura. O fator de distância { $q-character-spacing-factor } escala a distância entre os caracteres.
+note-proportional-font = O tipo de letra é proporcional: cada carácter tem a sua própria largura. O fator de distância { $q-character-spacing-factor } ajusta a distância entre os caracteres.
 note-engraving-since-software = O ciclo existe a partir do software 34059x-02.

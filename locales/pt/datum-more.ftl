@@ -1,13 +1,13 @@
 # Outros ciclos que memorizam um ponto de referência.
 
 # --- 410 and 411 ---
-cycle-datum-inside-rectangle = Ponto ref rectângulo interior
+cycle-datum-inside-rectangle = Ponto de referência: retângulo interior
     .nc = PONTREF RECTÂNG INTERN
     .nc-aliases = PONTO REF RECTÂNG INTERIOR
     .purpose = Mede o centro de uma caixa retangular e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero ou na tabela de presets.
 cycle-datum-inside-rectangle__tnc426-430 =
     .purpose = Mede o centro de uma caixa retangular e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero.
-cycle-datum-outside-rectangle = Ponto ref rectângulo exterior
+cycle-datum-outside-rectangle = Ponto de referência: retângulo exterior
     .nc = PONTO REF RECTÂNGULO EXT.
     .nc-aliases = PONTO REF RECTÂNG EXTERIOR
     .purpose = Mede o centro de uma ilha retangular e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero ou na tabela de presets.
@@ -23,19 +23,20 @@ step-probe-third-and-fourth-point = O comando posiciona o apalpador no terceiro 
 step-retract-and-treat-datum = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e trata o ponto de referência medido conforme { $q-measured-value-transfer } e { $q-datum-row-number }:
 step-retract-and-treat-datum__tnc426-430 = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e trata o ponto de referência medido conforme { $q-datum-row-number }:
 step-store-actual-values = O comando guarda os valores reais nos parâmetros de resultado.
-note-pocket-sides-rather-small = Perigo de colisão! Para que o apalpador não colida com a peça, é preferível introduzir longitudes lado 1 e lado 2 da caixa demasiado pequenas a demasiado grandes.
-note-stud-sides-rather-large = Perigo de colisão! Para que o apalpador não colida com a peça, é preferível introduzir longitudes lado 1 e lado 2 da ilha demasiado grandes a demasiado pequenas.
-title-introduction-to-probing = Frase NC da introdução aos ciclos de apalpação
+note-pocket-sides-rather-small = Perigo de colisão! Para que o apalpador não colida com a peça, introduza as longitudes dos lados 1 e 2 da caixa aproximadas por defeito.
+note-stud-sides-rather-large = Perigo de colisão! Para que o apalpador não colida com a peça, introduza as longitudes dos lados 1 e 2 da ilha aproximadas por excesso.
+title-introduction-to-probing = Outro exemplo
 
 # --- 413 ---
-cycle-datum-outside-circle = Ponto referência círculo exterior
+cycle-datum-outside-circle = Ponto de referência: círculo exterior
     .nc = PONTO REF CÍRCULO EXTERIOR
     .purpose = Mede o centro de uma ilha circular e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero ou na tabela de presets.
 cycle-datum-outside-circle__tnc426-430 =
     .purpose = Mede o centro de uma ilha circular e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero.
-note-stud-diameter-rather-large = Perigo de colisão! Para que o apalpador não colida com a peça, é preferível introduzir um diâmetro nominal da ilha demasiado grande a um demasiado pequeno.
+note-stud-diameter-rather-large = Perigo de colisão! Para que o apalpador não colida com a peça, introduza o diâmetro nominal da ilha aproximado por excesso.
 note-small-stepping-angle-less-exact__datum-outside-circle = Quanto menor for o passo angular { $q-probing-stepping-angle }, menos exato é o ponto de referência que o comando calcula.
 title-datum-at-arc-centre-and-top = Memorizar o ponto de referência no centro de um segmento de círculo e no lado superior da peça
+title-datum-at-arc-centre-and-top__tnc426-430 = Memorizar o ponto de referência no centro de um segmento de círculo
 
 # --- results ---
 result-slot-width-actual = Valor real da largura da ranhura medida
@@ -44,34 +45,34 @@ result-corner-main-actual = Valor real da esquina no eixo principal
 result-corner-minor-actual = Valor real da esquina no eixo secundário
 
 # --- 408 and 409 ---
-cycle-datum-slot-centre = Ponto ref centro da ranhura
+cycle-datum-slot-centre = Ponto de referência: centro da ranhura
     .nc = PONTO REF CENTRO RANHURA
     .purpose = Mede o centro de uma ranhura e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero ou na tabela de presets.
-cycle-datum-ridge-centre = Ponto ref centro da nervura
+cycle-datum-ridge-centre = Ponto de referência: centro da nervura
     .nc = PONTO REF CENTRO NERVURA
     .purpose = Mede o centro de uma nervura e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero ou na tabela de presets.
 step-travel-at-clearance-height-to-second = O apalpador desloca-se à altura segura { $q-clearance-height } para o segundo ponto de apalpação.
 say-start-again-from-centre__datum-slot-centre = se a ranhura e a distância de segurança não deixarem espaço para um posicionamento prévio perto dos pontos de apalpação, permanece no centro e não se desloca à altura segura
-note-slot-width-rather-small = Perigo de colisão! Para que o apalpador não colida com a peça, é preferível introduzir uma largura da ranhura demasiado pequena a uma demasiado grande.
-note-ridge-width-rather-large = Perigo de colisão! Para que o apalpador não colida com a peça, é preferível introduzir uma largura da nervura demasiado grande a uma demasiado pequena.
+note-slot-width-rather-small = Perigo de colisão! Para que o apalpador não colida com a peça, introduza a largura da ranhura aproximada por defeito.
+note-ridge-width-rather-large = Perigo de colisão! Para que o apalpador não colida com a peça, introduza a largura da nervura aproximada por excesso.
 note-probing-from-centre-if-narrow__datum-slot-centre = Se a largura da ranhura e a distância de segurança não permitirem um posicionamento prévio perto dos pontos de apalpação, o comando começa sempre a apalpar a partir do centro da ranhura. O apalpador não se desloca então à altura segura entre os dois pontos de medição.
 note-feature-content-level-3 = Este ciclo é uma função do nível de desenvolvimento Feature Content Level 3 (FCL 3).
 
 # --- 414 and 415 ---
-cycle-datum-outside-corner = Ponto de referência esquina exterior
+cycle-datum-outside-corner = Ponto de referência: esquina exterior
     .nc = PONTO REF ESQUINA EXTERIOR
     .purpose = Mede duas retas pelo exterior e memoriza a sua intersecção como ponto de referência. Se pretendido, o comando escreve também o ponto de intersecção numa tabela de pontos zero ou na tabela de presets.
 cycle-datum-outside-corner__tnc426-430 =
     .purpose = Mede duas retas pelo exterior e memoriza a sua intersecção como ponto de referência. Se pretendido, o comando escreve também o ponto de intersecção numa tabela de pontos zero.
-cycle-datum-inside-corner = Ponto de referência esquina interior
+cycle-datum-inside-corner = Ponto de referência: esquina interior
     .nc = PONTO REF ESQUINA INTERIOR
     .purpose = Mede duas retas pelo interior e memoriza a sua intersecção como ponto de referência. Se pretendido, o comando escreve também o ponto de intersecção numa tabela de pontos zero ou na tabela de presets.
 cycle-datum-inside-corner__tnc426-430 =
     .purpose = Mede duas retas pelo interior e memoriza a sua intersecção como ponto de referência. Se pretendido, o comando escreve também o ponto de intersecção numa tabela de pontos zero.
-step-probe-first-point-by-third-point = O apalpador executa a primeira apalpação com o avanço de apalpação (coluna { $mp-probing-feed }). O comando deduz a direção de apalpação do terceiro ponto de medição programado.
-step-probe-first-point-by-third-point__tnc426-430 = O apalpador executa a primeira apalpação com o avanço de apalpação ({ $mp-probing-feed } ou { $mp-analog-probing-feed }). O comando deduz a direção de apalpação do terceiro ponto de medição programado.
-step-probe-first-point-by-corner-number = O apalpador executa a primeira apalpação com o avanço de apalpação (coluna { $mp-probing-feed }). O comando deduz a direção de apalpação do número da esquina { $q-corner-number }.
-step-probe-first-point-by-corner-number__tnc426-430 = O apalpador executa a primeira apalpação com o avanço de apalpação ({ $mp-probing-feed } ou { $mp-analog-probing-feed }). O comando deduz a direção de apalpação do número da esquina { $q-corner-number }.
+step-probe-first-point-by-third-point = O apalpador executa a primeira apalpação com o avanço de apalpação (coluna { $mp-probing-feed }). O comando determina a direção de apalpação a partir do terceiro ponto de medição programado.
+step-probe-first-point-by-third-point__tnc426-430 = O apalpador executa a primeira apalpação com o avanço de apalpação ({ $mp-probing-feed } ou { $mp-analog-probing-feed }). O comando determina a direção de apalpação a partir do terceiro ponto de medição programado.
+step-probe-first-point-by-corner-number = O apalpador executa a primeira apalpação com o avanço de apalpação (coluna { $mp-probing-feed }). O comando determina a direção de apalpação a partir do número da esquina { $q-corner-number }.
+step-probe-first-point-by-corner-number__tnc426-430 = O apalpador executa a primeira apalpação com o avanço de apalpação ({ $mp-probing-feed } ou { $mp-analog-probing-feed }). O comando determina a direção de apalpação a partir do número da esquina { $q-corner-number }.
 step-retract-and-store-corner = O comando faz regressar o apalpador à altura segura { $q-clearance-height }, guarda as coordenadas da esquina medida nos parâmetros de resultado e trata o ponto de referência medido conforme { $q-measured-value-transfer } e { $q-datum-row-number }:
 step-retract-and-store-corner__tnc426-430 = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e trata o ponto de intersecção das retas medidas como ponto de referência, conforme { $q-datum-row-number }:
 step-carry-out-basic-rotation-on-request = Com { $q-corner-basic-rotation }=1, o comando compensa a inclinação da peça por meio de uma rotação básica.

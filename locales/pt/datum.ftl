@@ -1,23 +1,23 @@
 # Cycles that set a datum.
 
 # --- 412 ---
-cycle-datum-inside-circle = Ponto ref círculo interior
+cycle-datum-inside-circle = Ponto de referência: círculo interior
     .nc = PONTO REF CÍRCULO INTERIOR
     .purpose = Mede o centro de uma caixa circular ou de um furo e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero ou na tabela de presets.
 cycle-datum-inside-circle__tnc426-430 =
     .purpose = Mede o centro de uma caixa circular ou de um furo e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero.
 step-retract-and-store-datum = O comando faz regressar o apalpador à altura segura { $q-clearance-height }, guarda os valores reais nos parâmetros de resultado e trata o ponto de referência medido conforme { $q-measured-value-transfer } e { $q-datum-row-number }:
 step-retract-and-store-datum__tnc426-430 = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e trata o ponto de referência medido conforme { $q-datum-row-number }:
-say-datum-into-display-and-row-zero = com { $q-datum-row-number }=0, memoriza na visualização o ponto de referência medido; este fica logo ativo e é também guardado na linha 0 da tabela de presets
-say-datum-into-display = com { $q-datum-row-number }=0, memoriza na visualização o ponto de referência medido; este fica logo ativo
+say-datum-into-display-and-row-zero = com { $q-datum-row-number }=0, define na visualização o ponto de referência medido; este fica logo ativo e é também guardado na linha 0 da tabela de presets
+say-datum-into-display = com { $q-datum-row-number }=0, define na visualização o ponto de referência medido; este fica logo ativo
 say-datum-into-datum-table = com { $q-datum-row-number } diferente de 0 e { $q-measured-value-transfer }=0, escreve o ponto de referência medido na linha { $q-datum-row-number } da tabela de pontos zero ativa; o sistema de referência é o sistema de coordenadas da peça ativo
 say-datum-into-datum-table__tnc426-430 = com { $q-datum-row-number } diferente de 0, escreve o ponto de referência medido na linha { $q-datum-row-number } da tabela de pontos zero ativa
 say-datum-into-preset-table = com { $q-datum-row-number } diferente de 0 e { $q-measured-value-transfer }=1, escreve o ponto de referência medido na linha { $q-datum-row-number } da tabela de presets; o sistema de referência é o sistema de coordenadas da máquina (coordenadas REF)
 step-probe-in-probe-axis = Se pretendido, o comando mede a seguir, numa apalpação à parte, o ponto de referência no eixo do apalpador:
-say-datum-in-probe-axis = com { $q-probing-in-probe-axis }=1 apalpa no eixo do apalpador o ponto { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool }, recua e trata o ponto de referência { $q-new-datum-probe-axis } como o do plano de maquinação
+say-datum-in-probe-axis = com { $q-probing-in-probe-axis }=1, apalpa no eixo do apalpador o ponto { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool }, recua e trata o ponto de referência { $q-new-datum-probe-axis } como o do plano de maquinação
 guard-datum-transfer-undefined = { $q-datum-row-number } é diferente de 0 e { $q-measured-value-transfer } é −1: defina onde se guarda o ponto de referência medido.
 guard-transformation-with-probe-axis-datum = Está ativa uma deslocação do ponto zero ou uma rotação, mas { $q-measured-value-transfer }=0 e { $q-probing-in-probe-axis }=1 não admitem nenhuma conversão de coordenadas.
-note-nominal-diameter-rather-small = Perigo de colisão! Para que o apalpador não colida com a peça, é preferível introduzir um diâmetro nominal da caixa (furo) demasiado pequeno a um demasiado grande.
+note-nominal-diameter-rather-small = Perigo de colisão! Para que o apalpador não colida com a peça, introduza o diâmetro nominal da caixa (furo) aproximado por defeito.
 note-probing-from-centre-if-narrow = Se as medidas da caixa e a distância de segurança não permitirem um posicionamento prévio perto dos pontos de apalpação, o comando começa sempre a apalpar a partir do centro da caixa. O apalpador não se desloca então à altura segura entre os pontos de medição.
 note-no-transformation-with-probe-axis-datum = Se um ciclo de apalpação memorizar um ponto de referência ({ $q-measured-value-transfer }=0) e for utilizada também a apalpação no eixo do apalpador ({ $q-probing-in-probe-axis }=1), não pode estar ativa nenhuma conversão de coordenadas.
 note-no-tilting-with-datum-cycles = Não é permitido inclinar o plano de maquinação juntamente com os ciclos de memorização do ponto de referência 408 a 419.

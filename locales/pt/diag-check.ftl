@@ -40,9 +40,9 @@ diag-compensation-at-cycle =
     { $cycle } é executado aqui com a correção de raio ativa.
 diag-compensation-left-on = A correção de raio ainda está aqui ativa.
 diag-compensation-on-arc = A correção de raio não pode começar num arco.
-diag-compensation-other-side = O mesmo contorno foi maquinado antes com a compensação do raio oposta: aqui a ferramenta está do outro lado.
+diag-compensation-other-side = O mesmo contorno foi maquinado antes com a correção de raio oposta: aqui a ferramenta está do outro lado.
 diag-compensation-switched = A correção de raio muda aqui de lado sem R0 pelo meio.
-diag-contour-at-rapid = A ferramenta percorre aqui em avanço rápido um contorno com compensação do raio.
+diag-contour-at-rapid = A ferramenta percorre aqui em avanço rápido um contorno com correção de raio.
 diag-contour-data-missing = { $cycle } é chamado, mas { $data } não foi definido antes.
 diag-contour-def-wrong =
     { $what ->
@@ -76,8 +76,8 @@ diag-coordinate-out-of-place = { $path } não aceita estas coordenadas.
 diag-core-hole-too-large = O furo tem o diâmetro { $other }, a rosca { $value }: não fica material para a rosca.
 diag-corner-wrong =
     Esta esquina não se pode maquinar: { $what ->
-        [twice] segue-se diretamente a outro arredondamento ou chanfro
-        [arc] um chanfro tem de estar entre duas retas, mas um dos elementos é um arco
+        [twice] segue-se diretamente a outro arredondamento ou chanfre
+        [arc] um chanfre tem de estar entre duas retas, mas um dos elementos é um arco
         [first] não a precede nenhum elemento de contorno
         [alone] não se lhe segue nenhum elemento de contorno
         [back] a reta seguinte volta para trás ao longo da anterior
@@ -159,6 +159,7 @@ diag-hole-outside-blank =
         [surface] A superfície em { $value } está longe do bloco.
        *[through] O furo desce até { $value }, muito para além do bloco.
     }
+diag-insert-points-away = A pastilha não pode cortar para onde vai { $cycle }: a sua orientação (TO) é { $orientation }, pelo que a ponta está virada para o lado oposto à peça ou ao avanço.
 diag-iso-incomplete =
     Esta frase está incompleta: { $what ->
         [value] uma letra não tem valor
@@ -258,7 +259,11 @@ diag-plane-not-positioned =
         [cycle] Nenhuma frase posiciona os eixos rotativos depois desta inclinação; se o ciclo o faz depende da máquina.
        *[plane] STAY não move os eixos rotativos, e nenhuma frase do programa os leva para os ângulos deste plano.
     }
-diag-plane-not-reset = O programa termina aqui com o plano de maquinação inclinado.
+diag-plane-not-reset =
+    { $what ->
+        [zero] { $cycle } põe aqui todos os ângulos a 0, mas nada desliga a inclinação do plano de maquinação.
+       *[tilted] O programa termina aqui com o plano de maquinação inclinado.
+    }
 diag-position-after-contour = Esta é a primeira posição depois de { $cycle }, mas não tem valores absolutos para ambas as coordenadas do plano.
 diag-position-twice = O ponto { $value }; { $other } já foi maquinado com esta definição e esta ferramenta.
 diag-probe-while-turning = { $cycle } apalpa aqui com o cabeçote a rodar.
@@ -289,7 +294,7 @@ diag-reset-order-wrong =
        *[shift] A deslocação do ponto zero é anulada aqui, mas ainda está inclinado o plano que foi inclinado depois dela.
     }
 diag-retract-missing =
-    A ferramenta ainda está em { $value }, dentro do bloco ou logo acima dele, quando { $what ->
+    A ferramenta ainda está em { $value }, dentro do bloco, ao lado ou logo acima dele, quando { $what ->
         [change] é trocada
         [tilt] o plano é inclinado com MOVE
         [end] o programa termina
@@ -342,6 +347,7 @@ diag-tool-axis-missing = Esta chamada da ferramenta não tem eixo da ferramenta,
 diag-tool-axis-other =
     { $what ->
         [pattern] PATTERN DEF só funciona com o eixo da ferramenta { $axis }, mas aqui está ativo outro.
+        [lifted] Esta chamada indica um eixo da ferramenta diferente do eixo do bloco, mas a ferramenta só é recuada em { $axis }.
        *[blank] O bloco tem o eixo da ferramenta { $axis }, mas nenhuma ferramenta do programa o tem.
     }
 diag-tool-definition-wrong =
@@ -357,9 +363,11 @@ diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } apalpa aqui com a ferramenta que acabou de maquinar.
+        [contour] A ferramenta que acabou de apalpar move-se aqui ao longo de um contorno.
        *[mill] { $cycle } maquina aqui com a ferramenta que acabou de apalpar.
     }
 diag-tool-unused = A ferramenta { $tool } é chamada aqui, e a frase seguinte chama outra.
+diag-tool-zero = { $cycle } é executado com a ferramenta 0: não há ferramenta no cabeçote.
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } leu { $parameter } ao ser definido: o valor escrito aqui não influi na sua chamada.
@@ -376,6 +384,7 @@ diag-transformation-forbidden =
         [turning] o comando esteja em modo de torneamento (FUNCTION MODE TURN)
        *[tilting] o plano de maquinação esteja inclinado
     }, o que o seu manual proíbe.
+diag-transformation-without-effect = { $other } anula a conversão de { $cycle } antes de alguma coisa a utilizar.
 diag-transformation-left-on =
     O programa termina aqui com { $what ->
         [datum-shift] uma deslocação do ponto zero ativa

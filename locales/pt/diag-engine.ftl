@@ -30,16 +30,18 @@ diag-insert-direction = A pastilha da ferramenta { $tool } não aponta para a pe
 diag-jump-limit = A execução foi terminada: foram executados mais de { NUMBER($limit) } saltos, repetições e chamadas.
 diag-jump-target-missing = Não existe o label { $label }.
 diag-jump-target-twice = O label { $label } aparece duas vezes no programa.
+diag-kinematics-unknown = A cinemática «{ $name }» a seguir a FUNCTION MODE não é a da máquina simulada, «{ $machine }».
 diag-lines-parallel = As duas retas são paralelas: não têm interseção.
 diag-log-failed = Não é possível escrever o registo { $name }: { $reason }
 diag-log-template = O registo { $name } não tem modelo.
 diag-log-text = Falta o texto { $name } do registo ({ $reason }).
 diag-machine-parameter-missing = O parâmetro de máquina { $name }, com as suas três coordenadas, não está definido.
+diag-milling-mode-missing = { $cycle } só é executado em modo de fresagem, mas está ativo o modo de torneamento (FUNCTION MODE TURN).
 diag-move-limit = A execução foi terminada: foram executados mais de { NUMBER($limit) } movimentos da ferramenta.
 diag-no-cycle-to-call = É chamado um ciclo, mas não foi definido nenhum ciclo de maquinação.
 diag-no-such-parameter = Não existe o parâmetro { $q }.
 diag-number-too-large = O resultado é demasiado grande para o formato numérico.
-diag-orientation-missing = A compensação do raio ao tornear precisa da orientação (TO) da ferramenta { $tool }: indica onde está a ponta em relação ao centro do raio.
+diag-orientation-missing = A correção de raio ao tornear precisa da orientação (TO) da ferramenta { $tool }: indica onde está a ponta em relação ao centro do raio.
 diag-outside-domain = { $function } não está definido para { NUMBER($value) }.
 diag-parameter-missing = Falta { $q } em { $cycle }.
 diag-parameter-out-of-range = { $q } não aceita o valor { NUMBER($value) }.
@@ -57,6 +59,7 @@ diag-probe-no-direction = A haste de apalpação já está no ponto a apalpar, e
 diag-program-missing = Não existe o programa { $name }.
 diag-radius-missing = Falta o raio R nesta frase.
 diag-radius-too-small = O raio de { NUMBER($radius) } mm não chega para uma corda de { NUMBER($chord, maximumFractionDigits: 4) } mm.
+diag-recess-impossible = Não há espaço para a ranhura, falta o seu centro, a profundidade ou a largura, ou não está num elemento reto.
 diag-recursive-call = Uma parte do programa chama-se a si própria.
 diag-repeat-count = REP exige um número inteiro de 0 a 65534, não { NUMBER($found) }.
 diag-rotary-axis-missing = A máquina não tem um eixo rotativo { $axis }.
@@ -69,7 +72,7 @@ diag-text-too-long = Um parâmetro de texto ultrapassaria { NUMBER($limit) } car
 diag-tool-locked = A ferramenta { $tool } está bloqueada.
 diag-tool-not-in-table = A ferramenta { $tool } não está na tabela de ferramentas.
 diag-turn-limit = A execução foi terminada: um movimento tem mais de { NUMBER($limit) } voltas.
-diag-undercut-impossible = Não há espaço para o rebaixo, ou este não está entre uma superfície ao longo do eixo rotativo e uma face perpendicular a ela.
+diag-undercut-impossible = Não há espaço para o rebaixo, falta uma medida, ou este não está entre uma superfície ao longo do eixo rotativo e uma face perpendicular a ela.
 diag-unsupported-axis = A máquina simulada não tem um eixo { $axis }.
 diag-unsupported-block = { $word } não pode ser simulado.
 diag-unsupported-cycle = O manual do comando { $control } só menciona o nome de { $cycle }: não pode ser simulado.
@@ -97,7 +100,7 @@ diag-pattern-unreadable = «{ $found }» não pode ser utilizado em PATTERN DEF.
 diag-position-incomplete = CYCL CALL POS precisa das coordenadas dos três eixos.
 diag-value-not-predefined = Está programado PREDEF, mas nenhum GLOBAL DEF definiu o valor.
 diag-contour-crossing = O contorno do label { $label } cruza-se ou toca-se a si próprio no ponto com eixo principal { NUMBER($x) } mm e eixo secundário { NUMBER($y) } mm.
-diag-contour-begin-incomplete = O contorno do label { $label } não começa com as duas coordenadas X e Y.
+diag-contour-begin-incomplete = O contorno { $label } não começa com as duas coordenadas do plano de maquinagem.
 diag-contour-data-undefined = Nenhum ciclo definiu ainda os dados do contorno.
 diag-contour-count = O contorno é formado por mais de { NUMBER($limit) } contornos parciais.
 diag-contour-depth =
@@ -107,16 +110,17 @@ diag-contour-depth =
     }
 diag-contour-elements = Os contornos têm, no total, mais de { NUMBER($limit) } elementos.
 diag-contour-empty = O subprograma do label { $label } não descreve nenhum contorno que delimite uma área.
-diag-contour-lead = Um contorno que um ciclo maquina não pode conter { $word }: o ciclo aproxima-se dele e afasta-se por si próprio.
+diag-contour-lead = Um contorno que um ciclo maquina não pode conter { $word }: o ciclo aproxima-se dele e afasta-se automaticamente.
 diag-contour-not-defined = Nenhum ciclo indicou ainda os subprogramas do contorno.
 diag-contour-open = O contorno do label { $label } está aberto: termina a { NUMBER($distance) } mm do ponto inicial.
 diag-contour-side-missing = O contorno do label { $label } não tem correção de raio RL ou RR, que indica se se trata de uma caixa ou de uma ilha.
+diag-contour-tool-axis = O contorno do label { $label } contém uma coordenada no eixo da ferramenta.
 diag-free-contour-contradicts = Nenhum contorno cumpre todos os valores indicados para este elemento e para os anteriores.
 diag-free-contour-open =
     { $what ->
-        [line] A posição ou a direção desta reta não está determinada: falta um valor.
-        [arc] O centro ou o raio deste arco não está determinado: falta um valor.
-       *[end] O fim deste elemento não está determinado: falta um valor.
+        [line] A posição ou a direção desta reta não está determinada. Valores ainda em falta: { $values }.
+        [arc] O centro ou o raio deste arco não está determinado. Valores ainda em falta: { $values }.
+       *[end] O fim deste elemento não está determinado. Valores ainda em falta: { $values }.
     }
 diag-free-contour-reference = A frase { $block } não é um elemento deste contorno livre nem a frase de posicionamento anterior.
 diag-free-contour-selection = Não é possível selecionar FSELECT { $wanted }: o número de soluções aqui é { $solutions }.

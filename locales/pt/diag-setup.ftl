@@ -25,7 +25,7 @@ diag-machining-outside-blank =
         [over] O que é maquinado em { $value }; { $other } ultrapassa a borda do bloco.
        *[outside] O que é maquinado em { $value }; { $other } está longe do bloco.
     }
-diag-milling-deeper-than-edges = Aqui a ferramenta fresa a uma profundidade de { $value }, maior do que o comprimento das suas lâminas (LCUTS).
+diag-milling-deeper-than-edges = Aqui a ferramenta fresa a uma profundidade de { $value }, maior do que a longitude das suas navalhas (LCUTS).
 diag-plane-left-on = O plano de maquinação ainda está inclinado quando esta ferramenta é chamada.
 diag-preset-row-wrong =
     { $what ->

@@ -24,3 +24,5 @@ diag-texts-unit-markup = A tradução da unidade «{ $key }» mudaria a forma da
 diag-texts-unit-numbers = Os números da unidade «{ $key }» não são os do texto de partida: em falta { $missing }, alheios { $foreign }.
 diag-texts-unknown-topic = Não existe a página de prosa «{ $topic }».
 diag-draft-language = Um rascunho é de um só idioma: indique-o com --lang, por exemplo «--draft --lang de».
+diag-texts-unit-swapped = As unidades «{ $key }» e «{ $other }» ficaram com as palavras uma da outra.
+diag-texts-unit-negation = Na unidade «{ $key }» foi retirada uma palavra que nega; o texto diz o contrário.

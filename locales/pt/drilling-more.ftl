@@ -49,16 +49,16 @@ note-servo-controlled-spindle-only = O ciclo só pode ser utilizado em máquinas
 note-spindle-and-coolant-restored = No fim do ciclo voltam a estar ativos os estados do refrigerante e do cabeçote anteriores à chamada do ciclo.
 note-disengage-away-from-edge = Perigo de colisão! Escolha a direção de afastamento livre { $q-disengaging-direction } de modo que a ferramenta se afaste do bordo do furo.
 note-check-position-of-tool-tip = Perigo de colisão! Oriente o cabeçote para o ângulo programado em { $q-spindle-orientation-angle } (por exemplo, no modo de funcionamento Posicionamento com introdução manual) e verifique onde está a ponta da ferramenta. Escolha o ângulo de modo que a ponta da ferramenta fique paralela a um eixo de coordenadas.
-note-disengaging-considers-rotation = No afastamento livre, o comando tem em conta por si uma rotação ativa do sistema de coordenadas.
+note-disengaging-considers-rotation = No afastamento livre, o comando tem automaticamente em conta uma rotação ativa do sistema de coordenadas.
 
 # --- 204 ---
 cycle-back-boring = Rebaixamento invertido
     .nc = REBAIXAMENTO INVERTIDO
     .purpose = Maquina rebaixos na face inferior da peça.
-step-orient-and-offset-tool = O comando orienta o cabeçote para { $q-spindle-orientation-angle } e desloca a ferramenta na direção { $q-disengaging-direction } o valor da medida excêntrica { $q-off-centre-distance }.
+step-orient-and-offset-tool = O comando orienta o cabeçote para { $q-spindle-orientation-angle } e desloca a ferramenta na direção { $q-disengaging-direction } no valor da medida excêntrica { $q-off-centre-distance }.
 step-feed-through-bore = A ferramenta penetra com o avanço de posicionamento prévio { $q-in-and-out-feed } no furo existente, até a navalha ficar à distância de segurança { $q-set-up-clearance } abaixo da aresta inferior da peça.
 step-centre-tool-and-counterbore = O comando volta a levar a ferramenta ao centro do furo, liga o cabeçote e, se necessário, o refrigerante, e desloca-a depois com o avanço de rebaixamento { $q-countersinking-feed } até à profundidade { $q-counterbore-depth }.
-step-dwell-and-leave-counterbore = Se { $q-counterbore-dwell } estiver introduzido, a ferramenta permanece no fundo do rebaixo. Sai depois do rebaixo; o comando orienta o cabeçote e volta a deslocar a ferramenta o valor da medida excêntrica.
+step-dwell-and-leave-counterbore = Se { $q-counterbore-dwell } estiver introduzido, a ferramenta permanece no fundo do rebaixo. Sai depois do rebaixo; o comando orienta o cabeçote e volta a deslocar a ferramenta no valor da medida excêntrica.
 step-feed-out-of-bore = A ferramenta desloca-se com o avanço de posicionamento prévio { $q-in-and-out-feed } para a distância de segurança { $q-set-up-clearance } acima da superfície da peça.
 note-back-boring-bars-only = O ciclo só funciona com barras de mandrilar para rebaixamento invertido.
 note-sign-of-counterbore-depth = O sinal da profundidade { $q-counterbore-depth } determina a direção da maquinação. Atenção: com sinal positivo, rebaixa-se na direção positiva do eixo do cabeçote.
@@ -80,7 +80,7 @@ guard-hole-too-wide-for-tool = O diâmetro do furo é maior do que o dobro do da
 note-equal-diameters-are-drilled = Se o diâmetro do furo introduzido for o diâmetro da ferramenta, o comando fura sem interpolação em hélice, diretamente até à profundidade introduzida.
 note-mirroring-keeps-milling-type = Um espelhamento ativo não altera o tipo de fresagem definido no ciclo.
 note-infeed-too-large-does-damage = Um passo demasiado grande danifica tanto a ferramenta como a peça.
-note-plunging-angle-limits-infeed = Para evitar passos demasiado grandes, introduza o maior ângulo de penetração possível da ferramenta na coluna { $mp-plunging-angle } da tabela de ferramentas. O comando calcula então por si o maior passo permitido e, se necessário, altera o valor introduzido.
+note-plunging-angle-limits-infeed = Para evitar passos demasiado grandes, introduza o maior ângulo de penetração possível da ferramenta na coluna { $mp-plunging-angle } da tabela de ferramentas. O comando calcula então automaticamente o maior passo permitido e, se necessário, altera o valor introduzido.
 
 # --- 241 ---
 cycle-single-lip-drilling = Furar com broca de gume único

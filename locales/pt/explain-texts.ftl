@@ -34,3 +34,7 @@ explain-texts-unknown-topic =
     As páginas de prosa são ficheiros em locales/en/topics; o nome do ficheiro sem «.md» é o tema, por exemplo sl-cycles. Sem --topic exportam-se todos os textos, incluindo as páginas.
 explain-draft-language =
     Um rascunho preenche com inglês as lacunas de um idioma em preparação, para que as páginas possam ser lidas antes de tudo estar traduzido. É de um só idioma, para que um idioma terminado nunca apareça por engano como rascunho. O idioma ainda não precisa de ter uma pasta. Sem --draft, uma página a que falta um texto é recusada.
+explain-texts-unit-swapped =
+    De duas opções ou de dois resultados, cada um tem no ficheiro as palavras que hoje são do outro, e quem lê introduziria o valor errado. Nenhum dos dois é adotado. Reponha as palavras. Se as que estão trocadas são as de hoje, corrija-as no ficheiro Fluent.
+explain-texts-unit-negation =
+    O texto inglês nega alguma coisa, e a tradução no ficheiro é a de hoje sem uma palavra como «não» ou «nem». Permitiria o que é proibido, ou diria que aconteceu o que não aconteceu. Reponha a palavra. Se a frase nega de outro modo, escreva-a assim; se a palavra estava errada, retire-a no ficheiro Fluent.

@@ -7,14 +7,14 @@ figure-deepened-start = Ponto inicial aprofundado
 figure-centring-diameter = Centragem até ao diâmetro
 figure-rotation = Ângulo de rotação
 figure-pocket-position = Posição na chamada
-figure-milling-type = Fresagem sincronizada e em sentido contrário
+figure-milling-type = Fresagem em sentido sincronizado e em sentido contrário
 figure-allowances = Medidas excedentes de acabamento
 figure-slot-position = Posição na chamada
 figure-stud-position = Posição na chamada
 figure-approach = Posição de aproximação
 figure-stepping-angle = Passo angular
 figure-traverse = Percurso entre maquinações
-figure-plunging = Afundamento
+figure-plunging = Penetração
 figure-side = Vista lateral
 figure-new-datum = O novo ponto de referência
 figure-probe-axis = Ponto de referência no eixo do apalpador
@@ -35,8 +35,18 @@ figure-pattern = Várias ranhuras
 figure-side-allowance = Medida excedente lateral
 figure-rounding = Raio das esquinas interiores
 figure-between-points = Percurso entre os pontos de apalpação
+figure-between-holes = Percurso entre as posições
+figure-depth-or-diameter = Profundidade ou diâmetro
+figure-threads-per-step = Voltas ou hélices
+figure-countersinking-moment = Momento do rebaixamento
+figure-finishing-counter-clockwise = Acabamento em sentido anti-horário, Q9 = +1
+figure-finishing-clockwise = Acabamento em sentido horário, Q9 = −1
+figure-train-climb = Fresagem concordante, Q15 = +1
+figure-train-up-cut = Fresagem discordante, Q15 = −1
+figure-train-to-and-fro = Para lá e para cá, Q15 = 0
+figure-operation = Tipo de maquinação
 figure-no-contact = Percurso sem contacto
-way-rapid = marcha rápida
+way-rapid = avanço rápido
 way-feed = avanço
 way-probing = apalpação
 
@@ -48,6 +58,7 @@ cli-coverage-figures = { $count } de { $of } comprimentos, ângulos e posições
 
 diag-figure-example-missing = A figura { $name } de { $cycle } deve ser desenhada a partir do exemplo { $example }, que o ciclo não tem.
 diag-figure-moment-never = A execução da figura { $name } de { $cycle } nunca chega ao momento a mostrar ({ $reason }).
+diag-figure-name-taken = Duas figuras de { $cycle } têm o mesmo nome { $name }.
 diag-figure-no-value = A figura { $figure } de { $cycle } mostra { $name } entre pontos que nesse momento não têm valor.
 diag-figure-no-centre = A figura { $figure } de { $cycle } mostra { $name } como ângulo, mas o centro falta ou não é um ponto.
 diag-figure-axis-not-visible = A figura { $figure } de { $cycle } mostra { $name } ao longo de um eixo que a vista não contém.
@@ -81,4 +92,8 @@ figure-measuring-axis = Eixo de medição
 figure-traverse-direction = Direção de deslocação
 figure-straight-or-circle = Em linha reta ou em círculo
 figure-program = O programa visto de cima
+figure-program-turned = O programa: metade da peça em corte
+figure-program-side = O programa visto de lado
+figure-program-across = O programa ao longo do eixo rotativo
+figure-program-tilted = O plano inclinado do programa
 figure-wide-slot = Ranhura larga

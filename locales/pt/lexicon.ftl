@@ -10,4 +10,4 @@ lexicon-count = número | filetes | roturas | apalpações | pontos | cortes | l
 lexicon-factor = fator | sobreposição | multipl | normal à superf
 lexicon-absolute = coordenada | centro | altura | referência | posição | nominal | ponto | ângulo | diâmetro | início | fim | inicial | final | rotação | raio | número | distância segura
 lexicon-incremental = distância | profundidade | medida excedente | passo | recuo | redução | longitude | percurso | caminho | rebaix | paragem | aresta | espessura | saída | largura | tamanho | aprofundado | navalha | abertura
-lexicon-negation = não | nem | sem | nenhum- | nunca | jamais | nada | ninguém | exclu- | evita- | falta- | diferente- | imped- | independente-
+lexicon-negation = não | nem+ | sem | nenhum- | nunca | jamais | nada | ninguém | exclu- | evita- | falta- | diferente- | imped- | independente-

@@ -14,11 +14,11 @@ say-part-needs-rework__measure-stud = trabalho de acabamento (Q181=1) se a ilha 
 note-smallest-stepping-angle__measure-stud = Quanto menor for o passo angular { $q-probing-stepping-angle }, menos exatas são as medidas da ilha que o comando calcula. Valor de introdução mínimo: 5°.
 
 # --- 423, 424 ---
-cycle-measure-rectangular-pocket = Medir rectângulo interior
+cycle-measure-rectangular-pocket = Medir retângulo interior
     .nc = MEDIR RECTÂNGULO INT.
     .nc-aliases = MEDIÇÃO DUM RECTÂNGULO INTERIOR
     .purpose = Mede o centro, a longitude e a largura de uma caixa retangular. Se no ciclo estiverem definidas tolerâncias, o comando compara os valores nominais com os reais e guarda os desvios em parâmetros.
-cycle-measure-rectangular-stud = Medir rectângulo exterior
+cycle-measure-rectangular-stud = Medir retângulo exterior
     .nc = MEDIR RECTÂNGULO EXT.
     .nc-aliases = MEDIR RECTÂNG. EXTERIOR | MEDIÇÃO DUM RECTÂNGULO EXTERIOR
     .purpose = Mede o centro, a longitude e a largura de uma ilha retangular. Se no ciclo estiverem definidas tolerâncias, o comando compara os valores nominais com os reais e guarda os desvios em parâmetros.
@@ -63,15 +63,15 @@ cycle-measure-coordinate = Medir coordenadas
     .nc = MEDIR COORDENADA
     .nc-aliases = MEDIÇÃO DE COORDENADA
     .purpose = Mede uma coordenada num eixo à escolha e guarda o valor num parâmetro. Se no ciclo estiverem definidas tolerâncias, o comando compara os valores nominais com os reais e guarda o desvio em parâmetros.
-step-position-against-traverse-direction = O comando posiciona o apalpador no ponto de apalpação programado, em avanço rápido (valor da coluna { $mp-positioning-feed }) e com lógica de posicionamento. Desvia o apalpador a distância de segurança contra a direção de deslocação { $q-traverse-direction }.
-step-position-against-traverse-direction__tnc426-430 = O comando posiciona o apalpador no ponto de apalpação programado, em avanço rápido (valor de { $mp-positioning-feed } ou { $mp-analog-positioning-feed }) e com lógica de posicionamento. Desvia o apalpador a distância de segurança contra a direção de deslocação { $q-traverse-direction }.
+step-position-against-traverse-direction = O comando posiciona o apalpador no ponto de apalpação programado, em avanço rápido (valor da coluna { $mp-positioning-feed }) e com lógica de posicionamento. Desvia o apalpador no valor da distância de segurança, no sentido oposto à direção de deslocação { $q-traverse-direction }.
+step-position-against-traverse-direction__tnc426-430 = O comando posiciona o apalpador no ponto de apalpação programado, em avanço rápido (valor de { $mp-positioning-feed } ou { $mp-analog-positioning-feed }) e com lógica de posicionamento. Desvia o apalpador no valor da distância de segurança, no sentido oposto à direção de deslocação { $q-traverse-direction }.
 step-probe-coordinate = O comando posiciona o apalpador no plano de maquinação, no ponto de apalpação programado, e mede aí o valor real no eixo selecionado.
 step-retract-and-store-measured-coordinate = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e guarda a coordenada medida no parâmetro de resultado.
 say-part-is-scrap__measure-coordinate = desperdício (Q182=1) se a coordenada medida for menor do que { $q-least-dimension }
 say-part-needs-rework__measure-coordinate = trabalho de acabamento (Q181=1) se a coordenada medida for maior do que { $q-greatest-dimension }
 say-correct-tool-length = com { $q-monitored-tool } diferente de 0 e { $q-measuring-axis }=3, corrige a longitude da ferramenta na coluna DL da tabela de ferramentas; se o desvio for maior do que a tolerância de rotura RBREAK, emite um aviso de erro, detém a execução do programa e bloqueia a ferramenta (coluna TL = L)
-say-correct-tool-radius__measure-coordinate = com { $q-monitored-tool } diferente de 0 e { $q-measuring-axis }=1 ou 2, corrige o raio delta na coluna DR da tabela de ferramentas, no sentido que resulta de { $q-traverse-direction }; se o desvio for maior do que a tolerância de rotura RBREAK, emite um aviso de erro, detém a execução do programa e bloqueia a ferramenta (coluna TL = L)
-note-coordinate-is-outside-dimension = O comando parte do princípio de que se mede uma medida exterior (ilha). O estado da medição pode ser acertado com uma escolha adequada da medida maior e da medida menor, juntamente com a direção de apalpação.
+say-correct-tool-radius__measure-coordinate = com { $q-monitored-tool } diferente de 0 e { $q-measuring-axis }=1 ou 2, corrige o valor delta do raio na coluna DR da tabela de ferramentas, no sentido que resulta de { $q-traverse-direction }; se o desvio for maior do que a tolerância de rotura RBREAK, emite um aviso de erro, detém a execução do programa e bloqueia a ferramenta (coluna TL = L)
+note-coordinate-is-outside-dimension = O comando parte do princípio de que a medida é exterior (ilha). O estado da medição pode ser corrigido com uma escolha adequada da medida maior e da medida menor, juntamente com a direção de apalpação.
 note-coordinate-corrects-radius-or-length = Se o eixo de medição for um eixo do plano de maquinação ({ $q-measuring-axis }=1 ou 2), o comando corrige o raio da ferramenta; o sentido da correção resulta da direção de deslocação { $q-traverse-direction }. Se o eixo de medição for o eixo do apalpador ({ $q-measuring-axis }=3), corrige a longitude da ferramenta.
 
 # --- 430 ---
@@ -106,8 +106,8 @@ cycle-measure-plane = Medir plano
     .nc = MEDIR PLANO
     .nc-aliases = MEDIÇÃO DUM PLANO
     .purpose = Mede os ângulos de um plano medindo três pontos e guarda os valores em parâmetros.
-step-measure-first-point-of-plane = O comando posiciona o apalpador no primeiro ponto de apalpação programado, em avanço rápido (valor da coluna { $mp-positioning-feed }) e com lógica de posicionamento, e mede aí o primeiro ponto do plano. Desvia o apalpador a distância de segurança contra a direção de apalpação.
-step-measure-first-point-of-plane__tnc426-430 = O comando posiciona o apalpador no primeiro ponto de apalpação programado, em avanço rápido (valor de { $mp-positioning-feed } ou { $mp-analog-positioning-feed }) e com lógica de posicionamento, e mede aí o primeiro ponto do plano. Desvia o apalpador a distância de segurança contra a direção de apalpação.
+step-measure-first-point-of-plane = O comando posiciona o apalpador no primeiro ponto de apalpação programado, em avanço rápido (valor da coluna { $mp-positioning-feed }) e com lógica de posicionamento, e mede aí o primeiro ponto do plano. Desvia o apalpador no valor da distância de segurança, no sentido oposto à direção de apalpação.
+step-measure-first-point-of-plane__tnc426-430 = O comando posiciona o apalpador no primeiro ponto de apalpação programado, em avanço rápido (valor de { $mp-positioning-feed } ou { $mp-analog-positioning-feed }) e com lógica de posicionamento, e mede aí o primeiro ponto do plano. Desvia o apalpador no valor da distância de segurança, no sentido oposto à direção de apalpação.
 step-measure-second-point-of-plane = O apalpador regressa à altura segura { $q-clearance-height } e desloca-se no plano de maquinação para o segundo ponto de apalpação, onde o comando mede o valor real do segundo ponto do plano.
 step-measure-third-point-of-plane = O apalpador regressa à altura segura { $q-clearance-height } e desloca-se no plano de maquinação para o terceiro ponto de apalpação, onde o comando mede o valor real do terceiro ponto do plano.
 step-retract-and-store-plane-angles = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e guarda os ângulos nos parâmetros de resultado.
@@ -115,7 +115,7 @@ guard-points-on-one-line = Os três pontos de medição estão sobre uma reta. O
 note-positioning-logic__measure-plane = Lógica de posicionamento: com o polo sul da haste de apalpação abaixo da altura segura { $q-clearance-height }, o comando faz primeiro recuar o apalpador, no seu eixo, para a altura segura e só depois o leva, no plano de maquinação, ao primeiro ponto de apalpação. Com o polo sul acima da altura segura, o apalpador vai primeiro, no plano de maquinação, ao primeiro ponto de apalpação e depois, no seu eixo, diretamente à altura de medição.
 note-three-points-not-on-a-line = Os três pontos de medição não podem estar sobre uma reta: só assim o comando pode calcular os ângulos.
 note-spatial-angles-for-tilting = Os parâmetros Q170 a Q172 contêm os ângulos espaciais de que a função de inclinação do plano de maquinação necessita. Os dois primeiros pontos de medição determinam a direção do eixo principal ao inclinar o plano de maquinação.
-note-third-point-sets-tool-axis = O terceiro ponto de medição determina a direção do eixo da ferramenta. Defina-o na direção do eixo Y positivo, para que o eixo da ferramenta fique na posição correta num sistema de coordenadas de rotação à direita.
+note-third-point-sets-tool-axis = O terceiro ponto de medição determina a direção do eixo da ferramenta. Defina-o na direção do eixo Y positivo, para que o eixo da ferramenta fique na posição correta num sistema de coordenadas direto (regra da mão direita).
 note-spatial-angle-in-tilted-plane = Se o ciclo for executado com o plano de maquinação inclinado ativo, os ângulos espaciais medidos referem-se ao sistema de coordenadas inclinado. Utilize-os na função de inclinação do plano de maquinação como valores incrementais.
 result-projection-angle-a = Ângulo de projeção do eixo A
 result-projection-angle-a__tnc426-430 = Ângulo do eixo A
@@ -133,7 +133,7 @@ result-third-value-in-probe-axis = Valor medido no eixo do apalpador (terceira m
 cycle-polar-reference-plane = Plano de referência polar
     .nc = PONTO DE REFERÊNCIA POLAR
     .nc-aliases = PLANO DE REFERÊNCIA POLAR
-    .purpose = Mede uma posição qualquer da peça numa direção de apalpação qualquer, dada por um ângulo.
+    .purpose = Mede uma posição qualquer da peça numa direção de apalpação qualquer, definida por um ângulo.
 step-probe-at-polar-angle = O apalpador executa a apalpação com o avanço de apalpação (coluna { $mp-probing-feed }). Durante a apalpação, o comando desloca-se em dois eixos ao mesmo tempo, consoante o ângulo de apalpação. A direção de apalpação define-se no ciclo por meio de um ângulo polar.
 step-probe-at-polar-angle__tnc426-430 = O apalpador executa a apalpação com o avanço de apalpação ({ $mp-probing-feed } ou { $mp-analog-probing-feed }). Durante a apalpação, o comando desloca-se em dois eixos ao mesmo tempo, consoante o ângulo de apalpação. A direção de apalpação define-se no ciclo por meio de um ângulo polar.
 step-return-and-store-trigger-position = Depois de medida a posição, o apalpador regressa ao ponto de partida da apalpação. O comando guarda nos parâmetros Q115 a Q119 as coordenadas da posição em que o apalpador se encontrava no momento do sinal de comutação.
@@ -144,12 +144,12 @@ note-trigger-position-of-ball-centre = Q115 a Q119 contêm as coordenadas do cen
 # --- 3 ---
 cycle-measuring = Medir
     .nc = MEDIR
-    .purpose = Mede uma posição qualquer da peça numa direção de apalpação à escolha. Ao contrário dos outros ciclos de medição, o percurso e o avanço de medição introduzem-se diretamente neste ciclo, e também se introduz o recuo depois da medição. Serve para fazer ciclos do fabricante da máquina.
+    .purpose = Mede uma posição qualquer da peça numa direção de apalpação à escolha. Ao contrário dos outros ciclos de medição, o percurso e o avanço de medição introduzem-se diretamente neste ciclo, tal como o recuo depois da medição. Destina-se a ciclos especiais criados pelo fabricante da máquina.
 cycle-measuring__tnc426-430 =
     .purpose = Mede uma posição qualquer da peça numa direção de apalpação à escolha. Ao contrário dos outros ciclos de medição, o avanço de medição introduz-se diretamente neste ciclo. É um ciclo de medição para utilizações especiais.
 step-move-in-polar-direction = O apalpador desloca-se da posição atual, com o avanço introduzido, na direção de apalpação programada. A direção de apalpação define-se no ciclo por meio de um ângulo polar.
-step-stop-and-store-ball-centre = Depois de o comando ter medido a posição, o apalpador para. O comando guarda as coordenadas X, Y e Z do centro da esfera em três parâmetros Q seguidos, sem corrigir a longitude nem o raio. O número do primeiro parâmetro de resultado define-se no ciclo.
-step-stop-and-store-ball-centre__tnc426-430 = Depois de o comando ter medido a posição, o apalpador para. O comando guarda as coordenadas do centro da esfera em três parâmetros Q seguidos. O número do primeiro parâmetro define-se no ciclo.
+step-stop-and-store-ball-centre = Depois de o comando ter medido a posição, o apalpador detém-se. O comando guarda as coordenadas X, Y e Z do centro da esfera em três parâmetros Q seguidos, sem corrigir a longitude nem o raio. O número do primeiro parâmetro de resultado define-se no ciclo.
+step-stop-and-store-ball-centre__tnc426-430 = Depois de o comando ter medido a posição, o apalpador detém-se. O comando guarda as coordenadas do centro da esfera em três parâmetros Q seguidos. O número do primeiro parâmetro define-se no ciclo.
 result-ball-centre-and-status = Centro da esfera em X; os dois parâmetros seguintes contêm Y e Z, o quarto −1 se não tiver havido um ponto de apalpação válido
 result-ball-centre-and-status__tnc426-430 = Primeira coordenada do centro da esfera; os dois parâmetros seguintes contêm as outras
 note-probe-data-without-effect = Os dados do apalpador { $mp-probing-distance } (maior percurso até ao ponto de apalpação) e { $mp-probing-feed } (avanço de apalpação), que atuam nos outros ciclos de medição, não têm efeito neste ciclo.

@@ -15,8 +15,8 @@ say-log-to-file = com { $q-measuring-log }=1, guarda o registo no ficheiro TCHPR
 say-log-on-screen = com { $q-measuring-log }=2, interrompe a execução do programa e mostra o registo no ecrã; o arranque NC continua o programa
 say-no-log = caso contrário, não cria nenhum registo
 message-measuring-log-on-screen = O registo de medição está no ecrã. Continue com o arranque NC.
-step-monitor-tool = O comando supervisiona a ferramenta { $q-monitored-tool }:
-say-correct-tool-radius = com { $q-monitored-tool } diferente de 0, soma o desvio do raio ao raio delta da coluna DR da tabela de ferramentas; se o desvio for maior do que a tolerância de rotura RBREAK, emite um aviso de erro, detém a execução do programa e bloqueia a ferramenta (coluna TL = L)
+step-monitor-tool = O comando supervisiona a ferramenta conforme { $q-monitored-tool }:
+say-correct-tool-radius = com { $q-monitored-tool } diferente de 0, soma o desvio do raio ao valor delta da coluna DR da tabela de ferramentas; se o desvio for maior do que a tolerância de rotura RBREAK, emite um aviso de erro, detém a execução do programa e bloqueia a ferramenta (coluna TL = L)
 say-no-tool-monitoring = com { $q-monitored-tool }=0, não é supervisionada nenhuma ferramenta
 step-stop-on-tolerance-error = O comando reage a uma tolerância excedida conforme { $q-stop-on-tolerance-error }:
 say-stop-with-tolerance-error = com { $q-stop-on-tolerance-error }=1, interrompe a execução do programa e emite um aviso de erro
@@ -31,8 +31,8 @@ result-status-scrap = 1: desperdícios
 note-measuring-log-contents = O registo de medição contém a data, a hora e o programa de medição, os valores nominais, os valores limite, os valores reais, os desvios e outros resultados (altura de medição).
 note-measuring-log-contents__tnc426-430 = O registo de medição contém a data, a hora e o programa de medição, os valores nominais, os valores limite, os valores reais e os desvios.
 note-measuring-log-in-tnc-directory = O comando guarda o registo de medição como ficheiro ASCII, por predefinição no diretório TNC:\.
-note-measuring-log-in-program-directory = O comando guarda o registo de medição como ficheiro ASCII, por predefinição no diretório a partir do qual é executado o programa de medição. Em alternativa, o registo pode ser enviado pela conexão de dados para uma impressora ou um PC: para isso, ponha a função Print do menu de configuração de interfaces em RS232:\.
-note-measuring-log-transfer = O registo de medição pode ser transmitido pela conexão de dados com o TNCremo, o software de transmissão de dados da HEIDENHAIN.
+note-measuring-log-in-program-directory = O comando guarda o registo de medição como ficheiro ASCII, por predefinição no diretório a partir do qual é executado o programa de medição. Em alternativa, o registo pode ser enviado pela interface de dados para uma impressora ou um PC: para isso, defina a função Print do menu de configuração de interfaces como RS232:\.
+note-measuring-log-transfer = O registo de medição pode ser transmitido pela interface de dados com o TNCremo, o software de transmissão de dados da HEIDENHAIN.
 note-measuring-log-datum = Todos os valores medidos do ficheiro do registo referem-se ao ponto de referência que estava ativo quando o ciclo foi executado.
 note-measuring-log-manual-datum = Sem uma deslocação do ponto zero ativa, todos os valores medidos do ficheiro do registo referem-se ao ponto de referência memorizado no modo de funcionamento Manual.
 note-status-also-without-limits = O comando determina o estado da medição mesmo que não estejam introduzidas tolerâncias nem valores limite.
@@ -71,8 +71,8 @@ cycle-probing-3d = Apalpação 3D
     .purpose = Verifica um ponto da superfície de uma peça, por exemplo de uma superfície de forma livre. Mostra se o ponto fica acima ou abaixo das suas coordenadas nominais ao longo do vetor normal; a seguir podem fazer-se trabalhos de acabamento ou outros passos. Estão disponíveis a supervisão da tolerância, um registo e parâmetros de resultado.
 step-position-on-normal = O apalpador desloca-se da posição atual para um ponto do vetor normal. A distância desse ponto às coordenadas nominais é o raio da esfera do apalpador mais { $mp-set-up } mais { $q-probing-clearance }. O posicionamento prévio tem em conta a altura segura { $q-clearance-height }.
 step-probe-nominal-point = O apalpador desloca-se para as coordenadas nominais. O percurso de apalpação é definido por { $mp-probing-distance } e não pelo vetor normal, que só serve para calcular corretamente as coordenadas.
-step-return-and-store-position = Depois de o comando ter medido a posição, o apalpador recua e fica parado. O comando guarda as coordenadas medidas e os desvios nos parâmetros de resultado.
-step-retract-against-probing-direction = O comando faz recuar o apalpador, contra a direção de apalpação, o valor definido no parâmetro MB.
+step-return-and-store-position = Depois de o comando ter medido a posição, o apalpador recua e detém-se. O comando guarda as coordenadas medidas e os desvios nos parâmetros de resultado.
+step-retract-against-probing-direction = O comando faz recuar o apalpador, no sentido oposto à direção de apalpação, no valor definido no parâmetro MB.
 step-set-workpiece-status = O comando determina o estado da peça Q183:
 say-surface-status-undefined = −1 (não definido) se { $q-tolerance-specification } não definir nenhuma tolerância
 say-surface-needs-rework = 1 (trabalho de acabamento) se o ponto ficar acima da margem de tolerância

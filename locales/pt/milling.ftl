@@ -58,7 +58,7 @@ say-approach-at-stud-corner = caso contrário: na esquina escolhida
 step-rapid-down-to-set-up-clearance = Se a ferramenta se encontrar à 2ª distância de segurança, o comando desloca-a em avanço rápido (FMAX) para a distância de segurança { $q-set-up-clearance }.
 step-feed-to-plunging-depth-of-stud = A ferramenta desloca-se com o avanço do passo em profundidade { $q-plunging-feed } até à profundidade de passo seguinte { $q-plunging-depth }.
 step-mill-around-stud = A ferramenta aproxima-se depois tangencialmente do contorno da ilha e fresa uma volta.
-step-mill-around-stud-again = Se uma volta não bastar para atingir as medidas acabadas, o comando avança lateralmente à profundidade de passo atual e fresa outra volta, tendo em conta as medidas do bloco, as medidas acabadas e o passo lateral permitido. Isto repete-se até serem atingidas as medidas acabadas. Se o ponto de partida ficar numa esquina ({ $q-stud-approach-position } diferente de 0), o comando fresa em espiral, do ponto de partida para dentro, até serem atingidas as medidas acabadas.
+step-mill-around-stud-again = Se uma volta não bastar para atingir as medidas acabadas, o comando avança lateralmente à profundidade de passo atual e fresa outra volta, tendo em conta as medidas do bloco, as medidas acabadas e o passo lateral permitido. O processo repete-se até serem atingidas as medidas acabadas. Se o ponto de partida ficar numa esquina ({ $q-stud-approach-position } diferente de 0), o comando fresa em espiral, do ponto de partida para dentro, até serem atingidas as medidas acabadas.
 step-leave-stud-to-start = Se forem necessários mais passos em profundidade, a ferramenta sai tangencialmente do contorno e regressa ao ponto de partida da ilha.
 until-stud-depth-reached = seja atingida a profundidade programada { $q-depth } da ilha
 step-retract-from-stud = No fim do ciclo, o comando posiciona a ferramenta apenas no eixo da ferramenta. A posição final difere por isso da posição de partida:
@@ -92,14 +92,14 @@ until-all-lines-done = estejam executadas todas as { $q-number-of-lines } linhas
 note-pattern-overrides-heights-and-rotation = Se um dos ciclos de maquinação 200 a 209 e 251 a 267 for combinado com este ciclo, são válidas a distância de segurança { $q-set-up-clearance }, a coordenada da superfície da peça { $q-surface-coordinate }, a 2ª distância de segurança { $q-second-set-up-clearance } e o ângulo de rotação { $q-angle-of-rotation } deste ciclo.
 
 # --- common to surfaces ---
-until-surface-milled = a superfície introduzida esteja totalmente fresada
+until-surface-milled = a superfície definida esteja totalmente fresada
 note-pre-position-for-surface = Perigo de colisão! Posicione previamente a ferramenta de modo que não possa colidir com a peça nem com os dispositivos de fixação.
 
 # --- 230 ---
 cycle-multipass-milling = Facejar por linhas
     .nc = FACEJAR POR LINHAS
     .purpose = Fresa em linhas, em vaivém, uma superfície plana retangular.
-step-rapid-to-start-of-lines = O comando posiciona a ferramenta em avanço rápido (FMAX), da posição atual, no ponto de partida 1 do plano de maquinação. Desloca-a para isso o raio da ferramenta para a esquerda e para cima.
+step-rapid-to-start-of-lines = O comando posiciona a ferramenta em avanço rápido (FMAX), da posição atual, no ponto de partida 1 do plano de maquinação. Para isso, desloca-a para a esquerda e para cima no valor do raio da ferramenta.
 step-down-to-start-of-lines = A ferramenta desloca-se depois no eixo do cabeçote em avanço rápido (FMAX) para a distância de segurança { $q-set-up-clearance } e daí, com o avanço do passo em profundidade { $q-plunging-feed }, para a posição de partida programada { $q-starting-point-tool } no eixo do cabeçote.
 step-mill-line = A ferramenta fresa depois com o avanço programado { $q-milling-feed } até ao ponto final 2, que o comando calcula a partir do ponto de partida, da longitude programada { $q-first-side-length } e do raio da ferramenta.
 step-step-over-to-next-line = O comando desloca a ferramenta lateralmente com o avanço { $q-stepover-feed } para o ponto de partida da linha seguinte. Calcula a deslocação a partir da largura programada { $q-second-side-length } e do número de cortes { $q-number-of-cuts }.
@@ -110,14 +110,14 @@ note-plane-first-then-spindle-axis = Da posição atual, o comando posiciona a f
 # --- 231 ---
 cycle-ruled-surface = Superfície regrada
     .nc = SUPERFÍCIE REGRADA
-    .purpose = Fresa, em linhas do mesmo sentido, uma superfície oblíqua, inclinada ou torcida, dada por quatro pontos de esquina.
+    .purpose = Fresa, em linhas todas no mesmo sentido, uma superfície oblíqua, inclinada ou torcida, definida por quatro vértices.
 step-straight-to-starting-point = O comando desloca a ferramenta da posição atual, em linha reta no espaço, para o ponto de partida 1.
 step-mill-line-to-its-end = A ferramenta fresa depois com o avanço programado { $q-milling-feed } até ao ponto final da linha: na primeira linha, até ao ponto 2, com metade do avanço; em cada uma das seguintes, até um ponto que o comando calcula a partir do ponto 2 e da deslocação em direção ao ponto 3.
-step-rapid-back-to-start-of-line = Daí o comando desloca a ferramenta em avanço rápido (FMAX) na direção positiva do eixo do cabeçote, até o diâmetro da ferramenta acima da extremidade mais alta da linha, e depois de volta ao ponto de partida da linha (na primeira linha, o ponto 1).
+step-rapid-back-to-start-of-line = Daí o comando desloca a ferramenta em avanço rápido (FMAX) na direção positiva do eixo do cabeçote, até um diâmetro da ferramenta acima da extremidade mais alta da linha, e depois de volta ao ponto de partida da linha (na primeira linha, o ponto 1).
 step-down-to-last-height = No ponto de partida, o comando leva a ferramenta ao último valor que ela tinha aí no eixo do cabeçote.
 step-move-to-start-of-next-line = O comando desloca depois a ferramenta nos três eixos, do ponto 1 em direção ao ponto 4, para a linha seguinte.
-step-above-highest-point = No fim, o comando posiciona a ferramenta, afastada o seu diâmetro, acima do ponto mais alto introduzido no eixo do cabeçote.
-note-cutting-direction-of-surface = O ponto de partida, e com ele a direção de fresagem, pode escolher-se livremente: o comando executa os cortes do ponto 1 para o ponto 2 e, no conjunto, avança dos pontos 1 e 2 para os pontos 3 e 4. O ponto 1 pode ficar em qualquer esquina da superfície.
+step-above-highest-point = No fim, o comando posiciona a ferramenta um diâmetro da ferramenta acima do ponto mais alto introduzido no eixo do cabeçote.
+note-cutting-direction-of-surface = O ponto de partida, e com ele a direção de fresagem, pode escolher-se livremente: o comando executa os cortes do ponto 1 para o ponto 2 e, no conjunto, avança dos pontos 1 e 2 para os pontos 3 e 4. O ponto 1 pode ficar em qualquer vértice da superfície.
 note-surface-quality-with-end-mills = Com fresas cilíndricas, a qualidade da superfície pode ser melhorada: em superfícies pouco inclinadas, com um corte a empurrar (coordenada do ponto 1 no eixo do cabeçote maior do que a do ponto 2); em superfícies muito inclinadas, com um corte a puxar (coordenada do ponto 1 no eixo do cabeçote menor do que a do ponto 2); em superfícies torcidas, pondo a direção principal de corte (do ponto 1 para o ponto 2) na direção da maior inclinação.
 note-surface-quality-with-ball-end-mills = Com fresas esféricas, a qualidade das superfícies torcidas pode ser melhorada pondo a direção principal de corte (do ponto 1 para o ponto 2) perpendicular à direção da maior inclinação.
 note-straight-to-start-without-collision = Perigo de colisão! O comando desloca a ferramenta da posição atual, em linha reta no espaço, para o ponto de partida 1. Posicione previamente a ferramenta de modo que não possa colidir com a peça nem com os dispositivos de fixação.
@@ -127,8 +127,8 @@ note-centre-cut-or-pilot-drill = Se necessário, utilize uma fresa com navalha f
 # --- 232 ---
 cycle-face-milling = Fresar plano
     .nc = FRESAR PLANO
-    .purpose = Fresa uma superfície plana em vários passos, tendo em conta uma medida excedente de acabamento, com uma de três estratégias.
-step-position-beside-surface = Da posição atual, o comando posiciona a ferramenta em avanço rápido (FMAX) e com lógica de posicionamento no ponto de partida 1, que fica ao lado da peça, afastado dela o raio da ferramenta e a distância lateral { $q-side-clearance }:
+    .purpose = Fresa uma superfície plana em vários passos, com uma medida excedente de acabamento e segundo uma de três estratégias.
+step-position-beside-surface = Da posição atual, o comando posiciona a ferramenta em avanço rápido (FMAX) e com lógica de posicionamento no ponto de partida 1, que fica ao lado da peça, afastado dela no valor do raio da ferramenta mais a distância lateral { $q-side-clearance }:
 say-plane-then-spindle-axis = se a ferramenta estiver acima da 2ª distância de segurança { $q-second-set-up-clearance }: primeiro no plano de maquinação, depois no eixo do cabeçote
 say-second-clearance-then-plane = caso contrário: primeiro para a 2ª distância de segurança { $q-second-set-up-clearance }, depois no plano de maquinação
 step-feed-to-face-infeed = A ferramenta desloca-se depois no eixo do cabeçote com o avanço de posicionamento prévio { $q-pre-positioning-feed } até à profundidade de passo seguinte, calculada pelo comando.
@@ -144,7 +144,7 @@ step-mill-next-face-line = A ferramenta fresa depois a linha seguinte:
 say-back-towards-start = { $q-face-milling-strategy } = 0: de volta em direção ao ponto de partida 1
 say-back-towards-start-inside = { $q-face-milling-strategy } = 1: de volta em direção ao ponto de partida 1; a deslocação para a linha seguinte faz-se de novo dentro da peça
 say-down-and-towards-end = { $q-face-milling-strategy } = 2: volta à profundidade de passo atual e segue depois em direção ao ponto final 2
-step-repeat-until-face-milled = Isto repete-se até a superfície introduzida estar totalmente fresada. No fim da última trajetória, a ferramenta avança para a profundidade de maquinação seguinte. Para evitar percursos em vazio, a superfície é então maquinada pela ordem inversa.
+step-repeat-until-face-milled = O processo repete-se até a superfície definida estar totalmente fresada. No fim da última trajetória, a ferramenta avança para a profundidade de maquinação seguinte. Para evitar percursos em vazio, a superfície é então maquinada pela ordem inversa.
 until-face-infeeds-done = estejam executados todos os passos exceto o último
 step-finish-face = No último passo é fresada apenas a medida excedente de acabamento introduzida { $q-floor-allowance }, com o avanço de acabamento { $q-finishing-feed }.
 step-rapid-back-to-second-clearance = No fim, o comando retira a ferramenta em avanço rápido (FMAX) para a 2ª distância de segurança { $q-second-set-up-clearance }.

@@ -132,11 +132,11 @@ parameter-probing-centre-main__datum-bolt-hole-circle = Centro 1º eixo
 parameter-probing-centre-minor__datum-bolt-hole-circle =
     .help = Centro do círculo de furos (valor nominal) no eixo secundário do plano de maquinação.
 parameter-probing-nominal-diameter__datum-bolt-hole-circle =
-    .help = Diâmetro aproximado do círculo de furos. Quanto menor for o diâmetro dos furos, mais exatamente tem de ser introduzido.
+    .help = Diâmetro aproximado do círculo de furos. Quanto menor for o diâmetro dos furos, maior tem de ser a exatidão com que é introduzido.
 parameter-datum-row-number__datum-bolt-hole-circle =
-    .help = Número na tabela de pontos zero ou na tabela de presets em que são guardadas as coordenadas do centro do círculo de furos. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique no centro do círculo de furos.
+    .help = Número na tabela de pontos zero ou na tabela de presets em que são guardadas as coordenadas do centro do círculo de furos. Com 0, o comando define a visualização de modo que o novo ponto de referência fique no centro do círculo de furos.
 parameter-datum-row-number__datum-bolt-hole-circle__tnc426-430 =
-    .help = Número na tabela de pontos zero em que são guardadas as coordenadas do centro do círculo de furos. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique no centro do círculo de furos.
+    .help = Número na tabela de pontos zero em que são guardadas as coordenadas do centro do círculo de furos. Com 0, o comando define a visualização de modo que o novo ponto de referência fique no centro do círculo de furos.
 parameter-new-datum-main__datum-bolt-hole-circle =
     .help = Coordenada no eixo principal que é atribuída ao centro do círculo de furos medido. Ajuste básico: 0.
 parameter-new-datum-minor__datum-bolt-hole-circle =
@@ -146,9 +146,9 @@ parameter-probing-clearance__datum-bolt-hole-circle =
 
 # --- 417 ---
 parameter-datum-row-number__datum-probe-axis =
-    .help = Número na tabela de pontos zero ou na tabela de presets em que é guardada a coordenada. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique na superfície apalpada.
+    .help = Número na tabela de pontos zero ou na tabela de presets em que é guardada a coordenada. Com 0, o comando define a visualização de modo que o novo ponto de referência fique na superfície apalpada.
 parameter-datum-row-number__datum-probe-axis__tnc426-430 =
-    .help = Número na tabela de pontos zero em que é guardada a coordenada. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique na superfície apalpada.
+    .help = Número na tabela de pontos zero em que é guardada a coordenada. Com 0, o comando define a visualização de modo que o novo ponto de referência fique na superfície apalpada.
 
 # --- 418 ---
 parameter-third-centre-main = Centro 3 do 1.º eixo
@@ -164,9 +164,9 @@ parameter-fourth-centre-minor = Centro 4 do 2.º eixo
     .label = 4.º CENTRO 2.º EIXO
     .help = Centro do quarto furo no eixo secundário do plano de maquinação.
 parameter-datum-row-number__datum-four-holes =
-    .help = Número na tabela de pontos zero ou na tabela de presets em que são guardadas as coordenadas do ponto de intersecção das retas de união. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique no ponto de intersecção das retas de união.
+    .help = Número na tabela de pontos zero ou na tabela de presets em que são guardadas as coordenadas do ponto de intersecção das retas de união. Com 0, o comando define a visualização de modo que o novo ponto de referência fique no ponto de intersecção das retas de união.
 parameter-datum-row-number__datum-four-holes__tnc426-430 =
-    .help = Número na tabela de pontos zero em que são guardadas as coordenadas do ponto de intersecção das retas de união. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique no ponto de intersecção das retas de união.
+    .help = Número na tabela de pontos zero em que são guardadas as coordenadas do ponto de intersecção das retas de união. Com 0, o comando define a visualização de modo que o novo ponto de referência fique no ponto de intersecção das retas de união.
 parameter-new-datum-main__datum-four-holes =
     .help = Coordenada no eixo principal que é atribuída ao ponto de intersecção medido das retas de união. Ajuste básico: 0.
 parameter-new-datum-minor__datum-four-holes =
@@ -176,7 +176,7 @@ parameter-new-datum-minor__datum-four-holes =
 parameter-measuring-axis__datum-one-axis = Eixo de medição (1...3: 1=eixo principal)
     .help = Eixo em que se faz a medição.
 parameter-datum-row-number__datum-one-axis =
-    .help = Número na tabela de pontos zero ou na tabela de presets em que é guardada a coordenada. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique na superfície apalpada.
+    .help = Número na tabela de pontos zero ou na tabela de presets em que é guardada a coordenada. Com 0, o comando define a visualização de modo que o novo ponto de referência fique na superfície apalpada.
 parameter-new-datum-one-axis = Novo ponto de referência
     .label = PONTO DE REFª
     .help = Coordenada que é atribuída ao ponto de referência. Ajuste básico: 0.

@@ -30,7 +30,7 @@ parameter-z-oversize = Medida excedente em Z
 parameter-contour-smoothing = Alisamento do contorno
     .label = ALISAMENTO DO CONTORNO
     .help = Determina onde o comando segue o contorno no desbaste e como a ferramenta se afasta.
-choice-smooth-each-cut = Depois de cada corte ao longo do contorno (dentro do campo do passo)
+choice-smooth-each-cut = Depois de cada corte ao longo do contorno (dentro da gama do passo)
 choice-smooth-after-last-cut = Alisamento do contorno depois do último corte (contorno completo); afastamento a 45°
 choice-contour-smoothing-off = Sem alisamento do contorno; afastamento a 45°
 

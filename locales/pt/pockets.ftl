@@ -21,11 +21,11 @@ step-leave-pocket = A ferramenta sai da caixa em avanço rápido:
 step-return-to-starting-point = O comando faz regressar a ferramenta ao ponto de partida no plano de maquinação.
 guard-plunging-depth-zero = A profundidade de passo tem de ser maior do que 0.
 guard-tool-wider-than-pocket = A ferramenta não cabe na caixa: descontadas as medidas excedentes laterais, a caixa é mais estreita do que a ferramenta.
-guard-plunging-angle-missing = A penetração em hélice e a pendular precisam de um ângulo de penetração { $mp-plunging-angle } diferente de 0 na tabela de ferramentas.
+guard-plunging-angle-missing = A penetração em hélice e a penetração pendular precisam de um ângulo de penetração { $mp-plunging-angle } diferente de 0 na tabela de ferramentas.
 guard-helix-too-small = O diâmetro da hélice de penetração é menor do que o dobro do diâmetro da ferramenta. O parâmetro de máquina { $mp-suppress-plunge-err } desliga esta verificação para ferramentas que cortam ao centro.
 note-without-tool-table-plunge-vertically = Se não estiver ativa nenhuma tabela de ferramentas, a penetração tem de ser sempre vertical ({ $q-plunging-strategy } = 0), porque não é possível definir um ângulo de penetração.
 note-position-at-pocket-start = Posicione a ferramenta no ponto de partida no plano de maquinação com correção de raio R0. Tenha em conta a posição da caixa { $q-pocket-position }.
-note-positions-in-tool-axis-itself = O comando posiciona por si a ferramenta no eixo da ferramenta. Tenha em conta a 2ª distância de segurança { $q-second-set-up-clearance }.
+note-positions-in-tool-axis-itself = O comando posiciona automaticamente a ferramenta no eixo da ferramenta. Tenha em conta a 2ª distância de segurança { $q-second-set-up-clearance }.
 note-returns-to-starting-point = No fim do ciclo, o comando faz regressar a ferramenta ao ponto de partida.
 note-clearance-above-chips = Depois de desbastar cada nível, a ferramenta regressa em avanço rápido ao centro da caixa, à distância de segurança acima da profundidade de passo atual. Escolha a distância de segurança de modo que a ferramenta não possa ficar presa em aparas durante a deslocação.
 note-helix-diameter-monitored = Na penetração em hélice, o comando emite um aviso de erro se o diâmetro da hélice que calculou for menor do que o dobro do diâmetro da ferramenta. Para ferramentas que cortam ao centro, esta verificação pode ser desligada com o parâmetro de máquina { $mp-suppress-plunge-err }.

@@ -1,8 +1,8 @@
 # Ciclos que registam e compensam a inclinação da peça.
 
 # --- run, shared ---
-step-position-offset-at-first-touch-point = O comando posiciona o apalpador no primeiro ponto de apalpação, em avanço rápido (valor da coluna { $mp-positioning-feed }) e com lógica de posicionamento. Desvia o apalpador a distância de segurança contra a direção de deslocação.
-step-position-offset-at-first-touch-point__tnc426-430 = O comando posiciona o apalpador no primeiro ponto de apalpação, em avanço rápido (valor de { $mp-positioning-feed } ou { $mp-analog-positioning-feed }) e com lógica de posicionamento. Desvia o apalpador a distância de segurança contra a direção de deslocação.
+step-position-offset-at-first-touch-point = O comando posiciona o apalpador no primeiro ponto de apalpação, em avanço rápido (valor da coluna { $mp-positioning-feed }) e com lógica de posicionamento. Desvia o apalpador no valor da distância de segurança, no sentido oposto à direção de deslocação.
+step-position-offset-at-first-touch-point__tnc426-430 = O comando posiciona o apalpador no primeiro ponto de apalpação, em avanço rápido (valor de { $mp-positioning-feed } ou { $mp-analog-positioning-feed }) e com lógica de posicionamento. Desvia o apalpador no valor da distância de segurança, no sentido oposto à direção de deslocação.
 step-travel-to-and-probe-second-point = O apalpador desloca-se para o segundo ponto de apalpação e executa aí a segunda apalpação.
 step-retract-and-carry-out-basic-rotation = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e executa a rotação básica que determinou.
 note-basic-rotation-reset-at-start = No início do ciclo, o comando anula uma rotação básica ativa.

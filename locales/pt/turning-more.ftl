@@ -3,22 +3,22 @@
 # --- 841, 842, 840, 851, 852, 850 ---
 cycle-simple-radial-recess-turning = Tornear ranhura radial, simples
     .nc = TORNEAR RANHURA RADIAL SIMPLES
-    .purpose = Maquina ranhuras retangulares em direção longitudinal, alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras retangulares em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
 cycle-extended-radial-recess-turning = Tornear ranhura radial, ampliado
     .nc = TORNEAR RANHURA RADIAL AMPLIADO
-    .purpose = Maquina ranhuras em direção longitudinal, alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
+    .purpose = Maquina ranhuras em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
 cycle-radial-contour-recess-turning = Tornear ranhura radial, contorno
     .nc = TORNEAR RANHURA RADIAL CONTORNO
-    .purpose = Maquina ranhuras de qualquer forma em direção longitudinal, alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras de qualquer forma em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
 cycle-simple-axial-recess-turning = Tornear ranhura axial, simples
     .nc = TORNEAR RANHURA AXIAL SIMPLES
-    .purpose = Maquina ranhuras retangulares em direção transversal (numa face), alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras retangulares em direção transversal (numa face), alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
 cycle-extended-axial-recess-turning = Tornear ranhura axial, ampliado
     .nc = TORNEAR RANHURA AXIAL AMPLIADO
-    .purpose = Maquina ranhuras em direção transversal, alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
+    .purpose = Maquina ranhuras em direção transversal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
 cycle-axial-contour-recess-turning = Tornear ranhura axial, contorno
     .nc = TORNEAR RANHURA AXIAL CONTORNO
-    .purpose = Maquina ranhuras de qualquer forma em direção transversal, alternando ranhurar e tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras de qualquer forma em direção transversal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
 
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Ranhurar radial
@@ -64,7 +64,7 @@ step-recess-to-first-depth = O comando ranhura até à primeira profundidade de 
 step-rough-groove-lengthwise = O comando desbasta a zona entre a posição de partida e o ponto final em direção longitudinal, com o avanço { $q-turning-roughing-feed }.
 step-rough-groove-crosswise = O comando desbasta a zona entre a posição de partida e o ponto final em direção transversal, com o avanço { $q-turning-roughing-feed }.
 step-choose-side-of-next-recess = A direção de maquinação { $q-recess-direction } determina onde se faz o passo seguinte:
-say-lift-off-and-return = { $q-recess-direction } = 1 (só numa direção): o comando afasta a ferramenta a distância de segurança, fá-la voltar em avanço rápido e aproxima-a de novo do contorno com o avanço definido
+say-lift-off-and-return = { $q-recess-direction } = 1 (só numa direção): o comando afasta a ferramenta no valor da distância de segurança, fá-la voltar em avanço rápido e aproxima-a de novo do contorno com o avanço definido
 say-infeed-at-both-sides = { $q-recess-direction } = 0 (nas duas direções): o passo faz-se dos dois lados
 step-recess-to-next-depth = A ferramenta ranhura até à profundidade de passo seguinte.
 until-groove-depth-reached = seja atingida a profundidade da ranhura

@@ -5,18 +5,18 @@ group-turning-roughing = Desbaste
 group-turning-finishing = Acabamento
 step-rapid-radial-infeed = O comando executa em avanço rápido um passo em direção radial, paralelo ao eixo. Calcula-o a partir da profundidade de corte máxima { $q-max-cutting-depth }.
 step-cut-longitudinally = O comando maquina a zona entre a posição de partida e o ponto final em direção longitudinal, com o avanço { $q-turning-roughing-feed }.
-step-retract-by-infeed = O comando faz recuar a ferramenta o valor do passo, com o avanço definido:
-say-follow-contour-within-infeed = com { $q-contour-smoothing } = 0, ao longo do contorno, dentro do campo do passo
+step-retract-by-infeed = O comando faz recuar a ferramenta, com o avanço definido, no valor do passo:
+say-follow-contour-within-infeed = com { $q-contour-smoothing } = 0, ao longo do contorno, dentro da gama do passo
 say-lift-off-at-45-degrees = caso contrário, com um ângulo de 45°
 step-rapid-to-start-of-cut = O comando faz regressar a ferramenta em avanço rápido ao início do corte.
 until-turning-contour-finished = o contorno esteja terminado
 step-smooth-after-last-cut = Com { $q-contour-smoothing } = 1, o comando alisa todo o contorno depois do último corte.
 step-rapid-to-starting-point-of-cycle = O comando faz regressar a ferramenta em avanço rápido ao ponto de partida do ciclo.
 step-rapid-back-after-finishing = { step-rapid-to-starting-point-of-cycle }
-step-rapid-in-z-by-clearance = O comando desloca a ferramenta em Z, em avanço rápido, a distância de segurança { $q-turning-clearance }.
+step-rapid-in-z-by-clearance = O comando desloca a ferramenta em Z, em avanço rápido, no valor da distância de segurança { $q-turning-clearance }.
 step-rapid-paraxial-infeed = O comando executa em avanço rápido um passo paralelo ao eixo.
 step-finish-turned-contour = O comando faz o acabamento do contorno da peça com o avanço { $q-turning-finishing-feed }.
-step-retract-by-clearance = O comando faz recuar a ferramenta a distância de segurança { $q-turning-clearance }, com o avanço definido.
+step-retract-by-clearance = O comando faz recuar a ferramenta, com o avanço definido, no valor da distância de segurança { $q-turning-clearance }.
 guard-turning-mode-missing = Os ciclos de torneamento só podem ser executados no modo de torneamento FUNCTION MODE TURN.
 note-turning-mode-only = Os ciclos de torneamento só podem ser utilizados no modo de torneamento FUNCTION MODE TURN.
 note-program-before-turning-cycle = Antes da chamada do ciclo, programe sempre: o modo de torneamento FUNCTION MODE TURN, a chamada da ferramenta TOOL CALL, o sentido de rotação do cabeçote de torneamento (por exemplo, M303), as rotações ou a velocidade de corte com FUNCTION TURNDATA SPIN, M136 se forem utilizados avanços por rotação (mm/rot.), uma frase de posicionamento para um ponto de partida adequado (por exemplo, L X+130 Y+0 R0 FMAX) e o ciclo 800 para adaptar o sistema de coordenadas e alinhar a ferramenta.
@@ -56,7 +56,7 @@ condition-start-element-added = { $q-start-element-type } acrescentar um element
 condition-end-element-added = { $q-end-element-type } acrescentar um elemento no fim do contorno
 condition-undercuts-machined = { $q-undercut-machining } permitir maquinar elementos de afundamento
 note-area-from-starting-point-to-end-point = No desbaste, o ciclo maquina a zona desde o ponto de partida do ciclo até ao ponto final definido no ciclo.
-note-infeed-within-undercut = Dentro do rebaixo, o comando avança a ferramenta com o avanço { $q-turning-roughing-feed }. Cada recuo é aí da distância de segurança { $q-turning-clearance }.
+note-infeed-within-undercut = Dentro do rebaixo, o comando avança a ferramenta com o avanço { $q-turning-roughing-feed }. Aí, cada recuo corresponde à distância de segurança { $q-turning-clearance }.
 note-contour-direction-decides = A direção programada do contorno determina a direção da maquinação.
 title-shoulder-with-recess = Escalão com ranhura
 

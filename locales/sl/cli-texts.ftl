@@ -25,6 +25,7 @@ cli-texts-imported = { $language }: { $dry ->
        *[no] prevzeto { $taken }
     }, nespremenjeno { $unchanged }, nedokončano { $open }, zavrnjeno { $refused }.
 cli-texts-count = { $name }: prevedeno { $translated } od { $texts }, manjka { $missing }, zastarelo { $stale }, nepotrjeno { $unaccepted }, enako angleškemu { $same }, predolgo { $long }, besed za prevod { $words }
+cli-texts-group = skupina { $name }
 cli-texts-accepted = { $language }: { $count ->
         [one] potrjeno { $count } besedilo.
         [two] potrjeni { $count } besedili.

@@ -24,7 +24,7 @@ step-retract-and-treat-datum__tnc426-430 = Krmiljenje vrne tipalni sistem na var
 step-store-actual-values = Krmiljenje shrani dejanske vrednosti v parametre rezultatov.
 note-pocket-sides-rather-small = Nevarnost kolizije! Da tipalni sistem ne trči v obdelovanec, za 1. in 2. stransko dolžino žepa vnesite raje premajhno kot preveliko vrednost.
 note-stud-sides-rather-large = Nevarnost kolizije! Da tipalni sistem ne trči v obdelovanec, za 1. in 2. stransko dolžino čepa vnesite raje preveliko kot premajhno vrednost.
-title-introduction-to-probing = NC-stavek iz uvoda v cikle tipalnega sistema
+title-introduction-to-probing = Še en primer
 
 # --- 413 ---
 cycle-datum-outside-circle = Referenčna točka zunaj kroga
@@ -35,7 +35,8 @@ cycle-datum-outside-circle__tnc426-430 =
     .purpose = Izmeri središče krožnega čepa in ga določi kot referenčno točko. Na zahtevo ga krmiljenje zapiše še v preglednico ničelnih točk.
 note-stud-diameter-rather-large = Nevarnost kolizije! Da tipalni sistem ne trči v obdelovanec, za želeni premer čepa vnesite raje preveliko kot premajhno vrednost.
 note-small-stepping-angle-less-exact__datum-outside-circle = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna referenčno točko.
-title-datum-at-arc-centre-and-top = Določitev referenčne točke v središču krožnega odseka in na zgornjem robu obdelovanca
+title-datum-at-arc-centre-and-top = Določitev referenčne točke v središču krožnega odseka in na površini obdelovanca
+title-datum-at-arc-centre-and-top__tnc426-430 = Določitev referenčne točke v središču krožnega odseka
 
 # --- results ---
 result-side-main-actual = Dejanska vrednost stranske dolžine na glavni osi
@@ -43,8 +44,8 @@ result-side-minor-actual = Dejanska vrednost stranske dolžine na pomožni osi
 result-slot-width-actual = Dejanska vrednost izmerjene širine utora
 result-ridge-width-actual = Dejanska vrednost izmerjene širine stojine
 result-centre-axis-actual = Dejanska vrednost položaja srednje osi
-result-corner-main-actual = Dejanska vrednost roba glavne osi
-result-corner-minor-actual = Dejanska vrednost roba pomožne osi
+result-corner-main-actual = Dejanska vrednost roba na glavni osi
+result-corner-minor-actual = Dejanska vrednost roba na pomožni osi
 
 # --- 408 and 409 ---
 cycle-datum-slot-centre = Referenčna točka središča utora

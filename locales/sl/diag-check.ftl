@@ -26,7 +26,7 @@ diag-blank-wrong =
         [cylinder] Valju manjka polmer ali premer oziroma dolžina.
         [second] Za BLK FORM 0.1 ni BLK FORM 0.2.
         [tool] Pri surovcu ni navedena orodna os.
-       *[order] V osi { $axis } mora biti koordinata drugega oglišča surovca večja od koordinate prvega.
+       *[order] Na osi { $axis } mora biti koordinata drugega oglišča surovca večja od koordinate prvega.
     }
 diag-block-numbers = Številka stavka { $number } sledi številki { $before }.
 diag-call-of-def-active-cycle = { $cycle } deluje od definicije; ne sme se priklicati.
@@ -60,7 +60,7 @@ diag-contour-not-selected =
     { $cycle } se tu prikliče, izbrana pa ni bila nobena kontura.
 diag-contour-wrong =
     { $cycle } te konture ne more obdelati: { $what ->
-        [axis] v njej je premik v orodni osi { $word }
+        [axis] v njej je premik po orodni osi { $word }
         [approach] v njej je { $word }
         [tool] v njej je { $word }
         [call] v njej je { $word }
@@ -73,7 +73,7 @@ diag-contour-wrong =
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.
-diag-core-hole-too-large = Premer izvrtine je { $other }, navoja { $value }: za navoj ne ostane materiala.
+diag-core-hole-too-large = Premer vrtine je { $other }, navoja { $value }: za navoj ne ostane materiala.
 diag-corner-wrong =
     Tega vogala ni mogoče obdelati: { $what ->
         [twice] neposredno pred njim je druga zaokrožitev ali posneti rob
@@ -120,7 +120,7 @@ diag-doubtful-value =
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
 diag-empty-word = Beseda { $word } tu nima vrednosti in ne naredi ničesar.
 diag-feed-negative = Pomik je tu negativen.
-diag-feed-zero = Pomik je tu nič.
+diag-feed-zero = Pomik je tu enak nič.
 diag-field-word-missing = Vrednost je tu brez besede; krmiljenje jo prikaže z njo: { $shown }.
 diag-begin-end-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
 diag-free-contour-wrong =
@@ -155,10 +155,11 @@ diag-global-def-wrong =
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
 diag-hole-outside-blank =
     { $what ->
-        [beside] Izvrtina pri { $value }; { $other } je ob surovcu.
+        [beside] Vrtina pri { $value }; { $other } je ob surovcu.
         [surface] Površina pri { $value } je daleč od surovca.
-       *[through] Izvrtina sega do { $value }, daleč skozi surovec.
+       *[through] Vrtina sega do { $value }, daleč skozi surovec.
     }
+diag-insert-points-away = Rezalna ploščica ne more rezati v smeri, v katero gre { $cycle }: njena usmerjenost (TO) je { $orientation }, zato je konica obrnjena stran od obdelovanca ali od pomika.
 diag-iso-incomplete =
     Ta stavek je nepopoln: { $what ->
         [value] črka nima vrednosti
@@ -262,7 +263,11 @@ diag-plane-not-positioned =
         [cycle] Za tem nagibom noben stavek ne pozicionira rotacijskih osi; ali to stori cikel, je odvisno od stroja.
        *[plane] STAY rotacijskih osi ne premakne in tudi noben stavek programa jih ne premakne na kote te ravnine.
     }
-diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
+diag-plane-not-reset =
+    { $what ->
+        [zero] { $cycle } tu vse kote nastavi na 0, vrtenja obdelovalne ravnine pa nič ne izklopi.
+       *[tilted] Program se tu konča z zavrteno obdelovalno ravnino.
+    }
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle }, nima pa absolutnih vrednosti za obe koordinati ravnine.
 diag-position-twice = Točka { $value }; { $other } je bila s to definicijo in tem orodjem že obdelana.
 diag-probe-while-turning = { $cycle } tu tipa, medtem ko se vreteno vrti.
@@ -292,7 +297,7 @@ diag-reset-order-wrong =
        *[shift] Tu se ponastavi zamik ničelne točke, ravnina, zavrtena za njim, pa je še zavrtena.
     }
 diag-retract-missing =
-    Orodje je še pri { $value }, v surovcu ali tik nad njim, ko { $what ->
+    Orodje je še pri { $value }, v surovcu, ob njem ali tik nad njim, ko { $what ->
         [change] se zamenja
         [tilt] se ravnina nagne z MOVE
         [end] se program konča
@@ -345,6 +350,7 @@ diag-tool-axis-missing = Ta priklic orodja nima orodne osi, pa tudi prejšnji je
 diag-tool-axis-other =
     { $what ->
         [pattern] PATTERN DEF deluje samo z orodno osjo { $axis }, tu pa je aktivna druga.
+        [lifted] Ta priklic orodja navaja drugo orodno os kot surovec, orodje pa se odmika samo v osi { $axis }.
        *[blank] Surovec ima orodno os { $axis }, nima pa je nobeno orodje programa.
     }
 diag-tool-definition-wrong =
@@ -360,9 +366,11 @@ diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.
+        [contour] Orodje, ki je pravkar tipalo, se tu premika po konturi.
        *[mill] { $cycle } tu obdeluje z orodjem, ki je pravkar tipalo.
     }
 diag-tool-unused = Tu se prikliče orodje { $tool }, naslednji stavek pa prikliče drugo.
+diag-tool-zero = { $cycle } se izvede z orodjem 0: v vretenu ni orodja.
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } je parameter { $parameter } prebral ob definiciji: tu zapisana vrednost na njegov priklic ne vpliva.
@@ -379,6 +387,7 @@ diag-transformation-forbidden =
         [turning] aktiven način struženja (FUNCTION MODE TURN)
        *[tilting] obdelovalna ravnina zavrtena
     }, kar priročnik prepoveduje.
+diag-transformation-without-effect = { $other } konča preračunavanje cikla { $cycle }, preden ga karkoli uporabi.
 diag-transformation-left-on =
     Program se tu konča, ko je še { $what ->
         [datum-shift] aktiven zamik ničelne točke

@@ -30,11 +30,13 @@ diag-insert-direction = Rezalna ploščica orodja { $tool } ni obrnjena proti ob
 diag-jump-limit = Izvajanje je bilo prekinjeno: izvedenih je bilo več kot { NUMBER($limit) } skokov, ponovitev in priklicev.
 diag-jump-target-missing = Oznake LBL { $label } ni.
 diag-jump-target-twice = Oznaka LBL { $label } je v programu dvakrat.
+diag-kinematics-unknown = Kinematika »{ $name }« za FUNCTION MODE ni kinematika simuliranega stroja »{ $machine }«.
 diag-lines-parallel = Premici sta vzporedni: nimata presečišča.
 diag-log-failed = Protokola { $name } ni mogoče zapisati: { $reason }
 diag-log-template = Protokol { $name } nima predloge.
 diag-log-text = Manjka besedilo protokola { $name } ({ $reason }).
 diag-machine-parameter-missing = Strojni parameter { $name } s tremi koordinatami ni določen.
+diag-milling-mode-missing = { $cycle } se izvaja samo v načinu rezkanja, aktiven pa je način struženja (FUNCTION MODE TURN).
 diag-move-limit = Izvajanje je bilo prekinjeno: izvedenih je bilo več kot { NUMBER($limit) } premikov orodja.
 diag-no-cycle-to-call = Cikel je priklican, definiran pa ni bil noben obdelovalni cikel.
 diag-no-such-parameter = Parametra { $q } ni.
@@ -57,6 +59,7 @@ diag-probe-no-direction = Tipalna glava je že v točki, ki naj jo otipa, zato s
 diag-program-missing = Programa { $name } ni.
 diag-radius-missing = V tem stavku manjka polmer R.
 diag-radius-too-small = Polmer { NUMBER($radius) }{"\u00A0"}mm ne zadošča za tetivo { NUMBER($chord, maximumFractionDigits: 4) }{"\u00A0"}mm.
+diag-recess-impossible = Za utor ni prostora, manjka njegova sredina, globina ali širina, ali pa ni na ravnem elementu.
 diag-recursive-call = Del programa priklicuje samega sebe.
 diag-repeat-count = REP zahteva celo število od 0 do 65534, ne { NUMBER($found) }.
 diag-rotary-axis-missing = Stroj nima rotacijske osi { $axis }.
@@ -69,7 +72,7 @@ diag-text-too-long = Besedilni parameter bi presegel { NUMBER($limit) } znakov.
 diag-tool-locked = Orodje { $tool } je blokirano.
 diag-tool-not-in-table = Orodja { $tool } ni v preglednici orodij.
 diag-turn-limit = Izvajanje je bilo prekinjeno: en premik ima več kot { NUMBER($limit) } obratov.
-diag-undercut-impossible = Za spodrez ni prostora ali pa ni med površino vzdolž rotacijske osi in nanjo pravokotno čelno površino.
+diag-undercut-impossible = Za spodrez ni prostora, manjka mera ali pa ni med površino vzdolž rotacijske osi in nanjo pravokotno čelno površino.
 diag-unsupported-axis = Simulirani stroj nima osi { $axis }.
 diag-unsupported-block = { $word } ni mogoče simulirati.
 diag-unsupported-cycle = Priročnik za { $control } cikel { $cycle } omenja samo po imenu: ni ga mogoče simulirati.
@@ -97,7 +100,7 @@ diag-pattern-unreadable = »{ $found }« v PATTERN DEF ni mogoče uporabiti.
 diag-position-incomplete = CYCL CALL POS potrebuje koordinate vseh treh osi.
 diag-value-not-predefined = Programiran je PREDEF, vrednosti pa ni določil noben GLOBAL DEF.
 diag-contour-crossing = Kontura oznake { $label } se križa ali dotika sama sebe v točki: glavna os { NUMBER($x) } mm, pomožna os { NUMBER($y) } mm.
-diag-contour-begin-incomplete = Kontura oznake { $label } se ne začne z obema koordinatama X in Y.
+diag-contour-begin-incomplete = Kontura { $label } se ne začne z obema koordinatama obdelovalne ravnine.
 diag-contour-data-undefined = Noben cikel še ni določil konturnih podatkov.
 diag-contour-count = Kontura je sestavljena iz več kot { NUMBER($limit) } delnih kontur.
 diag-contour-depth =
@@ -111,12 +114,13 @@ diag-contour-lead = Kontura, ki jo obdela cikel, ne sme vsebovati { $word }: cik
 diag-contour-not-defined = Noben cikel še ni navedel podprogramov konture.
 diag-contour-open = Kontura oznake { $label } je odprta: konča se { NUMBER($distance) } mm od začetne točke.
 diag-contour-side-missing = Kontura oznake { $label } nima popravka polmera RL ali RR, ki pove, ali gre za žep ali otok.
+diag-contour-tool-axis = Kontura oznake { $label } vsebuje koordinato v orodni osi.
 diag-free-contour-contradicts = Nobena kontura ne ustreza vsem vrednostim tega elementa in elementov pred njim.
 diag-free-contour-open =
     { $what ->
-        [line] Lega ali smer te premice ni določena: manjka vrednost.
-        [arc] Središče ali polmer tega loka ni določen: manjka vrednost.
-       *[end] Konec tega elementa ni določen: manjka vrednost.
+        [line] Lega ali smer te premice ni določena. Število manjkajočih vrednosti: { $values }.
+        [arc] Središče ali polmer tega loka ni določen. Število manjkajočih vrednosti: { $values }.
+       *[end] Konec tega elementa ni določen. Število manjkajočih vrednosti: { $values }.
     }
 diag-free-contour-reference = Stavek { $block } ni niti element te proste konture niti pozicionirni stavek pred njo.
 diag-free-contour-selection = FSELECT { $wanted } ni mogoče izbrati: število rešitev tukaj je { $solutions }.

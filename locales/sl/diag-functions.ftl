@@ -1,6 +1,8 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = Program se sam konča z napako { $number } (FN 14).
 explain-error-of-program = FN 14: ERROR konča program z lastno napako; številka izbere sporočilo, ki ga pokaže krmiljenje. Programi ga uporabljajo, kadar ne morejo nadaljevati, na primer ko vrednost parametra ni uporabna. Primer: »FN 14: ERROR = 1010«. Rešitev: preverite pogoj pred blokom in parametrom dodelite vrednosti, s katerimi lahko program dela.
+diag-tool-setter-askew = Orodje ni pravokotno na ploskev namiznega tipalnega sistema.
+explain-tool-setter-askew = Glava ali obdelovalna ravnina je zavrtena drugače, kot je nameščen namizni tipalni sistem: orodje bi se ga dotaknilo poševno in izmerjeno ne bi bilo ne dolžina ne polmer. Primer: orodje leži vodoravno nad tipalnim sistemom, katerega ploskev gleda navzgor. Rešitev: pred ciklom zavrtite rotacijske osi tako, da je orodje poravnano s tipalnim sistemom, ali pa ustrezno namestite tipalni sistem scene (»rotate«).
 diag-tool-setter-collision = Trk: orodje zadene namizni tipalni sistem pri premiku iz X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 explain-tool-setter-collision = Orodje zadene namizni tipalni sistem scene pri premiku, ki ni meritev: orodje, kakršno v resnici je, z najdaljšim in najširšim rezilom. Na stroju bi se lahko oboje poškodovalo. Pogosto je varna višina premajhna ali pa se dolžina in polmer v preglednici orodij od resnice razlikujeta bolj, kot dopušča varnostna razdalja tipalnega sistema. Pred prvo meritvijo vnesite približne vrednosti ali pa tipalni sistem obvozite.
 diag-tool-setter-missing = Scena nima namiznega tipalnega sistema.

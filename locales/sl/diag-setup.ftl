@@ -44,8 +44,8 @@ diag-spindle-start-wrong =
     }
 diag-tap-without-hole =
     { $what ->
-        [missing] Na { $value }; { $other } ni bila izvrtana nobena izvrtina za ta navojni sveder.
-       *[shallow] Navojni sveder seže do { $value }, izvrtina pa se konča pri { $other }.
+        [missing] Na { $value }; { $other } ni bila izvrtana nobena vrtina za ta navojni sveder.
+       *[shallow] Navojni sveder seže do { $value }, vrtina pa se konča pri { $other }.
     }
 diag-tcpm-missing = Rotacijske osi se tukaj premikajo skupaj z linearnimi brez TCPM, čeprav program TCPM pozneje izklopi.
 diag-tool-called-twice = Orodje { $tool } je tukaj znova priklicano, med priklicema pa ni ničesar.

@@ -24,3 +24,5 @@ diag-texts-unit-markup = Prevod enote »{ $key }« bi spremenil obliko strani: n
 diag-texts-unit-numbers = Števila enote »{ $key }« se razlikujejo od izvirnika: manjka { $missing }, v izvirniku ni { $foreign }.
 diag-texts-unknown-topic = Strani besedila »{ $topic }« ni.
 diag-draft-language = Osnutek je v enem jeziku: navedite ga z --lang, na primer »--draft --lang de«.
+diag-texts-unit-swapped = Enoti »{ $key }« in »{ $other }« sta dobili besede druga druge.
+diag-texts-unit-negation = V enoti »{ $key }« je bila odstranjena nikalnica, zato besedilo pove nasprotno.

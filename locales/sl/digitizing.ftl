@@ -60,13 +60,13 @@ note-range-before-digitizing = V obdelovalnem programu pred ciklom, ki digitaliz
 note-range-before-contour-lines = V obdelovalnem programu pred ciklom digitaliziranja PLASTNICE definirajte cikel digitaliziranja 5 OBMOČJE.
 note-not-with-contour-lines = Cikla { $cycle } ni mogoče povezati s ciklom digitaliziranja 17 PLASTNICE.
 note-not-with-range-from-points = Cikla { $cycle } ni mogoče povezati s ciklom digitaliziranja 15 OBMOČJE.
-note-no-transformation-while-digitizing = Med digitaliziranjem ne smeta biti aktivna ne preračunavanje koordinat ne osnovna rotacija.
+note-no-transformation-while-digitizing = Med digitaliziranjem ne sme biti aktivno niti preračunavanje koordinat niti osnovna rotacija.
 note-analog-probe-only = Samo za analogne tipalne sisteme.
 note-complete-path-of-data = V meni za podatkovni vmesnik vnesite celotno pot, na katero krmiljenje shrani podatke digitaliziranja.
 note-digitizing-not-in-iso = Cikli digitaliziranja v DIN/ISO niso na voljo.
 
 # --- notes: what is needed ---
-note-digitizing-needs-option = Za digitaliziranje so potrebni tipalni sistem, programski modul možnost digitaliziranja in po potrebi programska oprema za vrednotenje SUSA podjetja HEIDENHAIN, ki obdela podatke digitaliziranja cikla MEANDER.
+note-digitizing-needs-option = Za digitaliziranje so potrebni tipalni sistem, programska možnost digitaliziranja in po potrebi programska oprema za vrednotenje SUSA podjetja HEIDENHAIN, ki obdela podatke digitaliziranja cikla MEANDER.
 note-calibrate-before-digitizing = Pred digitaliziranjem umerite tipalni sistem.
 note-digitizing-axes = Cikli digitaliziranja se programirajo z glavnimi osmi X, Y in Z ter z rotacijskimi osmi A, B in C.
 note-digitizing-speed-touch-trigger = Pri stikalnem tipalnem sistemu je hitrost digitaliziranja med 200 in 800{"\u00A0"}mm/min pri razmiku točk 1{"\u00A0"}mm.
@@ -105,4 +105,4 @@ note-digitized-data-size = Datoteka s podatki digitaliziranja sme imeti največ 
 # --- notes: point tables ---
 note-point-table-recording = Točke se zajamejo v načinu Pozicioniranje z ročnim vnosom z analognim tipalnim sistemom, za kar je potrebna programska možnost za digitaliziranje z analognim tipalnim sistemom. Gumb PNT izbere preglednico točk. Točke se zajamejo ročno (TEACH-IN: tipalno glavo odklonite z roko in prevzamete dejanski položaj) ali samodejno (v vnesenem razmiku točk, medtem ko tipalno glavo z roko vodite okoli obdelovanca). Vnesti je mogoče pomik, s katerim se tipalni sistem odzove na odklon, in za vsako os izbrati koordinate, ki naj se shranijo. Območje določajo samo koordinate obdelovalne ravnine.
 note-point-table-size = Preglednica točk, ki je namenjena za območje, sme vsebovati največ 893 točk. Če želite, da krmiljenje to nadzoruje, nastavite gumb OBMOČJE/PODATKI KONTURE na OBMOČJE.
-note-point-table-closed = Točke so povezane s daljicami, ki omejujejo območje. Krmiljenje zadnjo točko preglednice samodejno poveže s prvo.
+note-point-table-closed = Točke so povezane z daljicami, ki omejujejo območje. Krmiljenje zadnjo točko preglednice samodejno poveže s prvo.

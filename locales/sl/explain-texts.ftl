@@ -23,7 +23,7 @@ explain-texts-unit-codes =
 explain-texts-unit-exchanged =
     Besede prevoda so enake kot danes, le kode so na drugih mestih, zato bi vsaka vrednost veljala za nekaj drugega. Kode vrnite na njihova mesta. Če je novi vrstni red pravilen, spremenite tudi besede ali uredite datoteko Fluent.
 explain-texts-unit-incomplete =
-    Novo besedilo z različicami, na primer za eno in za več izvrtin, je popolno šele, ko so prisotne vse različice: manjkajoča bi pustila vrzel v stavku. Prevedite vse enote, katerih oznaka se začne z istim ključem, in jih označite kot dokončane.
+    Novo besedilo z različicami, na primer za eno in za več vrtin, je popolno šele, ko so prisotne vse različice: manjkajoča bi pustila vrzel v stavku. Prevedite vse enote, katerih oznaka se začne z istim ključem, in jih označite kot dokončane.
 explain-texts-unit-refused =
     Vsaka enota se preveri tako, kot »ciklo lint« preveri besedila jezika: skladnja, izrazi in njihovi skloni, enaka števila, enote in argumenti kot v drugih jezikih ter velike črke, znaki in dolžina oznak. Ta enota bi dodala navedeno ugotovitev. »ciklo explain« s kodo v oklepaju pove o njej več. Enoto popravite in datoteko znova uvozite; že prevzete enote so takrat nespremenjene.
 explain-texts-unit-markup =
@@ -34,3 +34,7 @@ explain-texts-unknown-topic =
     Strani besedila so datoteke v mapi locales/en/topics; ime datoteke brez ».md« je tema, na primer sl-cycles. Brez --topic se izvozijo vsa besedila, tudi strani.
 explain-draft-language =
     Osnutek zapolni vrzeli nastajajočega jezika z angleščino, da je strani mogoče brati, preden je vse prevedeno. Je v enem jeziku, da se dokončan jezik po pomoti ne prikaže kot osnutek. Jezik še ne potrebuje mape. Brez --draft je stran, ki ji manjka besedilo, zavrnjena.
+explain-texts-unit-swapped =
+    Od dveh izbir ali rezultatov ima v datoteki vsak besede, ki jih ima danes drugi, zato bi bralec vnesel napačno vrednost. Nobeden se ne prevzame. Besede vrnite. Če so zamenjane današnje besede, jih popravite v datoteki Fluent.
+explain-texts-unit-negation =
+    Angleško besedilo nekaj zanika, prevod v datoteki pa je današnji brez besede, kot je »ne« ali »niti«. Dovolil bi, kar je prepovedano, ali povedal, da se je zgodilo, kar se ni. Besedo vrnite. Če poved zanika drugače, jo tako zapišite; če je bila beseda napačna, jo odstranite v datoteki Fluent.

@@ -28,6 +28,7 @@ cli-coverage-figures = { $count } od { $of } dolžin, kotov in položajev ni na 
 
 diag-figure-example-missing = Slika { $name } cikla { $cycle } naj bi bila narisana iz primera { $example }, ki ga cikel nima.
 diag-figure-moment-never = Izvajanje slike { $name } cikla { $cycle } nikoli ne doseže prikazanega trenutka ({ $reason }).
+diag-figure-name-taken = Dve sliki cikla { $cycle } imata isto ime { $name }.
 diag-figure-no-value = Slika { $figure } cikla { $cycle } prikazuje { $name } med mestoma, ki v tem trenutku nimata vrednosti.
 diag-figure-no-centre = Slika { $figure } cikla { $cycle } prikazuje { $name } kot kot, vendar središče manjka ali ni točka.
 diag-figure-axis-not-visible = Slika { $figure } cikla { $cycle } prikazuje { $name } vzdolž osi, ki je pogled nima.
@@ -74,11 +75,21 @@ figure-side-allowance = Stranska nadmera
 
 figure-rounding = Notranji zaokroževalni polmer
 
-figure-between-points = Pot med točkami tipanja
+figure-between-points = Pot med tipalnimi točkami
+figure-between-holes = Pot med položaji
+figure-depth-or-diameter = Globina ali premer
+figure-threads-per-step = Zavoji ali vijačnice
+figure-countersinking-moment = Kdaj se grezi
+figure-finishing-counter-clockwise = Fina obdelava v nasprotni smeri urnega kazalca, Q9 = +1
+figure-finishing-clockwise = Fina obdelava v smeri urnega kazalca, Q9 = −1
+figure-train-climb = Rezkanje v soteku, Q15 = +1
+figure-train-up-cut = Rezkanje v protiteku, Q15 = −1
+figure-train-to-and-fro = Tja in nazaj, Q15 = 0
+figure-operation = Obseg obdelave
 
 figure-no-contact = Pot brez dotika
 
-figure-teeth = Rezila na napravi za merjenje orodja
+figure-teeth = Merjenje rezil
 
 figure-turning-tool = Vrteče se orodje
 
@@ -116,13 +127,17 @@ figure-disengaging = Smer prostega premika
 
 figure-pre-drilled = Predhodno izvrtana vrtina
 
-figure-touch-points = Točke tipanja
+figure-touch-points = Tipalne točke
 
 figure-measuring-axis = Merilna os
 
 figure-traverse-direction = Smer premika
 
-figure-straight-or-circle = Naravnost ali po krožnici
+figure-straight-or-circle = Premočrtno ali po krožnici
 figure-program = Program od zgoraj
+figure-program-turned = Program: polovica dela v prerezu
+figure-program-side = Program s strani
+figure-program-across = Program v smeri rotacijske osi
+figure-program-tilted = Zavrtena ravnina programa
 
 figure-wide-slot = Širok utor

@@ -3,7 +3,7 @@
 # --- parameters ---
 parameter-kinematics-mode = Način (0=preverjanje/1=merjenje)
     .label = NAČIN
-    .help = Ali krmiljenje aktivno kinematiko preveri ali optimira.
+    .help = Določa, ali krmiljenje aktivno kinematiko preveri ali optimira.
 parameter-kinematics-mode__itnc530 = Način (0/1/2)
 choice-kinematics-check = preverjanje aktivne kinematike stroja: krmiljenje izmeri definirane rotacijske osi, vendar ničesar ne spremeni; rezultate prikaže v merilnem protokolu
 choice-kinematics-optimize-position = optimiranje aktivne kinematike stroja: krmiljenje izmeri definirane rotacijske osi in optimira njihov položaj
@@ -13,7 +13,7 @@ parameter-sphere-radius = Točen polmer umeritvene krogle
     .help = Točen polmer uporabljene { -calibration-sphere(case: "genitive") }.
 parameter-retraction-height = Višina odmika
     .label = VIŠINA ODMIKA
-    .help = Ali in na katero višino se { -probe(case: "nominative") } umakne, preden se rotacijska os pozicionira.
+    .help = Določa, ali in na katero višino se { -probe(case: "nominative") } umakne, preden se rotacijska os pozicionira.
 choice-no-retraction = brez premika na višino odmika: krmiljenje se na naslednji merilni položaj premakne po osi, ki se meri, na prvega pa v vrstnem redu A, B, C; za Hirthove osi ni dovoljeno
 choice-retraction = višina odmika v nezavrtenem koordinatnem sistemu obdelovanca, na katero krmiljenje premakne os vretena, preden pozicionira rotacijsko os; v { -working-plane(case: "locative") } premakne { -probe(case: "accusative") } na ničelno točko; tipalni nadzor v tem načinu ni aktiven, zato hitrost pozicioniranja določite v { $q-kinematics-positioning-feed }
 parameter-kinematics-positioning-feed = Pomik za predpozicioniranje
@@ -79,7 +79,7 @@ parameter-sphere-touch-points__itnc530 = Število merilnih točk
     .help = Število tipanj, s katerimi krmiljenje izmeri { -calibration-sphere(case: "accusative") } v ravnini.
 parameter-sphere-preset = Nastavitev prednast. (0/1/2/3)
     .label = PONASTAVITEV
-    .help = Ali krmiljenje aktivno prednastavitev (referenčno točko) samodejno postavi v središče krogle.
+    .help = Določa, ali krmiljenje aktivno prednastavitev (referenčno točko) samodejno postavi v središče krogle.
 choice-sphere-preset-none = prednastavitev se ne postavi v središče krogle samodejno: ročno jo določite pred začetkom cikla
 choice-sphere-preset-before = prednastavitev se pred meritvijo samodejno postavi v središče krogle: pred začetkom cikla { -probe(case: "accusative") } ročno predpozicionirajte nad { -calibration-sphere(case: "accusative") }
 choice-sphere-preset-after = prednastavitev se po meritvi samodejno postavi v središče krogle: ročno jo določite pred začetkom cikla
@@ -186,7 +186,7 @@ note-reference-head = Za uskladitev menjalnih glav eno namestite kot referenčno
 note-drift-reference = Za izravnavo zdrsa vpnite { -calibration-sphere(case: "accusative") }, s tem ciklom pred začetkom obdelave izmerite celotno kinematiko, po meritvi določite prednastavitev ({ $q-sphere-preset } = 2 ali 3), nato določite prednastavitve obdelovancev in začnite obdelavo. Cikel 452 v časovnih presledkih izravnava zdrs.
 note-rotary-m-function = Glede na konfiguracijo stroja krmiljenje rotacijskih osi morda ne more pozicionirati samodejno. Tedaj sta potrebni posebna M-funkcija proizvajalca stroja in njena številka v { $mp-rotary-axis-m-function }.
 note-angle-optimization-prepared = Za optimiranje kotov mora proizvajalec stroja prilagoditi konfiguracijo. Optimiranje lahko koristi zlasti majhnim, kompaktnim strojem. Pri proizvajalcu stroja preverite, ali je to storjeno in ali je optimiranje smiselno.
-title-save-and-check-kinematics = Shranjevanje in preverjanje kinematike
+title-save-and-check-kinematics = Preverjanje kinematike
 title-calibration-program = Program za umerjanje
 title-optimize-position-with-backlash = Optimiranje položaja rotacijskih osi po samodejni določitvi referenčne točke in merjenje njihove zračnosti
 title-optimize-position-and-angle = Optimiranje kota in položaja rotacijskih osi po samodejni določitvi referenčne točke

@@ -22,8 +22,8 @@ step-stop-on-tolerance-error = Krmiljenje se na prekoračeno toleranco odzove, k
 say-stop-with-tolerance-error = pri { $q-stop-on-tolerance-error } = 1 prekine programski tek in prikaže sporočilo o napaki
 say-stop-with-tolerance-error__probing-3d = pri { $q-tolerance-error-reaction } = 1 prekine programski tek in prikaže sporočilo o napaki
 say-continue-program = sicer se program nadaljuje
-result-centre-main-deviation = Odstopanje središča glavne osi
-result-centre-minor-deviation = Odstopanje središča pomožne osi
+result-centre-main-deviation = Odstopanje središča na glavni osi
+result-centre-minor-deviation = Odstopanje središča na pomožni osi
 result-diameter-deviation = Odstopanje premera
 result-status-good = 1: meritve so v mejah tolerance
 result-status-rework = 1: potrebna je dodatna obdelava
@@ -80,12 +80,12 @@ say-surface-is-good = 0 (dobro) v drugih primerih
 step-write-surface-log = Krmiljenje ustvari protokol in ga shrani v obliki HTML.
 step-react-to-tolerance-error = Krmiljenje se na točko zunaj tolerance odzove, kot določa { $q-tolerance-error-reaction }:
 say-stop-below-nominal = pri { $q-tolerance-error-reaction } = 2 prikaže sporočilo in prekine program, če je točka pod želeno koordinato
-result-position-main-actual = Izmerjeni položaj glavne osi
-result-position-minor-actual = Izmerjeni položaj pomožne osi
-result-position-tool-actual = Izmerjeni položaj orodne osi
-result-position-main-deviation = Izmerjeno odstopanje glavne osi
-result-position-minor-deviation = Izmerjeno odstopanje pomožne osi
-result-position-tool-deviation = Izmerjeno odstopanje orodne osi
+result-position-main-actual = Izmerjeni položaj na glavni osi
+result-position-minor-actual = Izmerjeni položaj na pomožni osi
+result-position-tool-actual = Izmerjeni položaj na orodni osi
+result-position-main-deviation = Izmerjeno odstopanje na glavni osi
+result-position-minor-deviation = Izmerjeno odstopanje na pomožni osi
+result-position-tool-deviation = Izmerjeno odstopanje na orodni osi
 result-deviation-3d = Izmerjeno 3D-odstopanje; manj kot 0: premajhna mera, več kot 0: prevelika mera
 result-workpiece-status = Stanje obdelovanca: −1 = nedoločeno, 0 = dobro, 1 = dodatna obdelava, 2 = izvržek
 guard-zero-normal-vector = Vse komponente normalnega vektorja so 0.

@@ -53,7 +53,7 @@ cycle-rectangular-stud = Pravokotni čep
     .purpose = Izdela pravokotni čep. Če je surovec večji od največjega možnega stranskega primika, krmiljenje izvede več stranskih primikov, dokler ne doseže končnih mer.
 step-move-to-stud-approach = Orodje se z začetnega položaja cikla (središče čepa) premakne na začetni položaj za obdelavo čepa. Določa ga parameter { $q-stud-approach-position }:
 say-approach-beside-blank = { $q-stud-approach-position } = 0 (standardna nastavitev): 2{"\u00A0"}mm desno ob surovcu čepa
-say-approach-at-stud-corner = sicer: ob izbranem kotu
+say-approach-at-stud-corner = sicer: ob izbranem vogalu
 step-rapid-down-to-set-up-clearance = Če je orodje na 2. varnostni razdalji, ga krmiljenje v hitrem teku (FMAX) premakne na varnostno razdaljo { $q-set-up-clearance }.
 step-feed-to-plunging-depth-of-stud = Orodje se s pomikom pri globinskem primiku { $q-plunging-feed } premakne na naslednjo globino primika { $q-plunging-depth }.
 step-mill-around-stud = Orodje se nato konturi čepa približa tangencialno in rezka en obhod.
@@ -109,11 +109,11 @@ note-plane-first-then-spindle-axis = Krmiljenje orodje s trenutnega položaja po
 # --- 231 ---
 cycle-ruled-surface = Premonosna ploskev
     .nc = PREMONOSNA PLOSKEV
-    .purpose = Enosmerno po vrsticah rezka nagnjeno ali zvito ploskev, ki jo določajo štiri kotne točke.
+    .purpose = Enosmerno po vrsticah rezka nagnjeno ali zvito ploskev, ki jo določajo štiri vogalne točke.
 step-straight-to-starting-point = Krmiljenje premakne orodje s trenutnega položaja premočrtno v prostoru na začetno točko 1.
 step-mill-line-to-its-end = Orodje nato s programiranim pomikom { $q-milling-feed } rezka do končne točke vrstice: v prvi vrstici do točke 2, in sicer s polovičnim pomikom; v vsaki nadaljnji do točke, ki jo krmiljenje izračuna iz točke 2 in zamika v smeri točke 3.
 step-rapid-back-to-start-of-line = Od tam krmiljenje premakne orodje v hitrem teku (FMAX) v pozitivni smeri osi vretena za premer orodja nad višji konec vrstice in nato nazaj na začetno točko vrstice (v prvi vrstici na točko 1).
-step-down-to-last-height = Na začetni točki krmiljenje premakne orodje na vrednost, ki jo je na tej točki nazadnje imelo na osi vretena.
+step-down-to-last-height = Na začetni točki krmiljenje premakne orodje na osi vretena v položaj, ki ga je tam imelo nazadnje.
 step-move-to-start-of-next-line = Krmiljenje nato premakne orodje po vseh treh oseh s točke 1 v smeri točke 4 v naslednjo vrstico.
 step-above-highest-point = Na koncu krmiljenje pozicionira orodje za premer orodja nad najvišjo vneseno točko po osi vretena.
 note-cutting-direction-of-surface = Začetno točko in s tem smer rezkanja je mogoče izbrati poljubno: krmiljenje posamezne reze izvede od točke 1 do točke 2, celoten potek pa gre od točk 1 in 2 do točk 3 in 4. Točka 1 je lahko v katerem koli vogalu ploskve.

@@ -3,7 +3,7 @@
 # --- saved kinematics ---
 parameter-kinematics-memory-mode = Način (0/1/2/3)
     .label = NAČIN
-    .help = Ali se kinematika shrani ali obnovi.
+    .help = Določa, ali se kinematika shrani ali obnovi.
 parameter-kinematics-memory-mode__itnc530 = Način (0/1/2)
 choice-save-kinematics = shranjevanje kinematike
 choice-save-kinematics__itnc530 = shranjevanje aktivne kinematike
@@ -13,10 +13,10 @@ choice-delete-saved-kinematics = izbris niza podatkov
 parameter-kinematics-memory-location = Oznaka pomnilnika
     .label = OZNAKA POMNILNIKA
     .label-aliases = MESTO POMNILNIKA
-    .help = Številka ali ime niza podatkov, največ 16 znakov. Na voljo je 16 pomnilniških mest. V načinu 2 nima funkcije. V načinih 1 in 3 (obnovitev in izbris) lahko vsebuje nadomestne znake. Če nadomestnim znakom ustreza več nizov podatkov, se obnovijo srednje vrednosti njihovih podatkov (način 1) oziroma se po potrditvi vsi izbrišejo (način 3). Nadomestni znaki: ? je posamezen nedoločen znak, $ posamezna črka, # posamezna nedoločena števka, * poljubno dolg niz znakov.
+    .help = Številka ali ime niza podatkov, največ 16 znakov. Na voljo je 16 pomnilniških mest. V načinu 2 nima vpliva. V načinih 1 in 3 (obnovitev in izbris) lahko vsebuje nadomestne znake. Če nadomestnim znakom ustreza več nizov podatkov, se obnovijo srednje vrednosti njihovih podatkov (način 1) oziroma se po potrditvi vsi izbrišejo (način 3). Nadomestni znaki: ? je posamezen nedoločen znak, $ posamezna črka, # posamezna nedoločena števka, * poljubno dolg niz znakov.
 parameter-kinematics-memory-location__itnc530 = Mesto pomnilnika (0…9)
     .label = MESTO POMNILNIKA
-    .help = Številka pomnilniškega mesta, na katero se shrani celotna kinematika ali s katerega se shranjena kinematika obnovi. V načinu 2 nima funkcije.
+    .help = Številka pomnilniškega mesta, na katero se shrani celotna kinematika ali s katerega se shranjena kinematika obnovi. V načinu 2 nima vpliva.
 
 # --- preset compensation ---
 parameter-sphere-touch-points__preset-compensation = Število merilnih točk
@@ -35,7 +35,7 @@ parameter-kinematics-reference-angle__calibrate-on-stud = REFERENČNI KOT
     .help = Kot med glavno osjo obdelovalne ravnine in prvo tipalno točko.
 parameter-length-calibration = Umeritev dolžine (0/1)
     .label = UMERJANJE DOLŽINE
-    .help = Ali krmiljenje po umerjanju polmera umeri tudi dolžino tipalnega sistema.
+    .help = Določa, ali krmiljenje po umerjanju polmera umeri tudi dolžino tipalnega sistema.
 choice-no-length-calibration = brez umerjanja dolžine tipalnega sistema
 choice-length-calibration = umerjanje dolžine tipalnega sistema
 parameter-length-reference = Referenčna točka za dolžino
@@ -56,7 +56,7 @@ parameter-calibration-part-radius = Polmer umeritvenega obroča
     .help = Polmer umeritvenega elementa.
 parameter-calibration-inside-or-outside = Notranje umerjanje=0/zunanje umerjanje=1
     .word = NAČIN MERJENJA:
-    .help = Ali krmiljenje umerja znotraj v obroču ali zunaj na čepu.
+    .help = Določa, ali krmiljenje umerja znotraj v obroču ali zunaj na čepu.
 choice-calibrate-inside = notranje umerjanje
 choice-calibrate-outside = zunanje umerjanje
 

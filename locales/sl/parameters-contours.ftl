@@ -11,7 +11,7 @@ parameter-milling-depth = Globina rezkanja
 parameter-milling-depth__contour-data =
     .help = Razdalja med površino obdelovanca in dnom žepa.
 parameter-path-overlap__contour-data =
-    .help = Ta faktor, pomnožen s polmerom orodja, da stranski primik k.
+    .help = Stranski primik k je zmnožek tega faktorja in polmera orodja.
     .label = PREKRIVANJE PROGE
 parameter-set-up-clearance__contour-data =
     .help = Razdalja med čelno površino orodja in površino obdelovanca.
@@ -52,7 +52,7 @@ parameter-contour-retraction-feed = Vzvratni pomik
 parameter-contour-retraction-feed__rough-out = Vzratni pomik
 parameter-rough-out-tool = Številka/ime izvrtalnega svedra
     .label = IZVRTALNI SVEDER
-    .help = Številka ali ime orodja, ki bo konturo posnelo.
+    .help = Številka ali ime orodja, ki bo konturo grobo rezkalo.
 parameter-coarse-roughing-tool = Orodje za predvrtanje
     .label = ORODJE ZA PREDVRTANJE
     .help = Številka ali ime orodja, s katerim je krmiljenje konturo že grobo rezkalo. Če grobega rezkanja ni bilo, vnesite 0. Če je vnesena številka ali ime, krmiljenje obdela samo tisto, česar orodje za predvrtanje ni doseglo.
@@ -84,7 +84,7 @@ parameter-cylinder-radius = Polmer valja
     .help = Polmer valja, na katerem se obdeluje kontura.
 parameter-development-dimension-type = Vrsta dimenzioniranja? Stopinja = 0 MM/PALEC = 1
     .label = NAČ. DIMENZIONIRANJA
-    .help = Ali so koordinate rotacijske osi v podprogramu programirane v stopinjah ali v milimetrih (palcih).
+    .help = Določa, ali so koordinate rotacijske osi v podprogramu programirane v stopinjah ali v milimetrih (palcih).
     .prompt = Vrsta dimenzioniranja? Stopinja = 0 MM/PALEC = 1
 parameter-cylinder-slot-width = Širina utora
     .label = ŠIRINA UTORA
@@ -111,7 +111,7 @@ parameter-engraving-font = Vrsta črk
     .help = Trenutno brez funkcije.
 parameter-text-arrangement = Besedilo ravno/na krogu (0/1)
     .label = RAZPOREDIT. BESEDILA
-    .help = Kako je besedilo razporejeno.
+    .help = Določa, kako je besedilo razporejeno.
 parameter-text-rotation = Rotacijski položaj
     .label = ROT. POLOŽAJ
     .help = Središčni kot, če je besedilo razporejeno na krožnem loku.
@@ -131,8 +131,8 @@ parameter-surface-coordinate__contour-data = Koordinata površine obdelovanca
 parameter-surface-coordinate__contour-train = Koordinata površine obdelovanca
 
 # --- choices ---
-choice-up-cut-pocket-and-island = protitek za žep in otok
-choice-climb-pocket-and-island = sotek za žep in otok
+choice-up-cut-pocket-and-island = rezkanje v protiteku za žep in otok
+choice-climb-pocket-and-island = rezkanje v soteku za žep in otok
 choice-finish-counter-clockwise = nasprotna smer urnega kazalca
 choice-finish-clockwise = smer urnega kazalca
 choice-climb-and-up-cut-alternately = izmenično rezkanje v soteku in protiteku v več primikih

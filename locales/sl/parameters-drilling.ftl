@@ -63,7 +63,7 @@ parameter-chip-breaks-before-retraction = Štev. lomov ostružkov pred odmikom
 parameter-depth-or-diameter = Izbira globine/premera (0/1)
     .label = IZBIRA GLOBINA/PREMER
     .label-aliases = IZBIRA GLOBINA/ PREMER
-    .help = Ali orodje centrira do vnesene globine ali do vnesenega premera. Za premer mora biti kot konice orodja definiran v stolpcu { $mp-drill-point-angle } preglednice orodij.
+    .help = Določa, ali orodje centrira do vnesene globine ali do vnesenega premera. Za premer mora biti kot konice orodja definiran v stolpcu { $mp-drill-point-angle } preglednice orodij.
 parameter-centring-diameter = Premer (predznak)
     .label = PREMER
     .help = Premer centriranja; njegov predznak je smer obdelave. Deluje samo, če je { $q-depth-or-diameter } = 1.
@@ -92,7 +92,7 @@ parameter-cutting-edge-height = Rezalna višina
     .help = Razdalja med spodnjim robom vrtalnega droga in glavnim rezilom, s podatkovnega lista orodja.
 parameter-counterbore-dwell = Čas zadrž.
     .label = ČAS ZADRŽEVANJA
-    .help = Čas, ko orodje stoji na koncu grezi.
+    .help = Čas, v katerem orodje miruje na koncu grezi.
 parameter-infeed-per-helix = Primik na vijačnico
     .label = GLOBINA PRIMIKA
     .help = Globina, za katero se orodje primakne z vsakim obratom vijačnice (360°).
@@ -172,7 +172,7 @@ parameter-offset-at-front = Zamik pri čelnem grezenju
     .help = Razdalja, za katero krmiljenje središče orodja zamakne iz središča.
 parameter-countersinking-moment = Postopek spuščanja
     .label = SPUŠČANJE
-    .help = Kdaj se izdela posneti rob.
+    .help = Določa, kdaj se izdela posneti rob.
 
 parameter-decrement__universal-drilling =
     .label = ZMANJŠANJE

@@ -103,7 +103,7 @@ parameter-finishing-feed = Pomik pri finem rezkanju
 parameter-dwell-at-top = Čas zadrževanja zgoraj
     .label = ČAS ZADRŽ. ZGORAJ
     .label-aliases = ČAS ZADRŽ. ZG.
-    .help = Čas, ko orodje stoji na varnostni razdalji, potem ko je bilo zaradi hlajenja umaknjeno iz vrtine.
+    .help = Čas, v katerem orodje miruje na varnostni razdalji, potem ko je bilo zaradi hlajenja umaknjeno iz vrtine.
 parameter-dwell-at-bottom = Čas zadrževanja spodaj
     .label = ČAS ZADRŽ. SPODAJ
     .help = Čas, v katerem orodje miruje na dnu vrtine.
@@ -111,7 +111,7 @@ parameter-dwell-at-bottom = Čas zadrževanja spodaj
 # --- milling of pockets ---
 parameter-machining-operation = Obseg obdelave (0/1/2)
     .label = OBSEG OBDELAVE
-    .help = Kaj se obdela. Stena in dno se fino rezkata samo, če je definirana ustrezna nadmera finega rezkanja ({ $q-side-allowance }, { $q-floor-allowance }).
+    .help = Določa, kaj se obdela. Stena in dno se fino rezkata samo, če je definirana ustrezna nadmera finega rezkanja ({ $q-side-allowance }, { $q-floor-allowance }).
 parameter-first-side-length = 1. stranska dolžina
     .label = 1. STRANSKA DOLŽINA
     .help = Dolžina žepa vzporedno z glavno osjo { -working-plane(case: "genitive") }.
@@ -146,7 +146,7 @@ parameter-path-overlap = Faktor prekrivanja poti
     .help = Stranski primik k je zmnožek tega faktorja in polmera orodja. PREDEF prevzame vrednost iz stavka GLOBAL DEF.
 parameter-plunging-strategy = Strategija spuščanja
     .label = SPUŠČANJE
-    .help = Kako orodje vstopi v material. PREDEF prevzame vrednost iz stavka GLOBAL DEF.
+    .help = Določa, kako orodje vstopi v material. PREDEF prevzame vrednost iz stavka GLOBAL DEF.
 
 # --- patterns ---
 parameter-pitch-circle-centre-main = Središče 1. osi
@@ -169,14 +169,14 @@ parameter-pattern-stepping-angle = Kotni korak
     .help = Kot med dvema obdelavama na delnem krogu. Pri vrednosti 0 ga krmiljenje izračuna iz začetnega kota, končnega kota in števila obdelav. Če je vnesen, se končni kot { $q-pattern-stopping-angle } ne upošteva. Predznak določa smer (− = v smeri urnega kazalca).
 parameter-number-of-operations = Število obdelav
     .label = ŠTEVILO OBDELAV
-    .help = Koliko obdelav leži na delnem krogu.
+    .help = Določa, koliko obdelav leži na delnem krogu.
 parameter-pattern-clearance-mode = Premik na varno višino
     .label = PREMIK NA VARNO VIŠINO
     .label-aliases = PREMIK NA VARNOSTNO VIŠINO
-    .help = Na kateri višini se orodje premika med obdelavami.
+    .help = Določa, na kateri višini se orodje premika med obdelavami.
 parameter-pattern-traverse-type = Način premika? Premočrtno=0/krožno=1
     .label = NAČIN PREMIKA
-    .help = Po kakšni poti se orodje premika med obdelavami.
+    .help = Določa, po kakšni poti se orodje premika med obdelavami.
     .prompt = Način premika? Premočrtno=0/krožno=1
 
 # --- coordinate transforms ---

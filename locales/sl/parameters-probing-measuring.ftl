@@ -8,7 +8,7 @@ parameter-probing-centre-minor__measure-stud =
 parameter-probing-nominal-diameter__measure-stud =
     .help = Premer čepa.
 parameter-number-of-touch-points__measure-stud =
-    .help = Ali se čep izmeri s štirimi ali s tremi tipanji.
+    .help = Določa, ali se čep izmeri s štirimi ali s tremi tipanji.
 parameter-stud-greatest-diameter = Največji premer čepa
     .label = NAJVEČJA VREDNOST
     .help = Največji dovoljeni premer čepa.
@@ -131,11 +131,11 @@ parameter-greatest-dimension__measure-bolt-hole-circle =
 parameter-least-dimension__measure-bolt-hole-circle =
     .help = Najmanjši dovoljeni premer krožne luknje.
 parameter-monitored-tool__measure-bolt-hole-circle =
-    .help = Ali krmiljenje nadzoruje lom orodja. Številka ali ime orodja.
+    .help = Določa, ali krmiljenje nadzoruje lom orodja. Številka ali ime orodja.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc320 =
-    .help = Ali krmiljenje nadzoruje lom orodja. Številka orodja.
+    .help = Določa, ali krmiljenje nadzoruje lom orodja. Številka orodja.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc426-430 =
-    .help = Ali krmiljenje nadzoruje lom orodja. Številka orodja.
+    .help = Določa, ali krmiljenje nadzoruje lom orodja. Številka orodja.
 
 # --- 420, 431 ---
 parameter-first-point-tool = 1. merilna točka 3. osi
@@ -214,7 +214,7 @@ parameter-polar-probing-axis__measuring__tnc426-430 =
     .help = Glavna os obdelovalne ravnine: X pri orodni osi Z, Z pri orodni osi Y, Y pri orodni osi X. Potrdite s tipko ENT.
 parameter-polar-probing-angle = Kot tipanja
     .word = KOT:
-    .help = Kot glede na tipalno os, v kateri se premika tipalni sistem.
+    .help = Kot glede na tipalno os, pod katerim se premika tipalni sistem.
 parameter-polar-probing-angle__measuring = Tipalni kot
 parameter-result-parameter__measuring =
     .help = Številka Q-parametra, ki mu krmiljenje priredi prvo izmerjeno koordinato (X). Y in Z sta v naslednjih Q-parametrih.
@@ -222,21 +222,21 @@ parameter-greatest-measuring-path = Najdaljša pot meritve
     .word = ABST
     .help = Pot, za katero se tipalni sistem premakne od začetne točke. Potrdite s tipko ENT.
 parameter-measuring-feed = Merilni pomik
-    .help = Pomik pri tipanju v mm/min.
+    .help = Pomik, s katerim se tipalni sistem premika med meritvijo (mm/min).
 parameter-greatest-retraction-path = Najdaljša pot odmika
     .help = Pot v nasprotni smeri tipanja po odklonu tipalne glave. Krmiljenje umakne tipalni sistem največ do začetne točke, zato do kolizije ne more priti.
 parameter-probing-reference-system = Referenčni sistem? (0=IST/1=REF)
     .prompt = Referenčni sistem? (0=IST/1=REF)
     .word = REFERENČNI SISTEM:
-    .help = Ali se smer tipanja in rezultat nanašata na dejanski koordinatni sistem (IST, lahko je zamaknjen ali zasukan) ali na strojni koordinatni sistem (REF).
+    .help = Določa, ali se smer tipanja in rezultat nanašata na dejanski koordinatni sistem (IST, lahko je zamaknjen ali zasukan) ali na strojni koordinatni sistem (REF).
 parameter-probing-reference-system__tnc320 =
-    .help = Ali se rezultat nanaša na dejanski koordinatni sistem (IST, lahko je zamaknjen ali zasukan) ali na strojni koordinatni sistem (REF).
+    .help = Določa, ali se rezultat nanaša na dejanski koordinatni sistem (IST, lahko je zamaknjen ali zasukan) ali na strojni koordinatni sistem (REF).
 choice-probe-in-actual-system = tipanje v dejanskem sistemu in shranjevanje rezultata v sistemu IST
 choice-probe-in-machine-system = tipanje v strojnem sistemu REF in shranjevanje rezultata v sistemu REF
 parameter-probing-error-mode = Stanje sporočila o napaki (0 = IZKLOP/1 = VKLOP)
-    .help = Ali krmiljenje prikaže sporočilo o napaki, če je tipalna glava ob začetku cikla odklonjena. Pri vrednosti 1 krmiljenje v četrti parameter rezultata shrani −1 in nadaljuje cikel.
+    .help = Določa, ali krmiljenje prikaže sporočilo o napaki, če je tipalna glava ob začetku cikla odklonjena. Pri vrednosti 1 krmiljenje v četrti parameter rezultata shrani −1 in nadaljuje cikel.
 parameter-probing-error-mode__tnc320 =
-    .help = Ali krmiljenje prikaže sporočilo o napaki, če je tipalna glava ob začetku cikla odklonjena. Pri vrednosti 1 krmiljenje v četrti parameter rezultata shrani 2,0 in nadaljuje cikel.
+    .help = Določa, ali krmiljenje prikaže sporočilo o napaki, če je tipalna glava ob začetku cikla odklonjena. Pri vrednosti 1 krmiljenje v četrti parameter rezultata shrani 2,0 in nadaljuje cikel.
 choice-show-probing-error = prikaz sporočila o napaki
 choice-probing-error-off = brez sporočila o napaki
 

@@ -98,10 +98,10 @@ parameter-thread-starting-angle = Začetni kot
     .help = Kot stružnega vretena, pri katerem naj se navoj začne.
 parameter-number-of-thread-starts = Število stopenj
     .label = ŠTEVILO STOPENJ
-    .help = Koliko stopenj ima navoj.
+    .help = Določa, koliko stopenj (začetkov) ima navoj.
 parameter-number-of-air-cuts = Število praznih rezov
     .label = ŠTEVILO PRAZNIH REZOV
-    .help = Koliko rezov krmiljenje izvede brez primika na končni globini navoja.
+    .help = Določa, koliko rezov krmiljenje izvede brez primika na končni globini navoja.
 
 # --- choices ---
 choice-recess-both-directions = v obeh smereh

@@ -53,6 +53,6 @@ note-deviations-in-q-parameters = Krmiljenje rezultate meritev shrani v globalno
 note-deviations-in-q-parameters__tnc426-430 = Krmiljenje rezultate meritev shrani v globalno aktivne Q-parametre od Q150 do Q160, odstopanja od želenih vrednosti pa v Q161 do Q166. Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov.
 
 # --- results ---
-result-centre-main-actual = Dejanska vrednost središča glavne osi
-result-centre-minor-actual = Dejanska vrednost središča pomožne osi
+result-centre-main-actual = Dejanska vrednost središča na glavni osi
+result-centre-minor-actual = Dejanska vrednost središča na pomožni osi
 result-diameter-actual = Dejanski premer

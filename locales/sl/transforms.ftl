@@ -51,4 +51,4 @@ note-coordinates-refer-to-new-preset = Po definiciji se vse koordinate in zamiki
 note-preset-cancels-transforms = Ko se aktivira referenčna točka iz { -preset-table(case: "genitive") }, krmiljenje ponastavi zamik ničelne točke, zrcaljenje, rotacijo, faktor merila in faktor merila, specifičen za os.
 note-preset-zero = Prednastavitev s številko 0 (vrstica 0) aktivira referenčno točko, ki je bila nazadnje ročno določena v ročnem načinu.
 note-preset-not-in-test-run = V načinu Programski test cikel ne deluje.
-note-preset-in-status-display = Prikaz stanja kaže številko aktivne prednastavitve za simbolom referenčne točke; dodatni prikaz stanja (prikaz položaja) jo kaže za referenčno točko.
+note-preset-in-status-display = V prikazu stanja je številka aktivne prednastavitve navedena desno od simbola referenčne točke, v dodatnem prikazu stanja (prikaz položaja) pa desno od referenčne točke.

@@ -3,22 +3,22 @@
 # --- 841, 842, 840, 851, 852, 850 ---
 cycle-simple-radial-recess-turning = Preprosto radialno vbodno rezkanje
     .nc = VB. REZK. PREPROSTO R.
-    .purpose = Z vbodnim rezkanjem v vzdolžni smeri obdela pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Z vbodnim struženjem v vzdolžni smeri obdela pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
 cycle-extended-radial-recess-turning = Razširjeno radialno vbodno rezkanje
     .nc = RAZŠIRJENO RADIALNO STRUŽENJE
-    .purpose = Z vbodnim rezkanjem v vzdolžni smeri obdela utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
+    .purpose = Z vbodnim struženjem v vzdolžni smeri obdela utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
 cycle-radial-contour-recess-turning = Radialno vbodno rezkanje konture
     .nc = VB. REZK. KONT, RAD.
-    .purpose = Z vbodnim rezkanjem v vzdolžni smeri obdela utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Z vbodnim struženjem v vzdolžni smeri obdela utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
 cycle-simple-axial-recess-turning = Preprosto aksialno vbodno rezkanje
     .nc = VB. REZK. PREPR., AKS.
-    .purpose = Z vbodnim rezkanjem v prečni smeri (na čelni površini) obdela pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Z vbodnim struženjem v prečni smeri (na čelni površini) obdela pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
 cycle-extended-axial-recess-turning = Razširjeno aksialno vbodno rezkanje
     .nc = VB. REZK. RAZŠIRJENO AKSIALNO
-    .purpose = Z vbodnim rezkanjem v prečni smeri obdela utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
+    .purpose = Z vbodnim struženjem v prečni smeri obdela utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
 cycle-axial-contour-recess-turning = Aksialno vbodno rezkanje kontur
     .nc = VB. REZK. KONT, AKS.
-    .purpose = Z vbodnim rezkanjem v prečni smeri obdela utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Z vbodnim struženjem v prečni smeri obdela utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
 
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Radialno struženje
@@ -43,14 +43,14 @@ cycle-axial-contour-recessing = Aksialno struženje konture
 # --- 831, 832, 830 ---
 cycle-longitudinal-thread = Vzdolžni navoj
     .nc = NAVOJ VZDOLŽNO
-    .purpose = Struži vzdolžne navoje z eno ali več stopnjami.
+    .purpose = Struži vzdolžne navoje z eno ali več stopnjami (začetki).
 cycle-extended-thread = Razširjen navoj
     .nc = RAZŠIRJENI NAVOJ
     .nc-aliases = RAZŠIRJEN NAVOJ
-    .purpose = Struži vzdolžne, čelne ali konične navoje z eno ali več stopnjami.
+    .purpose = Struži vzdolžne, čelne ali konične navoje z eno ali več stopnjami (začetki).
 cycle-contour-parallel-thread = Navoj, vzporeden s konturo
     .nc = NAVOJ VZPOREDEN S KONTURO
-    .purpose = Struži vzdolžne ali čelne navoje poljubne oblike z eno ali več stopnjami.
+    .purpose = Struži vzdolžne ali čelne navoje poljubne oblike z eno ali več stopnjami (začetki).
 
 # --- roughing of grooves ---
 step-take-tool-position-as-start = Krmiljenje položaj orodja ob priklicu cikla prevzame kot začetno točko cikla.
@@ -117,13 +117,13 @@ condition-end-z-given = { $q-taper-dimensioning } določa stožec s koordinato Z
 guard-recess-offset-too-great = Stranski zamik je večji od 80{"\u00A0"}% učinkovite širine rezila, to je širine rezila, zmanjšane za dvakratni polmer rezila.
 
 # --- notes: grooves ---
-note-recess-turning-alternates = Pri vbodnem rezkanju se izmenjujejo vbodi na globino primika in grobi rezi. Obdelava zato zahteva čim manj dvigov in primikov.
+note-recess-turning-alternates = Pri vbodnem struženju se izmenjujejo vbodi na globino primika in grobi rezi. Obdelava zato zahteva čim manj dvigov in primikov.
 note-groove-extended-scope = Razširjen obseg funkcij: na začetku in na koncu konture je mogoče dodati posneti rob ali zaokrožitev; za stranski steni utora je mogoče definirati kota; v vogalih konture je mogoče dodati polmere.
 note-recess-cuts-get-shorter = Po drugem primiku krmiljenje vsak nadaljnji rez skrajša za 0,1{"\u00A0"}mm. To zmanjša stransko obremenitev orodja. Če je v ciklu vnesena širina zamika { $q-recess-offset-width }, se rez namesto tega skrajša za to vrednost. Preostali material se na koncu vbadanja odstrani z enim vbodnim gibom. Če stranski zamik presega 80{"\u00A0"}% učinkovite širine rezila (širina rezila − 2 × polmer rezila), krmiljenje prikaže sporočilo o napaki.
 title-groove-with-chamfers = Utor s posnetima robovoma v struženem segmentu (celoten program)
 
 # --- notes: threads ---
-note-threads-with-several-starts = S ciklom je mogoče izdelati navoje z eno ali več stopnjami.
+note-threads-with-several-starts = S ciklom je mogoče izdelati navoje z eno ali več stopnjami (začetki).
 note-standard-thread-depth = Če v ciklu globina navoja ni vnesena, cikel uporabi standardno globino navoja.
 note-standard-thread-depth__longitudinal-thread = Če v ciklu globina navoja ni vnesena, cikel uporabi globino navoja po standardu ISO 1502.
 note-thread-outside-or-inside = Cikel je mogoče uporabiti za zunanjo in za notranjo obdelavo.

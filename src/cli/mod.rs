@@ -41,6 +41,7 @@ mod project;
 mod run;
 mod scene;
 mod schema;
+mod serve;
 mod session;
 mod stock;
 mod texts;
@@ -106,6 +107,7 @@ struct Command {
 /// All commands, in the order of the help.
 static COMMANDS: &[Command] = &[
     build::COMMAND,
+    serve::COMMAND,
     dialog::COMMAND,
     figure::COMMAND,
     block::COMMAND,

@@ -7,8 +7,9 @@ use clap::builder::PossibleValuesParser;
 use super::execution::{self, Execution};
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, stock};
-use crate::engine::draw::{PathGrid, Track, View};
+use crate::engine::stock::Blank;
 use crate::language::locale::{Args, Ui};
+use crate::output::figure::{Legend, Plot, View};
 use crate::system;
 use crate::tools::conform::LogTexts;
 
@@ -44,21 +45,24 @@ fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure>
     let engine = execution.engine(&scene, &texts);
     let file = &execution.file;
     let mut part = stock::begin_if_any(file, &scene, matches)?;
-    let grid = PathGrid::new(&file.program, &scene);
-    let (mut track, mut failed) = (Track::default(), None);
+    let (mut drawing, mut failed) = (Plot::new(&file.program, &scene), None);
     let result = engine.observe(&mut |event| {
         failed = execution::failed(event).or(failed);
         if let Some(machining) = &mut part {
             machining.see(event);
         }
-        track.see(event, &grid);
+        drawing.see(event);
     });
     let part = part.map(|machining| machining.finish().0);
-    if part.is_none() {
+    if part.is_none() && Blank::of_parts(&scene).is_none() {
         session.output.remark(&session.ui.text("cli-plot-no-blank", &Args::new()));
     }
     let view = View::by_word(matches.get_one::<String>("view").map_or("isometric", String::as_str));
-    let drawing = track.draw(part.as_ref(), view.unwrap_or(View::Isometric));
+    let word = |id: &str| session.ui.text(id, &Args::new());
+    let title = Path::new(&arguments::text(matches, "file")).file_name().map(|name| name.to_string_lossy().into_owned());
+    let legend =
+        Legend { title: title.unwrap_or_default(), ways: ["way-rapid", "way-feed", "way-probing"].map(word) };
+    let drawing = drawing.draw(part.as_ref(), view.unwrap_or(View::Isometric), &legend);
     let out = arguments::text(matches, "out");
     system::write(Path::new(&out), drawing.as_bytes())?;
     let line = session.ui.text("cli-written", &Args::new().text("path", out));

@@ -437,6 +437,11 @@ impl Project for CheckedProgram<'_> {
         table.text(row, "TYPE").ok().map(str::trim).filter(|word| !word.is_empty())
     }
 
+    fn turning_value(&self, tool: ToolName<'_>, column: &str) -> Option<f64> {
+        let (table, row) = self.tool_row(TableKind::Turning, tool)?;
+        table.number(row, column).ok()?
+    }
+
     fn machine(&self) -> Option<&Machine> {
         Some(self.machine).filter(|machine| machine.is_known())
     }

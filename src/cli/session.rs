@@ -165,6 +165,17 @@ impl<'s> Session<'s> {
         self.is_replaced = true;
     }
 
+    /// Reads the files anew when they are next needed.
+    pub(super) fn forget(&mut self) {
+        self.files = OnceCell::new();
+        self.is_replaced = false;
+    }
+
+    /// The state of the files of the working copy, if one is used: another one when they have changed.
+    pub(super) fn state_of_data(&self) -> system::TreeState {
+        self.data.map_or_else(Default::default, |root| system::state_of_tree(root, &TOPS))
+    }
+
     /// The directory of the working copy, if one is used instead of the embedded data.
     pub(super) fn data(&self) -> Option<&'s Path> {
         self.data

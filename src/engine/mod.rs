@@ -3,7 +3,6 @@
 //! Invariant: nothing here prints, reads files or knows a cycle; worlds are built from texts that are handed in.
 mod contour;
 mod cycle;
-pub mod draw;
 mod flow;
 pub mod geometry;
 pub mod machine;

@@ -180,7 +180,7 @@ fn listen() {
     static LISTENING: std::sync::Once = std::sync::Once::new();
     LISTENING.call_once(|| {
         let ignored = ignored();
-        let heard = HEARD.into_iter().filter(move |signal| ignored >> (signal - 1) & 1 == 0);
+        let heard = HEARD.into_iter().filter(move |signal| !has(ignored, *signal));
         let (ready, listens) = mpsc::channel();
         // Signals are taken over by the thread that hears them: where there is none, they end the program.
         let listener = move || {
@@ -197,6 +197,17 @@ fn listen() {
             let _ = listens.recv();
         }
     });
+}
+
+/// Whether the parent process wants a signal to be ignored.
+#[cfg(unix)]
+pub(super) fn is_ignored(signal: i32) -> bool {
+    has(ignored(), signal)
+}
+
+#[cfg(unix)]
+fn has(signals: u64, signal: i32) -> bool {
+    signals >> (signal - 1) & 1 == 1
 }
 
 /// Signals that the parent process wants it to ignore, a bit each; none where that cannot be known.

@@ -7,11 +7,13 @@ mod answering;
 mod folders;
 mod leftover;
 mod replace;
+mod serving;
 mod staged;
 
 use std::ffi::OsString;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 use std::{env, fs};
 
 use crate::base::diag::Diagnostic;
@@ -19,6 +21,7 @@ use crate::base::diag::Diagnostic;
 pub use answering::{Answering, LONGEST_LINE, NoAnswer, line_of, next_line};
 pub use folders::{Below, Folder, beside, files_below, nearest, seen_from, spelled};
 pub use replace::{Seen, write, write_all, write_parts};
+pub use serving::{Asked, Server, Status};
 pub use staged::Staged;
 
 /// So many bytes are read from standard input, a pipe or a device.
@@ -186,6 +189,30 @@ fn collect(directory: &Path, name: &str, depth: usize, files: &mut Vec<(String, 
         }
     }
     Ok(())
+}
+
+/// The files and folders of a tree with their times and sizes.
+pub type TreeState = Vec<(PathBuf, Option<SystemTime>, u64)>;
+
+/// The state of the files of some directories in `root`: it is another one when a file has come, gone or changed. What cannot be
+/// read is left out.
+pub fn state_of_tree(root: &Path, tops: &[&str]) -> TreeState {
+    let mut state = Vec::new();
+    let mut waiting: Vec<(PathBuf, usize)> = tops.iter().map(|top| (root.join(top), 0)).collect();
+    while let Some((directory, depth)) = waiting.pop() {
+        for entry in fs::read_dir(&directory).into_iter().flatten().flatten() {
+            let Ok(known) = entry.metadata() else { continue };
+            if entry.file_name().to_string_lossy().starts_with('.') {
+                continue;
+            }
+            if known.is_dir() && depth < DEEPEST {
+                waiting.push((entry.path(), depth + 1));
+            }
+            state.push((entry.path(), known.modified().ok().filter(|_| known.is_file()), known.len()));
+        }
+    }
+    state.sort();
+    state
 }
 
 /// The names of the folders in this one, sorted; those that begin with a dot are not looked at.

@@ -7,4 +7,5 @@ mod conform_protocol;
 mod files;
 mod hostile;
 mod processes;
+mod serve;
 mod texts;

@@ -174,6 +174,33 @@ fn hills() -> impl Strategy<Value = Shop> {
     })
 }
 
+/// A hill whose inner crossings are above Z 0 and whose rim is below it.
+#[derive(Clone, Debug)]
+struct Bump {
+    shop: Shop,
+    /// Where its highest crossing is.
+    peak: [f64; 2],
+    peak_height: f64,
+    /// Whether that is in the front row, at the lower Y.
+    front: bool,
+}
+
+fn bumps() -> impl Strategy<Value = Bump> {
+    let (rim, inner) = (prop::array::uniform16(mm(-2.0..-0.5)), prop::array::uniform4(mm(1.5..6.0)));
+    (mm(1.0..4.0), rim, inner, mm(-3.0..3.0), mm(-3.0..3.0)).prop_map(|(radius, mut heights, inner, x, y)| {
+        let places = [(1, 1), (2, 1), (1, 2), (2, 2)];
+        for ((i, j), height) in places.into_iter().zip(inner) {
+            heights[j * CROSSINGS + i] = height;
+        }
+        let highest = |best: usize, at: usize| if inner[at] > inner[best] { at } else { best };
+        let best = (1..inner.len()).fold(0, highest);
+        let (i, j) = places[best];
+        let peak = [x + i as f64 * CELL - HALF, y + j as f64 * CELL - HALF].map(|at| (at * 1000.0).round() / 1000.0);
+        let shop = Shop { radius, parts: vec![Placed { part: Part::Hill { heights }, at: [x, y] }] };
+        Bump { shop, peak, peak_height: inner[best], front: j == 1 }
+    })
+}
+
 prop_compose! {
     fn placed()(part in part(), x in mm(-6.0..6.0), y in mm(-6.0..6.0)) -> Placed {
         Placed { part, at: [x, y] }
@@ -550,6 +577,54 @@ laws! {
         runs(&shop, &file, &all)?;
     }
 
+    /// Over triangles: around the highest crossing, which the stylus meets first.
+    #[test]
+    fn contour_lines_go_once_around_a_hill(
+        bump in bumps(), analog in any::<bool>(), points in mm(0.3..1.2), step in mm(0.4..1.5), travel in mm(0.0..1.0),
+        to_the_right in any::<bool>(), down in any::<bool>(),
+    ) {
+        let Bump { shop, peak, peak_height, front } = bump;
+        let top = ((peak_height - 0.8) * 1000.0).round() / 1000.0;
+        let (number, sign) = (if analog { 17 } else { 7 }, if to_the_right { '+' } else { '-' });
+        let spacing = if down { -step } else { step };
+        let (start, approach) = if front { (-25, '+') } else { (25, '-') };
+        let mut cycle = format!(
+            "TCH PROBE {number}.0 CONTOUR LINES\nTCH PROBE {number}.1 TIME: 0 X{:+} Y{start:+}\nTCH PROBE {number}.2 ORDER: Y{approach} / X{sign}\n",
+            peak[0]
+        );
+        let _ = match analog {
+            true => writeln!(cycle, "TCH PROBE {number}.3 F1000 MIN.L.SPAC: 0 L.SPAC: {spacing:+} P.SPAC: {points} TOL: 0 DIST: 1"),
+            false => writeln!(cycle, "TCH PROBE {number}.3 TRAVEL: {travel} L.SPAC: {spacing:+} P.SPAC: {points}"),
+        };
+        let range = format!(
+            "TCH PROBE 5.0 RANGE\nTCH PROBE 5.1 PGM NAME: DATA\nTCH PROBE 5.2 Z X-30 Y-30 Z+0\nTCH PROBE 5.3 X+30 Y+30 Z{top:+.3}\nTCH PROBE 5.4 HEIGHT: +40\n"
+        );
+        let (file, _) = digitize(&shop, &range, &cycle, "")?;
+        let all = blocks(&file);
+        let found = loops(&all);
+        prop_assert_eq!(found.len(), (top / step + 1e-9).floor() as usize + 1);
+        for (count, line) in found.iter().enumerate() {
+            let way = step * count as f64;
+            let height = if down { top - way } else { way };
+            let (first, last) = (line[0], line[line.len() - 1]);
+            prop_assert!(length(minus(first, last)) < 2.0 * WRITTEN, "not closed: {:?}", line);
+            let mut turned = 0.0;
+            for pair in line.windows(2) {
+                let (a, b) = (pair[0], pair[1]);
+                prop_assert!(shop.gap(b).abs() < WRITTEN, "{} mm from the part at {:?}", shop.gap(b), b);
+                prop_assert!((b[2] - height).abs() < WRITTEN, "{:?} is not at {}", b, height);
+                prop_assert!(length(minus(b, a)) < points + 3.0 * WRITTEN);
+                between(&shop, a, b)?;
+                let arm = |p: Point| [p[0] - peak[0], p[1] - peak[1]];
+                let (a, b) = (arm(a), arm(b));
+                turned += (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).to_degrees();
+            }
+            let wanted = if to_the_right == front { 360.0 } else { -360.0 };
+            prop_assert!((turned - wanted).abs() < 1e-3, "turned by {} at {}", turned, height);
+        }
+        runs(&shop, &file, &all)?;
+    }
+
     #[test]
     fn a_polygon_bounds_the_lines(
         shop in shop(1), angle in mm(-90.0..90.0), spacing in mm(1.5..4.0), points in mm(0.5..1.4),
@@ -585,6 +660,245 @@ laws! {
                 prop_assert!(on_line || number == 16, "{:?} is on no line", flat);
             }
         }
+    }
+}
+
+/// A position of a file with a rotary axis: the linear axis, the angle, the tool axis.
+#[derive(Clone, Copy, Debug)]
+struct Turned {
+    x: f64,
+    angle: f64,
+    z: f64,
+    rapid: bool,
+    /// Whether only the tool axis has a word in it.
+    only_z: bool,
+}
+
+/// The movements of a file with that rotary axis.
+fn turned_blocks(text: &str, axis: char) -> Vec<Turned> {
+    let mut at = Turned { x: 0.0, angle: 0.0, z: 0.0, rapid: false, only_z: false };
+    let mut found = Vec::new();
+    for line in text.lines() {
+        let mut words = line.split_ascii_whitespace().skip(1).peekable();
+        if words.next() != Some("L") {
+            continue;
+        }
+        (at.rapid, at.only_z) = (false, true);
+        for word in words {
+            let number = || word[1..].parse().expect("a coordinate");
+            match &word[..1] {
+                "X" => (at.x, at.only_z) = (number(), false),
+                "Z" => at.z = number(),
+                "F" => at.rapid = true,
+                letter => {
+                    assert_eq!(letter, axis.to_string());
+                    (at.angle, at.only_z) = (number(), false);
+                }
+            }
+        }
+        found.push(at);
+    }
+    found
+}
+
+/// Parts on a table that turns without end about an axis through the origin, under a probe that stays at one Y.
+#[derive(Clone, Debug)]
+struct OnTable {
+    shop: Shop,
+    axis: char,
+    y: f64,
+}
+
+impl OnTable {
+    fn scene(&self) -> String {
+        let machine = format!(
+            "machine:\n  machine: 1\n  name: table\n  axes:\n    - {{axis: X, min: -999, max: 999, rapid: 9000}}\n    - {{axis: Y, min: -999, max: 999, rapid: 9000}}\n    \
+             - {{axis: Z, min: -999, max: 999, rapid: 9000}}\n  rotary:\n    - {{axis: {}, carries: workpiece, rapid: 5000}}\n",
+            self.axis
+        );
+        let scene = self.shop.scene("").replace("start: [0, 0, 90]", &format!("start: [0, {}, 90]", self.y));
+        scene.replacen("scene: 1\n", &format!("scene: 1\n{machine}"), 1)
+    }
+
+    /// How far the ball is from the part: to the workpiece the tool goes right-handed about the axis.
+    fn gap(&self, at: Turned) -> f64 {
+        let (s, c) = at.angle.to_radians().sin_cos();
+        let [x, y, z] = [at.x, self.y, at.z + self.shop.radius];
+        let seen = if self.axis == 'A' { [x, y * c - z * s, y * s + z * c] } else { [x * c - y * s, x * s + y * c, z] };
+        distance(&self.shop.parts, seen) - self.shop.radius
+    }
+
+    fn digitize(&self, range: &str, cycle: &str) -> Result<String, TestCaseError> {
+        let program = format!("0 BEGIN PGM LAW MM\nTOOL CALL 1 Z\n{range}{cycle}END PGM LAW MM\n");
+        let (outcome, _) = execute(&self.scene(), &program, None);
+        prop_assert_eq!(outcome.status, Status::Done, "{:?}\n{}\n{}", outcome.fault, program, self.scene());
+        let file = outcome.logs.iter().find(|(name, _)| name == "DATA.H").expect("the file").1.clone();
+        prop_assert!(!file.contains("BLK FORM") && !file.contains('Y'), "{}", file);
+        Ok(file)
+    }
+
+    /// Between two points a tool of the radius of the ball goes no deeper than chords of its radius and of the turning.
+    fn between(&self, from: Turned, to: Turned) -> Result<(), TestCaseError> {
+        let turn = (to.angle - from.angle).to_radians();
+        let far = (from.x.abs() + from.z.abs()).max(to.x.abs() + to.z.abs()) + self.y.abs() + self.shop.radius;
+        let chord = length([to.x - from.x, far * turn, to.z - from.z]);
+        let radius = self.shop.radius;
+        let sagitta = radius - (radius.powi(2) - chord.powi(2) / 4.0).max(0.0).sqrt() + far * turn * turn / 8.0;
+        for share in [0.2, 0.5, 0.8] {
+            let at = |a: f64, b: f64| a + (b - a) * share;
+            let middle = Turned { x: at(from.x, to.x), angle: at(from.angle, to.angle), z: at(from.z, to.z), ..to };
+            prop_assert!(
+                self.gap(middle) > -sagitta - 2.0 * WRITTEN,
+                "{} mm in the part at {:?}",
+                -self.gap(middle),
+                middle
+            );
+        }
+        Ok(())
+    }
+
+    /// The file is a program that a tool of the radius of the ball goes through to its end.
+    fn runs(&self, file: &str) -> Result<(), TestCaseError> {
+        let program = "0 BEGIN PGM MILL MM\nTOOL CALL 2 Z S4000\nL R0 F1500 M13\nCALL PGM DATA\nEND PGM MILL MM\n";
+        let (outcome, events) = execute(&self.scene(), program, Some(("DATA", file)));
+        prop_assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+        let letter = self.axis.to_string();
+        let last = events.iter().rev().find_map(|event| match &event.kind {
+            EventKind::Turn { axes, .. } => {
+                axes.iter().find(|own| own.axis.letter().to_string() == letter).map(|own| own.to)
+            }
+            _ => None,
+        });
+        let wanted = turned_blocks(file, self.axis).last().map_or(0.0, |last| last.angle);
+        prop_assert!(last.is_none_or(|last| (last - wanted).abs() < 1e-9), "{:?} and not {}", last, wanted);
+        Ok(())
+    }
+}
+
+laws! {
+    #![proptest_config(config(60))]
+
+    /// In a range with a rotary axis: lines along the linear axis, and along the rotary one.
+    #[test]
+    fn lines_with_a_rotary_axis_lie_on_the_part(
+        shop in shop(2), y in mm(-3.0..3.0), kind in 0..5_u8, spacing in mm(2.0..5.0), points in mm(0.5..2.0), travel in mm(0.0..2.0),
+        x in mm(2.0..5.0), turn in mm(4.0..25.0), from in mm(-60.0..60.0),
+    ) {
+        let table = OnTable { shop, axis: 'A', y };
+        let (least, greatest) = (from, ((from + turn) * 1000.0).round() / 1000.0);
+        let range = format!(
+            "TCH PROBE 5.0 RANGE\nTCH PROBE 5.1 PGM NAME: DATA\nTCH PROBE 5.2 Z X-{x} A{least:+} Z+0\nTCH PROBE 5.3 X+{x} A{greatest:+} Z+25\nTCH PROBE 5.4 HEIGHT: +40\n"
+        );
+        let (number, name, direction, rest) = match kind {
+            0 => (6, "MEANDER", 'X', ""),
+            1 => (6, "MEANDER", 'A', ""),
+            2 => (8, "LINE", 'X', " HEIGHT: +32"),
+            3 => (8, "LINE", 'A', " HEIGHT: +32"),
+            _ => (18, "LINE", 'X', " ANGLE: 0 HEIGHT: +32"),
+        };
+        let how = if number == 18 {
+            format!("F1000 FMIN500 MIN.L.SPAC: 0 L.SPAC: {spacing} P.SPAC: {points} TOL: 0 DIST: 1")
+        } else {
+            format!("TRAVEL: {travel} L.SPAC: {spacing} P.SPAC: {points}")
+        };
+        let cycle = format!(
+            "TCH PROBE {number}.0 {name}\nTCH PROBE {number}.1 DIRECTN: {direction}{rest}\nTCH PROBE {number}.2 {how}\n"
+        );
+        let file = table.digitize(&range, &cycle)?;
+        let (begin, end) = if direction == 'X' { (least, greatest) } else { (-x, x) };
+        let mut lines = vec![begin];
+        while let Some(last) = lines.last().copied().filter(|last| end - last > 1e-6) {
+            lines.push((last + spacing).min(end));
+        }
+        let mut seen = vec![(f64::INFINITY, f64::NEG_INFINITY); lines.len()];
+        let mut before: Option<Turned> = None;
+        for point in turned_blocks(&file, 'A') {
+            if point.rapid {
+                before = None;
+                continue;
+            }
+            let gap = table.gap(point);
+            let on_floor = point.z.abs() < WRITTEN && gap > -2.0 * WRITTEN;
+            prop_assert!(gap.abs() < 2.0 * WRITTEN || on_floor, "{} mm from the part at {:?}\n{}", gap, point, cycle);
+            let (along, across) = if direction == 'X' { (point.x, point.angle) } else { (point.angle, point.x) };
+            let line = lines.iter().position(|line| (line - across).abs() < WRITTEN);
+            prop_assert!(line.is_some() || number == 6, "{:?} is on no line", point);
+            if let Some((low, high)) = line.and_then(|line| seen.get_mut(line)) {
+                (*low, *high) = (low.min(along), high.max(along));
+            }
+            if let Some(before) = before {
+                let far = length([point.x - before.x, point.angle - before.angle, point.z - before.z]);
+                // Along the rotary axis a wall is between two points that are over each other.
+                let is_wall = (point.angle - before.angle).abs() < WRITTEN && (direction == 'A' || point.x == before.x);
+                prop_assert!(far < points + 3.0 * WRITTEN || is_wall, "{} from {:?} to {:?}\n{}", far, before, point, cycle);
+                table.between(before, point)?;
+            }
+            before = Some(point);
+        }
+        let (first, last) = if direction == 'X' { (-x, x) } else { (least, greatest) };
+        for (low, high) in seen {
+            prop_assert!((low - first).abs() < WRITTEN && (high - last).abs() < WRITTEN, "a line from {} to {}", low, high);
+        }
+        table.runs(&file)?;
+    }
+
+    /// Contour lines while the table turns once: the stylus goes to and fro along X.
+    #[test]
+    fn contour_lines_with_a_rotary_axis_go_once_around(
+        part in part(), radius in mm(1.0..4.0), at in (mm(-1.0..1.0), mm(-1.0..1.0)), y in mm(-0.5..0.5), points in mm(2.0..5.0),
+        step in mm(0.8..3.0), travel in mm(0.0..2.0), forwards in any::<bool>(), down in any::<bool>(), from in mm(-90.0..90.0),
+    ) {
+        let top = match part {
+            Part::Block { top, .. } | Part::Stud { top, .. } => top - 0.1,
+            Part::Ball { radius, below } | Part::Roll { radius, below, .. } => radius - below - 1.5,
+            Part::Hill { .. } => return Ok(()),
+        };
+        prop_assume!(top > 0.2);
+        // The axis is in the part, so that it is there at every angle.
+        if let Part::Stud { radius, .. } = part {
+            prop_assume!(radius > 2.5);
+        }
+        let top = (top * 1000.0).round() / 1000.0;
+        let table = OnTable { shop: Shop { radius, parts: vec![Placed { part, at: [at.0, at.1] }] }, axis: 'C', y };
+        let (sign, spacing) = (if forwards { '+' } else { '-' }, if down { -step } else { step });
+        let (least, greatest) = (from - 10.0, from + 350.0);
+        let program = format!(
+            "TCH PROBE 7.0 CONTOUR LINES\nTCH PROBE 7.1 TIME: 0 X+25 C{from:+}\nTCH PROBE 7.2 ORDER: X- / C{sign}\n\
+             TCH PROBE 7.3 TRAVEL: {travel} L.SPAC: {spacing:+} P.SPAC: {points}\n"
+        );
+        let range = format!(
+            "TCH PROBE 5.0 RANGE\nTCH PROBE 5.1 PGM NAME: DATA\nTCH PROBE 5.2 Z X-30 C{least:+.3} Z+0\nTCH PROBE 5.3 X+30 C{greatest:+.3} Z{top:+.3}\nTCH PROBE 5.4 HEIGHT: +40\n"
+        );
+        let file = table.digitize(&range, &program)?;
+        let all = turned_blocks(&file, 'C');
+        let mut lines: Vec<Vec<Turned>> = Vec::new();
+        for block in all.iter().filter(|block| !block.rapid) {
+            if block.only_z {
+                lines.push(Vec::new());
+            }
+            lines.last_mut().expect("a height first").push(*block);
+        }
+        prop_assert_eq!(lines.len(), (top / step + 1e-9).floor() as usize + 1);
+        for (count, line) in lines.iter().enumerate() {
+            let way = step * count as f64;
+            let height = if down { top - way } else { way };
+            // Down, the points, back along X, and back about C.
+            let (points_of_line, back) = line[1..].split_at(line.len() - 3);
+            prop_assert_eq!((back[0].x, back[1].x), (25.0, 25.0));
+            prop_assert!((back[1].angle - from).abs() < WRITTEN);
+            let (first, last) = (points_of_line[0], points_of_line[points_of_line.len() - 1]);
+            let turned = if forwards { 360.0 } else { -360.0 };
+            prop_assert!((last.angle - first.angle - turned).abs() < WRITTEN && (last.x - first.x).abs() < 2.0 * WRITTEN);
+            for pair in points_of_line.windows(2) {
+                let (a, b) = (pair[0], pair[1]);
+                prop_assert!(table.gap(b).abs() < 2.0 * WRITTEN, "{} mm from the part at {:?}", table.gap(b), b);
+                prop_assert!((b.z - height).abs() < WRITTEN);
+                prop_assert!((b.angle - a.angle) * turned >= 0.0);
+                prop_assert!(length([b.x - a.x, b.angle - a.angle, 0.0]) < points + 3.0 * WRITTEN, "{:?} {:?}", a, b);
+                table.between(a, b)?;
+            }
+        }
+        table.runs(&file)?;
     }
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use ciklo::base::diag::Source;
 use ciklo::base::expr::QRef;
 use ciklo::engine::machine::Machine;
-use ciklo::engine::run::{Engine, Outcome, Status};
+use ciklo::engine::run::{Engine, EventKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::program::syntax;
 use ciklo::tools::conform::LogTexts;
@@ -450,5 +450,37 @@ fn scatter_and_corrections_equal_those_of_an_independent_fit() {
             let found = number(&outcome, q);
             assert!((found - wanted).abs() < SAME, "case {number_of_case}: Q{q} is {found}, not {wanted}");
         }
+    }
+}
+
+/// Positions of a Hirth axis are those of its grid: the example of the manual (002:287-305), from -30 to 90 degrees in
+/// four points with teeth every 3 degrees. The backlash of such an axis is not measured.
+#[test]
+fn a_hirth_axis_stops_on_its_grid() {
+    let Built { files, catalogue, .. } = built();
+    for control in ["tnc640", "itnc530"] {
+        let on = catalogue.on(control).expect("a control");
+        let scene = "scene: 1\nmachine:\n  machine: 1\n  name: grid\n  axes:\n    - {axis: X, min: -2000, max: 2000, rapid: 20000}\n    \
+            - {axis: Y, min: -2000, max: 2000, rapid: 20000}\n    - {axis: Z, min: -2000, max: 2000, rapid: 20000}\n  rotary:\n    \
+            - {axis: C, carries: workpiece, rapid: 5000, hirth: 3}\nkinematics:\n  errors: [{axis: C, centre: [0.02, -0.03, 0]}]\n\
+            tools: [{T: 1, NAME: PROBE, L: 100, R: 2, TP_NO: 1}]\nprobe: {NO: 1, ball_radius: 2, SET_UP: 5, F: 300, FMAX: 3000, DIST: 20}\n\
+            presets: {active: 1, rows: [{NO: 1, X: 200, Y: 50, Z: -100}]}\nparts: [{solid: {sphere: {radius: 12.5}}}]\nstart: [0, 0, 100]\n";
+        let program = "TOOL CALL 1 Z\nTCH PROBE 451\nQ406=1\nQ407=12.5\nQ320=0\nQ408=100\nQ253=2000\nQ380=0\nQ411=0\nQ412=0\nQ413=0\nQ414=0\n\
+            Q415=0\nQ416=0\nQ417=0\nQ418=0\nQ419=-30\nQ420=90\nQ421=0\nQ422=4\nQ423=4\nQ431=0\nQ432=2\n";
+        let scene = Scene::parse(&Source::new("scene.yaml", scene), files).expect("a scene");
+        let tree = syntax::parse(&Source::new("HIRTH.H", program));
+        let texts = LogTexts::new(built().locales.source().expect("English"), on.id(), files);
+        let mut angles = Vec::new();
+        let outcome = Engine::new(&tree, on, &scene, &texts).run(&mut |event| {
+            if let EventKind::Turn { axes, .. } = &event.kind {
+                angles.extend(axes.iter().map(|axis| axis.to));
+            }
+        });
+        assert_eq!(outcome.status, Status::Done, "{control}: {:?}", outcome.fault);
+        assert_eq!(angles, [-30.0, 9.0, 51.0, 90.0, 0.0], "{control}");
+        let found = [number(&outcome, 147), number(&outcome, 148)];
+        assert!((found[0] - 0.02).abs() < SAME && (found[1] + 0.03).abs() < SAME, "{control}: {found:?}");
+        let log = outcome.logs.iter().find(|(name, _)| name == "TCHPR451.TXT").map(|(_, text)| text.as_str());
+        assert!(log.is_some_and(|log| log.contains("Mean backlash: -")), "{log:?}");
     }
 }

@@ -1,7 +1,7 @@
 //! Laws of regions: what belongs to a union, a difference, an intersection, a shrunk and a grown region is asked point
 //! by point, of the contours themselves, which are given as functions here and not as lines.
 use ciklo::engine::region::relief::Relief;
-use ciklo::engine::region::{Boundary, Edge, Flaw, Region, Way, clearing, formula};
+use ciklo::engine::region::{Boundary, Edge, Flaw, Nearest, Region, Way, clearing, formula};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -171,6 +171,19 @@ fn formulas() -> impl Strategy<Value = Formula> {
 
 laws! {
     #![proptest_config(cases::config(150))]
+
+    #[test]
+    fn an_index_finds_the_point_that_a_look_at_all_finds(first in star(), rest in others()) {
+        let region = built(&first, &rest);
+        let near = Nearest::of(&region);
+        for at in points().step_by(7) {
+            let (own, all) = (near.nearest(at), region.nearest(at));
+            prop_assert_eq!(own.is_some(), all.is_some());
+            if let (Some((p, far)), Some((q, other))) = (own, all) {
+                prop_assert!((far - other).abs() < 1e-9 && p.distance(q) < 1e-6, "{p} and {q} from {at}");
+            }
+        }
+    }
 
     #[test]
     fn contours_with_depths_are_machined_as_deep_as_their_formula_says(own in formulas()) {

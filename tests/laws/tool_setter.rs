@@ -171,6 +171,154 @@ laws! {
     }
 }
 
+laws! {
+    #![proptest_config(config(100))]
+
+    /// A fork head that is turned so that the tool is along the setter, wherever that faces: in a plane that is tilted
+    /// there, and with the head turned about the vertical axis only.
+    #[test]
+    fn a_tilted_head_measures_a_setter_that_faces_it(
+        shop in shop(), tilt in mm(-100.0..100.0), only_turned in any::<bool>(), teeth in any::<bool>(),
+        misaligned in (mm(-0.2..0.2), mm(-0.2..0.2)), off in (mm(-0.1..0.1), mm(-0.1..0.1), mm(-0.1..0.1)),
+    ) {
+        let shop = Shop { cube: shop.cube && !only_turned, ..shop };
+        let plain = shop.scene(None).replace("scene: 1\n", "scene: 1\nmachine: mill-head-ac\n");
+        let rotate = if only_turned { String::new() } else { format!("rotate: [{tilt}, 0, 0], ") };
+        let face = if shop.cube { "cube" } else { "diameter" };
+        let before = format!("{face}: {}}}", 2.0 * shop.half());
+        let scene = plain
+            .replace("tool_setter: {", &format!("tool_setter: {{{rotate}"))
+            .replace(&before, &format!("{face}: {}, pre_travel: 0.1}}", 2.0 * shop.half()))
+            .replace(
+                "machine_parameters: {",
+                &format!("machine_parameters: {{centerPos: [{}, {}, {}], ", shop.at.0 + off.0, shop.at.1 + off.1, shop.at.2 + off.2),
+            )
+            .replace("tools: [", &format!("tools: [{{T: 9, L: 90, R: 10, CUT: 0, misaligned: [{}, {}]}}, ", misaligned.0, misaligned.1));
+        let turn = if only_turned { format!("L C{tilt:+} R0 FMAX\n") } else { format!("PLANE SPATIAL SPA{tilt:+} SPB+0 SPC+0 TURN FMAX\n") };
+        let (check, one_by_one) = if teeth { (1, 1) } else { (0, 0) };
+        // A longer tool needs room along the tilted axis.
+        let program = format!(
+            "TOOL CALL 9 Z\n{turn}TCH PROBE 480\nQ260=100\nL IZ+150 R0 FMAX\nTOOL CALL 1 Z\nTCH PROBE 483\nQ340={check}\nQ260=100\nQ341={one_by_one}\n"
+        );
+        let (_, events) = run(&scene, &program)?;
+        if teeth {
+            let (long, wide) = (worst(shop.edges.iter().map(|edge| edge.0)), worst(shop.edges.iter().map(|edge| edge.1)));
+            near(written(&events, "DL").map(f64::abs), long.abs())?;
+            near(written(&events, "DR").map(f64::abs), wide.abs())?;
+        } else {
+            near(written(&events, "L"), shop.length + greatest(shop.edges.iter().map(|edge| edge.0)))?;
+            near(written(&events, "R"), shop.radius + greatest(shop.edges.iter().map(|edge| edge.1)))?;
+        }
+    }
+}
+
+/// The tool of a scene with more columns.
+fn with_columns(scene: &str, columns: &str) -> String {
+    scene.replace("LTOL: 0.1,", &format!("LTOL: 0.1, {columns},"))
+}
+
+laws! {
+    #![proptest_config(config(100))]
+
+    /// Ball and bull-nose cutters as the tool table has them: put aside by R-OFFS so that their lowest point meets the
+    /// face, and by L-OFFS so deep that their widest point meets the side (001:14899-14922).
+    #[test]
+    fn a_rounded_end_does_not_matter(shop in shop(), share in 0.1..1.0_f64, ball in any::<bool>()) {
+        let corner = if ball { shop.radius } else { (shop.radius * share * 1000.0).round() / 1000.0 };
+        let scene = shop.scene(Some(shop.radius - corner));
+        let scene = with_columns(&scene, &format!("R2: {corner}, L-OFFS: {corner}"));
+        let (_, events) = run(&scene, &measure(483, 0, 0))?;
+        near(written(&events, "L"), shop.length + greatest(shop.edges.iter().map(|edge| edge.0)))?;
+        near(written(&events, "R"), shop.radius + greatest(shop.edges.iter().map(|edge| edge.1)))?;
+    }
+
+    /// A tool that runs out is as wide as the circle that it cuts.
+    #[test]
+    fn a_turning_tool_that_runs_out_is_wider_by_it(shop in shop(), out in (mm(-0.2..0.2), mm(-0.2..0.2))) {
+        let scene = shop.scene(None).replace("first_edge:", &format!("misaligned: [{}, {}], first_edge:", out.0, out.1));
+        let (_, events) = run(&scene, &measure(483, 0, 0))?;
+        near(written(&events, "L"), shop.length + greatest(shop.edges.iter().map(|edge| edge.0)))?;
+        near(written(&events, "R"), shop.radius + greatest(shop.edges.iter().map(|edge| edge.1)) + out.0.hypot(out.1))?;
+    }
+
+    /// A trigger that comes late by the same each time makes tools shorter and narrower by that.
+    #[test]
+    fn a_late_trigger_is_found_as_if_the_tool_was_smaller(shop in shop(), late in mm(0.0..0.02)) {
+        let face = if shop.cube { "cube" } else { "diameter" };
+        let before = format!("{face}: {}}}", 2.0 * shop.half());
+        let scene = shop.scene(None).replace(&before, &format!("{face}: {}, scatter: [{late}]}}", 2.0 * shop.half()));
+        let (_, events) = run(&scene, &measure(483, 0, 0))?;
+        near(written(&events, "L"), shop.length + greatest(shop.edges.iter().map(|edge| edge.0)) - late)?;
+        near(written(&events, "R"), shop.radius + greatest(shop.edges.iter().map(|edge| edge.1)) - late)?;
+    }
+
+    /// A setter without a cable has no place that the control knows: the operator puts the calibration tool over it.
+    #[test]
+    fn a_setter_that_is_placed_by_hand_is_found(
+        shop in shop(), beside in (mm(-1.0..1.0), mm(-1.0..1.0)), above in mm(0.5..4.5), misaligned in (mm(-0.2..0.2), mm(-0.2..0.2)),
+        pushed in mm(0.0..0.2), half in mm(6.0..25.0),
+    ) {
+        let face = if shop.cube { "cube" } else { "diameter" };
+        let before = format!("{face}: {}}}", 2.0 * shop.half());
+        let at = (shop.at.0 + beside.0, shop.at.1 + beside.1, shop.at.2 + above);
+        let scene = shop
+            .scene(None)
+            .replace(&before, &format!("{face}: {}, pre_travel: {pushed}}}", 2.0 * half))
+            .replace("start: [0, 0, 250]", &format!("start: [{}, {}, {}]\nanswers: [continue]", at.0, at.1, at.2))
+            .replace("tools: [", &format!("tools: [{{T: 9, L: 90, R: 10, CUT: 0, misaligned: [{}, {}]}}, ", misaligned.0, misaligned.1));
+        let program = format!("TOOL CALL 9 Z\nTCH PROBE 484\n{}", measure(483, 0, 0));
+        let (_, events) = run(&scene, &program)?;
+        near(written(&events, "L"), shop.length + greatest(shop.edges.iter().map(|edge| edge.0)))?;
+        near(written(&events, "R"), shop.radius + greatest(shop.edges.iter().map(|edge| edge.1)))?;
+    }
+}
+
+/// The radius is measured, and the length is not found because the tool is put aside too far: the table of tools is what
+/// it was.
+#[test]
+fn a_fault_in_the_middle_writes_no_table() {
+    let scene = "scene: 1\nmachine_parameters: {probingFeed: 100, maxPeriphSpeedMeas: 129, measureTolerance1: 0.005, offsetToolAxis: 3, \
+        safetyDistStylus: 5}\ntool_setter: {at: [0, 0, 0], diameter: 20}\n\
+        tools: [{T: 1, L: 80, R: 5, CUT: 2, R-OFFS: 60, edges: [{length: 80.1, radius: 5.1}, {length: 80, radius: 5}]}]\nstart: [0, 0, 250]\n";
+    let Built { files, catalogue, .. } = built();
+    let on = catalogue.on("tnc640").expect("a control");
+    let scene = Scene::parse(&Source::new("scene.yaml", scene), files).expect("a scene");
+    for check in [0, 1] {
+        let tree = syntax::parse(&Source::new("LAW.H", measure(483, check, 0)));
+        let (mut touched, mut wrote) = (0, 0);
+        let outcome = Engine::new(&tree, on, &scene, &NoTexts).run(&mut |event| match &event.kind {
+            EventKind::Probe(probing) => touched += usize::from(probing.contact.is_some()),
+            EventKind::Table { .. } => wrote += 1,
+            _ => {}
+        });
+        assert_eq!(outcome.fault.map(|fault| fault.code.into_owned()).as_deref(), Some("probe-no-contact"));
+        assert_eq!((touched, wrote, outcome.tables.len()), (1, 0, 0));
+    }
+}
+
+/// While it is measured a tool turns against its cutting direction: one that cuts with M4 (DIRECT. +) with M3.
+#[test]
+fn a_tool_turns_against_its_cutting_direction() {
+    let shop = Shop {
+        length: 100.0,
+        radius: 5.0,
+        edges: vec![(0.0, 0.0), (0.0, 0.0)],
+        first: 0.0,
+        share: 0.5,
+        cube: false,
+        at: (100.0, 0.0, 0.0),
+    };
+    for (column, wanted) in [("DIRECT.: '-'", -1), ("DIRECT.: '+'", 1)] {
+        let (_, events) = run(&with_columns(&shop.scene(None), column), &measure(483, 1, 0)).expect("it is measured");
+        let turned = events.iter().filter_map(|event| match event.kind {
+            EventKind::Spindle { direction, speed, orient: None, tool: None, .. } if speed > 0.0 => Some(direction),
+            _ => None,
+        });
+        let turned: Vec<i8> = turned.filter(|direction| *direction != 0).collect();
+        assert!(!turned.is_empty() && turned.iter().all(|direction| *direction == wanted), "{column}: {turned:?}");
+    }
+}
+
 /// Speed and feed while the tool turns, by the formulas of the manual (001:14853-14897): the form, the radius, and the
 /// tolerance in multiples of the least one.
 #[test]

@@ -289,7 +289,7 @@ impl Job {
             self.radius,
             x / 2.0,
         );
-        turned_body::run(&self.program(), &text, self.ring())
+        turned_body::run(&self.program(), &text, Some(self.ring()))
     }
 
     /// A point as cuts see it, as the place on the rotary axis and the radius.
@@ -298,12 +298,9 @@ impl Job {
         DVec2::new(z, diameter / 2.0)
     }
 
-    /// The blank: from where the contour begins, as high as the tool begins; what is cut parallel to a contour begins as
-    /// no ring.
-    fn ring(&self) -> Option<Ring> {
-        if self.parallel {
-            return None;
-        }
+    /// The blank: from where the contour begins, as high as the tool begins. For cuts parallel to a contour that is more
+    /// than they reckon with.
+    fn ring(&self) -> Ring {
         let corners = self.corners();
         let low = corners.iter().map(|(at, _)| at.y).fold(0.0, f64::min);
         let end = corners.iter().map(|(at, _)| at.x).fold(0.0, f64::max);
@@ -311,15 +308,16 @@ impl Job {
         let [a, b] = ends.map(|at| self.in_half_plane(at));
         let (least, most) = (a.min(b), a.max(b));
         let hollow = self.inside || self.face && self.signs().0 > 0.0;
-        Some(Ring { z: [least.x, most.x], radii: [if hollow { least.y } else { 0.0 }, most.y] })
+        Ring { z: [least.x, most.x], radii: [if hollow { least.y } else { 0.0 }, most.y] }
     }
 
     /// Nothing of the insert was below the contour with its allowance, and finishing has left nothing where it came.
     fn leaves(&self, body: &Left, left: bool, contour: &[(DVec2, bool)]) -> Result<(), TestCaseError> {
-        body.is_sound(self.operation == 1, &self.program())?;
-        let Some(ring) = self.ring() else { return Ok(()) };
+        body.is_sound(self.operation == 1 && !self.parallel, &self.program())?;
+        let ring = self.ring();
         let by = if self.operation == 1 { self.allowance() } else { DVec2::ZERO };
-        let chord = 1.0 - (std::f64::consts::FRAC_PI_2 / 80.0).cos();
+        // Roundings of overhangs turn by more than a right angle.
+        let chord = 1.5 * (1.0 - (std::f64::consts::FRAC_PI_2 / 80.0).cos());
         for pair in contour.windows(2) {
             let ((from, first), (to, second)) = (pair[0], pair[1]);
             if from.distance(to) < 1e-3 {

@@ -127,7 +127,10 @@ impl Project for Beside<'_> {
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {
         Some(matches!(
             tool,
-            ToolName::Number(1.0) | ToolName::Name("MILL" | "TAP" | "PROBE" | "CENTRE" | "WORN" | "TWIN" | "RECESSER")
+            ToolName::Number(1.0)
+                | ToolName::Name(
+                    "MILL" | "TAP" | "PROBE" | "CENTRE" | "WORN" | "TWIN" | "RECESSER" | "INSIDE" | "OUTSIDE"
+                )
         ))
     }
 
@@ -165,6 +168,15 @@ impl Project for Beside<'_> {
 
     fn turning_type(&self, tool: ToolName<'_>) -> Option<&str> {
         (tool == ToolName::Name("RECESSER")).then_some("RECESS")
+    }
+
+    fn turning_value(&self, tool: ToolName<'_>, column: &str) -> Option<f64> {
+        // An inside tool, and one for outside that cuts towards lower Z.
+        match (tool, column) {
+            (ToolName::Name("INSIDE"), "TO") => Some(7.0),
+            (ToolName::Name("OUTSIDE"), "TO") => Some(1.0),
+            _ => None,
+        }
     }
 
     fn has_row(&self, rows: Rows<'_>, row: f64) -> Option<bool> {

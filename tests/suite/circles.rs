@@ -6,7 +6,7 @@ use super::tidy::all;
 /// A circle of imports of so many files is the largest that a reader can hold in mind.
 const MOST: usize = 4;
 
-/// The rooms of the engine, and which of the rooms before it each may use. `engine/draw.rs` is the room `draw`.
+/// The rooms of the engine, and which of the rooms before it each may use.
 const ENGINE: &[(&str, &[&str])] = &[
     ("geometry", &[]),
     ("read", &["geometry"]),
@@ -44,7 +44,6 @@ const ENGINE: &[(&str, &[&str])] = &[
         ],
     ),
     ("stock", &["geometry", "region", "machine", "solid", "scene", "report"]),
-    ("draw", &["geometry", "solid", "scene", "report", "stock"]),
 ];
 
 /// The rooms of the checker, folders and files, from the ground up: a room uses only those before it.

@@ -72,6 +72,22 @@ fn every_altered_fact_is_found() {
             "consistency-negation",
             "guard-depth-zero",
         ),
+        // What goes on with a denial denies nothing by itself.
+        (
+            "pt/milling.ftl",
+            "{ $q-second-set-up-clearance } de modo que a ferramenta não possa",
+            "{ $q-second-set-up-clearance } de modo que a ferramenta possa",
+            "consistency-negation",
+            "note-second-clearance-without-collision",
+        ),
+        // A number in one variant of a selection.
+        (
+            "fi/diag-check.ftl",
+            "[zero] Työkalu 0 ",
+            "[zero] Työkalu 1 ",
+            "consistency-number",
+            "diag-tool-definition-wrong",
+        ),
         // The label of another parameter of the same cycle, and texts of choices that changed places.
         (
             "it/parameters-machining.ftl",
@@ -110,6 +126,8 @@ fn every_altered_fact_is_found() {
             "spec-odd-q",
             "plunging-feed",
         ),
+        // A range of a word of a block that has lost its minus.
+        ("cycle-specs/language.yaml", "{word: PROPR, min: -90,", "{word: PROPR, min: 90,", "spec-empty-range", "90"),
         // A formula that adds two coordinates, and a parameter of which the run knows nothing any more.
         ("drilling/200-drilling.yaml", "floor: Q203 + Q201", "floor: Q203 + Q203", "spec-measure", "CYCL DEF 200"),
     ];

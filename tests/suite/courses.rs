@@ -18,6 +18,7 @@ fn machines() -> Vec<Machine> {
         axes: axes.to_vec(),
         rotary,
         pivot,
+        second_datum: None,
         base: DVec3::ZERO,
     };
     let (one, other) = (DVec3::new(10.0, -20.0, -50.0), DVec3::new(-7.0, 3.0, 30.0));

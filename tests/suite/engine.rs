@@ -186,7 +186,8 @@ fn names_labels_and_axes_are_read_as_they_are_checked() {
         (contour("1/2.5"), "field-unknown"),
         (lines("ORDER: Y- / X-"), "probe-missing"),
         (lines("ORDER: Y- / X"), "field-unknown"),
-        (lines("ORDER: A- / X-"), "unsupported-axis"),
+        (lines("ORDER: A- / X-"), "probe-missing"),
+        (lines("ORDER: U- / X-"), "unsupported-axis"),
         (lines("ORDER: Y-"), "field-missing"),
     ];
     for (program, code) in cases {

@@ -47,6 +47,17 @@ fn what_comes_back_as_it_went_changes_nothing() {
 }
 
 #[test]
+fn elements_that_a_tool_has_laid_out_in_lines_are_read_as_they_were() {
+    let files = files(FINNISH);
+    let text = export(&files, "fi", Form::Xliff).replace("Aja ", "Siirry ");
+    let line = "\n          ";
+    let laid_out = text.replace("<ph ", &format!("{line}<ph ")).replace(".</", &format!(".{line}</"));
+    let imported = import(&files, "fi", &laid_out);
+    assert!(imported.refused.is_empty(), "{:?}", imported.refused);
+    assert_eq!(imported.files, [("locales/fi/a.ftl".to_owned(), FINNISH.replace("Aja ", "Siirry "))]);
+}
+
+#[test]
 fn an_edit_changes_its_own_bytes_and_no_others() {
     let files = files(FINNISH);
     let edits = [
@@ -135,6 +146,11 @@ fn hostile_files_are_refused_with_a_place() {
     assert_eq!(what("<html/>"), "xliff");
     assert_eq!(what(&good.replacen("</target>", "", 1)), "form");
     assert_eq!(what("msgid \"a\nmsgstr \"b\"\n"), "form");
+    for hidden in ["\u{0}", "&#1;", "\u{202e}"] {
+        let imported = import(&files(FINNISH), "fi", &good.replace("Aja ", &format!("Aja {hidden}")));
+        assert!(matches!(&imported.refused[..], [one] if matches!(one.why, Why::NotRead)), "{imported:?}");
+        assert!(imported.files.is_empty());
+    }
     let refused = exchange::read(&good.replace("Aja ", "&a;")).unwrap_err();
     assert_eq!(good.get(refused.at..).map(|rest| rest.starts_with("Aja ")), Some(true));
 }
@@ -236,12 +252,85 @@ fn facts_and_marks_of_a_page_are_kept() {
     assert!(matches!(&unit, Some(Why::Numbers { missing, .. }) if missing == "12 mm"), "{unit:?}");
     let reference = why("kierteille", "inkrementaalisille kierteille");
     assert!(matches!(&reference, Some(Why::Numbers { foreign, .. }) if foreign == "incremental"), "{reference:?}");
+    let angle = why("12 mm:iin", "12 °:een");
+    assert!(matches!(&angle, Some(Why::Numbers { foreign, .. }) if foreign == "12 °"), "{angle:?}");
     let code = "<ph id=\"1\" equiv-text=\"[\">[</ph>työkiertoa";
     assert!(matches!(why(code, "työkiertoa"), Some(Why::Codes { .. })), "a mark is missing");
     // A sign that would be a mark is written so that it is none.
     let imported = import(&files, "fi", &text.replace("oikea<", "oikea | *kyllä*<"));
     assert!(imported.files.last().unwrap().1.contains("| oikea \\| \\*kyllä\\* |"), "{imported:?}");
     assert_eq!(import(&files, "fi", &text.replace(">eka<", "># eka<")).files.len(), 1, "no heading in an item");
+}
+
+/// Files with a language that lists its words that deny.
+fn denying() -> Vec<(String, String)> {
+    let file = |path: &str, text: &str| (path.to_owned(), text.to_owned());
+    let english = "lexicon-negation = not | no | nor+\na = It must not turn, if no tool is there.\nb = It turns.\nchoice-left = To the left\nchoice-right = To the right\n";
+    let finnish = "lexicon-negation = ei | eikä\na = Se ei saa pyöriä, jos työkalua ei ole.\nb = Se ei ei pyöri.\nchoice-left = Vasemmalle\nchoice-right = Oikealle\n";
+    vec![
+        file("locales/en/a.ftl", english),
+        file("locales/fi/a.ftl", finnish),
+        file("locales/en/topics/t.md", "# Turning\n\nIt must not turn, if no tool is there.\n"),
+        file("locales/fi/topics/t.md", "# Pyöriminen\n\nSe ei saa pyöriä, jos työkalua ei ole.\n"),
+    ]
+}
+
+#[test]
+fn a_denial_is_not_taken_out() {
+    let files = denying();
+    for form in FORMS {
+        let text = export(&files, "fi", form);
+        // In a text with two of them, and in a page.
+        let imported = import(&files, "fi", &text.replace("Se ei saa pyöriä", "Se saa pyöriä"));
+        let refused: Vec<_> = imported.refused.iter().map(|it| (it.id.split('#').next().unwrap(), &it.why)).collect();
+        assert!(
+            matches!(&refused[..], [("a", Why::Negation), ("topics/t", Why::Negation)]) && imported.files.is_empty(),
+            "{refused:?}"
+        );
+        // Where the source denies nothing, where a word was there twice, or where it is said in other words.
+        for (old, new) in [("Se ei ei pyöri", "Se ei pyöri"), ("Se ei ei pyöri", "Se pyörii"), ("Se ei saa pyöriä", "Älä pyöritä sitä")] {
+            let imported = import(&files, "fi", &text.replace(old, new));
+            assert!(imported.refused.is_empty() && !imported.files.is_empty(), "{new}: {imported:?}");
+        }
+    }
+}
+
+#[test]
+fn two_choices_do_not_change_places() {
+    let files = denying();
+    let text = export(&files, "fi", Form::Po);
+    let swapped = text.replace("Vasemmalle", "\u{1}").replace("Oikealle", "Vasemmalle").replace('\u{1}', "Oikealle");
+    let imported = import(&files, "fi", &swapped);
+    let refused: Vec<_> = imported.refused.iter().map(|it| (it.id.as_str(), &it.why)).collect();
+    assert!(
+        matches!(&refused[..], [("choice-left", Why::Swapped { other }), ("choice-right", Why::Swapped { .. })] if other == "choice-right"),
+        "{refused:?}"
+    );
+    assert!(imported.files.is_empty());
+    let better = text.replace("Vasemmalle", "Vasempaan").replace("Oikealle", "Oikeaan");
+    assert_eq!(import(&files, "fi", &better).taken, ["choice-left", "choice-right"]);
+}
+
+#[test]
+fn the_state_counts_groups_and_variants_that_are_missing() {
+    let mut files = ciklo::base::data::embedded();
+    let status = |files: &[(String, String)]| {
+        let (locales, _) = ciklo::language::locale::Locales::load(files.iter().map(|(path, text)| (path, text)));
+        let (catalogue, _) = Catalogue::load(files);
+        let meanings = ciklo::language::consistency::meanings(&catalogue);
+        exchange::status(&catalogue, &locales, &meanings, "fi").unwrap()
+    };
+    let before = status(&files);
+    let (_, english) = files.iter_mut().find(|(path, _)| path == "locales/en/drilling.ftl").unwrap();
+    assert!(english.contains("\nstep-break-chip = "), "the text is there");
+    english.push_str("step-break-chip__drilling__tnc640 = The tool retracts by 99 mm.\n");
+    let after = status(&files);
+    assert_eq!(after.total.missing, before.total.missing + 1);
+    let open = after.open.iter().find(|open| open.key == "step-break-chip__drilling__tnc640").unwrap();
+    assert_eq!((open.state, open.file.as_str()), (exchange::State::Missing, "drilling.ftl"));
+    let more = |group: &str| after.groups[group].missing - before.groups[group].missing;
+    assert_eq!((more("drilling"), more("datum")), (1, 0), "{:?}", after.groups.keys());
+    assert_eq!(after.groups["drilling"].words_to_do, before.groups["drilling"].words_to_do + 5);
 }
 
 #[test]

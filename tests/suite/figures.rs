@@ -109,6 +109,13 @@ fn a_moment_that_never_comes_is_an_error() {
 }
 
 #[test]
+fn two_figures_of_the_same_name_are_an_error() {
+    // Both rows show the values 0 and 1: each of the second one would be written over one of the first.
+    let found = altered(220, "name: between-holes", "name: traverse");
+    assert_eq!(found, ["figure-name-taken", "figure-name-taken"]);
+}
+
+#[test]
 fn a_clearance_is_shown_with_what_the_touch_probe_adds() {
     let sum = "{q: Q320, plus: set-up, ";
     assert_eq!(altered(419, sum, sum), Vec::<&str>::new());

@@ -12,8 +12,8 @@ use ciklo::engine::region::contours::Contour;
 use ciklo::engine::region::{Edge, Way};
 use ciklo::engine::run::Fault;
 use ciklo::engine::strategy::action::{
-    Calibrated, Course, Felt, Function, Kept, Kinematics, KnownSetter, Probe, Probing, Programs, Rotary, RotaryAxes,
-    Running, Spindle, Stopped, Stylus, System, Tables, ToolSetter, Turntable,
+    Calibrated, Coordinate, Course, Felt, Function, Kept, Kinematics, KnownSetter, Probe, Probing, Programs, Rotary,
+    RotaryAxes, Running, Spindle, Stopped, Stylus, System, Tables, ToolSetter, Turntable,
 };
 use ciklo::engine::strategy::contour::{self, Contours};
 use ciklo::engine::strategy::digitized::Digitizing;
@@ -246,7 +246,24 @@ impl Stylus for Notebook {
         &mut self.digitizing
     }
 
-    fn check_coordinates(&self, _: bool) -> Result<(), Fault> {
+    fn coordinates(&self, _: &str) -> Vec<Coordinate> {
+        [Axis::X, Axis::Y, Axis::Z].map(|axis| Coordinate { axis, rotary: false, value: 0.0 }).to_vec()
+    }
+
+    fn feel_turned(&self, _: (RotaryAxis, f64), _: DVec3, _: DVec3) -> Result<Option<Felt>, Fault> {
+        Ok(None)
+    }
+
+    fn touches_while_turning(&self, _: (RotaryAxis, f64), _: DVec3) -> Result<bool, Fault> {
+        Ok(false)
+    }
+
+    fn way_in_degree(&self, _: RotaryAxis, _: DVec3) -> Result<DVec3, Fault> {
+        Ok(DVec3::ZERO)
+    }
+
+    fn fly_turning(&mut self, (axis, angle): (RotaryAxis, f64), to: DVec3, feed: Option<f64>) -> Done {
+        self.done.push(format!("fly to {to} at {feed:?}, {} {angle}", axis.letter()));
         Ok(())
     }
 
@@ -375,6 +392,10 @@ fn a_memory_is_overwritten_and_the_last_one_is_not_exceeded() {
 }
 
 impl ToolSetter for Notebook {
+    fn setter_frame(&self) -> Result<Frame, Fault> {
+        Ok(Frame::IDENTITY)
+    }
+
     fn setter(&self) -> Result<KnownSetter, Fault> {
         Ok(KnownSetter { at: DVec3::new(300.0, 200.0, -50.0), radius: 20.0, is_round: true })
     }
@@ -417,8 +438,8 @@ impl ToolSetter for Notebook {
         Ok(false)
     }
 
-    fn first_edge(&self) -> f64 {
-        0.0
+    fn first_edge(&self) -> Result<f64, Fault> {
+        Ok(0.0)
     }
 }
 

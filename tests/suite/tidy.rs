@@ -99,6 +99,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "check",
             "tools::translate",
             "tools::conform",
+            "tools::exchange",
         ],
     ),
     ("system", &["base::diag"]),

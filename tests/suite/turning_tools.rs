@@ -308,10 +308,163 @@ fn undercuts_have_the_shapes_of_the_standard() {
         &way,
         &[(0.0, 20.0), (-19.5, 20.0), (-20.0, 19.5), (-20.0, 17.0), (-30.0, 17.0), (-30.0, 30.0), (-40.0, 30.0)],
     );
-    for refused in ["UDC TYPE_H R1 BREADTH10 ANGLE10", "UDC TYPE_U DEPTH3 BREADTH10 ANGLE5", "UDC THREAD PITCH2"] {
+    for refused in ["UDC TYPE_G R1", "UDC TYPE_U DEPTH3 BREADTH10 ANGLE5", "UDC TYPE_K BREADTH2", "GRV CONTOUR CENTER2"]
+    {
         let program = format!("TOOL CALL 1 Z F200\nFUNCTION MODE TURN\nL X+40 Z+0 FMAX\nL Z-30\n{refused}\nL X+60\n");
         let (outcome, _) = run(&program, "start: [60, 0, 50]");
         assert_eq!(outcome.status, Status::Unsupported, "{refused}");
+    }
+}
+
+#[test]
+fn undercuts_of_the_other_forms() {
+    let tan = |degrees: f64| degrees.to_radians().tan();
+    // Form H: a slope of 30 degrees from 10 mm before the face, and an arc of 2 mm that turns by 30 and by 90 degrees.
+    let (way, angles) = undercut("UDC TYPE_H R2 BREADTH10 ANGLE30");
+    let depth = 10.0 * tan(30.0);
+    // The angle between slope and face is 60 degrees: the tangents are 2 / tan 30 long.
+    let (cut, slope) = (2.0 / tan(30.0), 30.0_f64.to_radians());
+    same_way(
+        &way,
+        &[
+            (0.0, 20.0),
+            (-20.0, 20.0),
+            (-30.0 + cut * slope.cos(), 20.0 - depth + cut * slope.sin()),
+            (-30.0, 20.0 - depth + cut),
+            (-30.0, 30.0),
+            (-40.0, 30.0),
+        ],
+    );
+    assert!((angles[0].abs() - 120.0).abs() < 1e-9, "{angles:?}");
+    // Form K at 45 degrees, sides 60 degrees apart, sharp, 3 mm deep along the axis: the sides leave the point at 15 degrees
+    // and at 75 degrees to the axis.
+    let (way, _) = undercut("UDC TYPE_K R0 DEPTH3 ANG_WIDTH60");
+    let reach = 3.0 / tan(15.0) - 3.0;
+    same_way(
+        &way,
+        &[(0.0, 20.0), (-30.0 + reach, 20.0), (-33.0, 17.0), (-30.0, 20.0 + reach), (-30.0, 30.0), (-40.0, 30.0)],
+    );
+    // With a round ground nothing comes further than 3 mm times the root of 2 from the corner.
+    let (way, angles) = undercut("UDC TYPE_K R0.5 DEPTH3 ROT45 ANG_WIDTH60");
+    assert!((angles[0].abs() - 120.0).abs() < 1e-9, "{angles:?}");
+    let far = 3.0 * 2.0_f64.sqrt();
+    let centre = (-30.0 - (far - 0.5) / 2.0_f64.sqrt(), 20.0 - (far - 0.5) / 2.0_f64.sqrt());
+    for point in &way[2..4] {
+        assert!(((point.0 - centre.0).hypot(point.1 - centre.1) - 0.5).abs() < 1e-9, "{point:?}");
+    }
+    // The undercut of a thread of 1.5 mm by DIN 76: 2.3 less in diameter, 5.2 broad, 0.8 of radius, 30 degrees.
+    let (way, angles) = undercut("UDC THREAD PITCH1.5 R0");
+    let down = 1.15 / tan(30.0);
+    same_way(&way, &[(0.0, 20.0), (-24.8, 20.0), (-24.8 - down, 18.85), (-30.0, 18.85), (-30.0, 30.0), (-40.0, 30.0)]);
+    assert!(angles.is_empty());
+    let (_, angles) = undercut("UDC THREAD PITCH1.5");
+    let turned: Vec<f64> = angles.iter().map(|angle| (angle.abs() * 1e6).round() / 1e6).collect();
+    assert_eq!(turned, [30.0, 90.0]);
+    // A pitch that the standard lacks has no sizes.
+    let program = "TOOL CALL 1 Z F200\nFUNCTION MODE TURN\nL X+40 Z+0 FMAX\nL Z-30\nUDC THREAD PITCH1.6\nL X+60\n";
+    let (outcome, _) = run(program, "start: [60, 0, 50]");
+    assert_eq!(outcome.fault.map(|fault| fault.code.to_string()).as_deref(), Some("undercut-impossible"));
+}
+
+/// A contour that is described the other way round has the same undercut.
+#[test]
+fn an_undercut_does_not_depend_on_the_direction_of_the_contour() {
+    for form in
+        ["TYPE_E", "TYPE_F R0.4", "TYPE_H R1 BREADTH6 ANGLE20", "TYPE_K R0.5 DEPTH1 ANG_WIDTH40", "THREAD PITCH2"]
+    {
+        let (there, _) = undercut(&format!("UDC {form}"));
+        let program = format!(
+            "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nL X+60 Z-40 R0 FMAX\nL Z-30 F200\nL X+40\nUDC {form}\nL Z+0\n"
+        );
+        let (outcome, events) = run(&program, "turning_tools: [{T: 1, ZL: 100, TO: 1}]\nstart: [60, 0, 50]");
+        assert_eq!(outcome.status, Status::Done, "{form}: {:?}", outcome.fault);
+        let mut back: Vec<(f64, f64)> = ends(&events).iter().map(|(to, _)| (to.z, to.x)).collect();
+        back.reverse();
+        same_way(&back, &there);
+    }
+}
+
+#[test]
+fn recesses_lie_in_the_element_before_them() {
+    // 10 wide about Z-15 and 5 deep, to the left of a contour that goes to lower Z: inwards. Chamfers of 1 at both edges.
+    let (way, _) = undercut("GRV RADIAL CENTER-15 DEPTH-5 BREADTH10 CHF1 FAR_CHF1");
+    same_way(
+        &way,
+        &[
+            (0.0, 20.0),
+            (-9.0, 20.0),
+            (-10.0, 19.0),
+            (-10.0, 15.0),
+            (-20.0, 15.0),
+            (-20.0, 19.0),
+            (-21.0, 20.0),
+            (-30.0, 20.0),
+            (-30.0, 30.0),
+            (-40.0, 30.0),
+        ],
+    );
+    // Down to a diameter of 32 with walls that are 40 degrees apart, so 20 degrees each.
+    let (way, angles) = undercut("GRV RADIAL CENTER-15 DIAM32 BREADTH10 ANG_WIDTH40 R0.5 RND1");
+    let lean = 4.0 * 20.0_f64.to_radians().tan();
+    assert!(way.iter().all(|(_, x)| *x >= 16.0 - 1e-9) && way.iter().any(|(_, x)| (*x - 16.0).abs() < 1e-9));
+    let turned: Vec<f64> = angles.iter().map(|angle| (angle.abs() * 1e6).round() / 1e6).collect();
+    assert_eq!(turned, [70.0, 70.0, 70.0]);
+    let near = |point: (f64, f64)| way.iter().any(|own| (own.0 - point.0).hypot(own.1 - point.1) < 1e-9);
+    assert!(near((-20.0, 20.0)), "{way:?}");
+    let tangent = 0.5 * 35.0_f64.to_radians().tan();
+    assert!(near((-10.0 - lean - tangent, 16.0)) && near((-20.0 + lean + tangent, 16.0)), "{way:?}");
+    // In a face: the contour goes outwards at Z-30, and the part is to its left, at lower Z.
+    let program = "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nL X+20 Z-30 R0 FMAX\nL X+60 F200\n\
+                   GRV AXIAL CENTER+40 DEPTH-3 BREADTH6\nL Z-40\n";
+    let (outcome, events) = run(program, "turning_tools: [{T: 1, ZL: 100, TO: 1}]\nstart: [60, 0, 50]");
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let way: Vec<(f64, f64)> = ends(&events).iter().map(|(to, _)| (to.z, to.x)).collect();
+    same_way(
+        &way,
+        &[(-30.0, 10.0), (-30.0, 17.0), (-33.0, 17.0), (-33.0, 23.0), (-30.0, 23.0), (-30.0, 30.0), (-40.0, 30.0)],
+    );
+    for missing in ["GRV RADIAL DEPTH-5 BREADTH10", "GRV RADIAL CENTER-15 BREADTH10", "GRV RADIAL CENTER-15 DEPTH-5"] {
+        let program = format!("TOOL CALL 1 Z F200\nFUNCTION MODE TURN\nL X+40 Z+0 FMAX\nL Z-30\n{missing}\nL X+60\n");
+        let (outcome, _) = run(&program, "start: [60, 0, 50]");
+        assert_eq!(
+            outcome.fault.map(|fault| fault.code.to_string()).as_deref(),
+            Some("recess-impossible"),
+            "{missing}"
+        );
+    }
+}
+
+/// `CUTLENGTH` of the table of turning tools is the length of the edges, and not `LCUTS` of the tool table.
+#[test]
+fn the_table_of_turning_tools_says_how_long_the_edges_are() {
+    let length = |tools: &str| {
+        let program = "TOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\nL X+75 Z+2 R0 FMAX\nCYCL DEF 811\nQ215=2\nQ460=2\n\
+                       Q493=50\nQ494=-55\nQ463=3\nQ478=200\nQ483=0\nQ484=0\nQ505=100\nQ506=0\nCYCL CALL\n";
+        let (outcome, events) = run(program, &format!("{tools}\nstart: [60, 0, 50]"));
+        assert_eq!(outcome.status, Status::Done, "{tools}: {:?}", outcome.fault);
+        let insert = events.iter().map(Event::to_json).find(|event| event["event"] == "insert").expect("an insert");
+        insert["length"].as_f64().expect("a length")
+    };
+    let tool = "tools: [{T: 1, L: 100, R: 0, LCUTS: 8}]";
+    assert_eq!(length("turning_tools: [{T: 1, ZL: 100, RS: 0.4, TO: 1, CUTLENGTH: 12}]"), 12.0);
+    assert_eq!(length(&format!("{tool}\nturning_tools: [{{T: 1, ZL: 100, RS: 0.4, TO: 1, CUTLENGTH: 12}}]")), 12.0);
+    assert_eq!(length(&format!("{tool}\nturning_tools: [{{T: 1, ZL: 100, RS: 0.4, TO: 1}}]")), 8.0);
+    assert_eq!(length(tool), 8.0);
+}
+
+/// The name after the mode is that of the kinematics: of the machine of the scene.
+#[test]
+fn the_mode_may_name_the_kinematics_of_the_machine() {
+    for (block, status) in [
+        ("FUNCTION MODE TURN", Status::Done),
+        ("FUNCTION MODE TURN \"mill-turn\"", Status::Done),
+        ("5 FUNCTION MODE TURN \"MILL-TURN\" ;\"other\"", Status::Done),
+        ("FUNCTION MODE MILL \"MILL-TURN\"", Status::Done),
+        ("FUNCTION MODE TURN \"AC_TURN\"", Status::Unsupported),
+    ] {
+        let (outcome, _) =
+            run(&format!("TOOL CALL 1 Z\n{block}\nM30\n"), "machine: mill-turn\ntools: [{T: 1, L: 100, R: 2}]");
+        assert_eq!(outcome.status, status, "{block}: {:?}", outcome.fault);
     }
 }
 

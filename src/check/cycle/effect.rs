@@ -4,7 +4,7 @@
 use super::aspect::{Aspect, Tri};
 use crate::base::expr::{Code, Env, OnlyParameters, QRef, compile};
 use crate::spec::{
-    Action, Argument, Body, Cycle, Group, Item, Keyword, Known as Of, TakesEffect, Transformation, Verb,
+    Action, Argument, Body, Cycle, Group, Item, Keyword, Known as Of, Quantity, TakesEffect, Transformation, Verb,
 };
 
 /// What the definitions of a cycle do.
@@ -156,6 +156,8 @@ impl Effect {
         }
         match cycle.file.takes_effect {
             TakesEffect::OnCall => self.pends = Some(true),
+            // What only changes coordinates or names a contour moves nothing, unless it states a feed.
+            TakesEffect::OnDefinition if !moves(cycle) => {}
             TakesEffect::OnDefinition => self.aspects.push((Aspect::Feed, Tri::Unknown.into())),
         }
         self.results.extend(cycle.file.results.iter().filter_map(|results| results.q));
@@ -239,6 +241,12 @@ impl Effect {
     }
 }
 
+/// Whether a cycle that acts when it is defined may move the tool, or leave a feed behind.
+fn moves(cycle: &Cycle) -> bool {
+    !matches!(cycle.file.group, Group::Transforms | Group::Contours)
+        || cycle.params.iter().any(|param| param.quantity == Quantity::Feed)
+}
+
 /// Whether the spindle is stopped after a call of a cycle.
 pub(in crate::check) fn stops_spindle(cycle: &Cycle) -> bool {
     Effect::of_cycle(cycle).stops_spindle
@@ -267,7 +275,7 @@ fn aspect(transformation: Transformation) -> Aspect {
 }
 
 /// All actions of a step.
-fn actions<'c>(item: &'c Item, found: &mut Vec<&'c Action>) {
+pub(super) fn actions<'c>(item: &'c Item, found: &mut Vec<&'c Action>) {
     let body: &Body = &item.body;
     let cases = item.choose.iter().flat_map(|case| &case.actions);
     found.extend(body.actions.iter().chain(&item.then).chain(cases));

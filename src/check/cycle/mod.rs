@@ -6,6 +6,7 @@ mod aspect;
 mod effect;
 mod guard;
 mod labels;
+mod turns;
 
 pub use aspect::{Aspect, Tri};
 pub(super) use effect::{Effect, Then, probes, removes_material, stops_spindle};
@@ -13,3 +14,4 @@ pub(super) use guard::{OFF, Ready, STATES, aspect_of, guards_of, read_as, replac
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels};
 pub(super) use labels::{Kept, LabelLanguages, fold};
 pub(crate) use labels::{is_label, is_label_by_place};
+pub(super) use turns::Turns;

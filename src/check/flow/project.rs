@@ -37,6 +37,10 @@ pub trait Project: Sync {
     fn turning_type(&self, _tool: ToolName<'_>) -> Option<&str> {
         None
     }
+    /// A number of a turning tool, as the table of turning tools has it, lengths in mm; nothing if none is known.
+    fn turning_value(&self, _tool: ToolName<'_>, _column: &str) -> Option<f64> {
+        None
+    }
     /// What the machine can do, as far as anything is known of that.
     fn machine(&self) -> Option<&Machine> {
         None

@@ -29,6 +29,8 @@ pub struct Run {
     pub calls: Vec<CycleCall>,
     /// Parameters that are read and have no value on any way, with their places.
     pub unset: Vec<(QRef, Span)>,
+    /// The first movement at feed before any feed, as far as the run can only go one way.
+    pub unfed: Option<usize>,
     /// Formulas that have no result on any way, with their places and why.
     pub failing: Vec<(Span, &'static str)>,
     /// The places of parameters that are certainly zero or negative, or are read negated.

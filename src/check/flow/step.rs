@@ -9,8 +9,8 @@ use crate::base::expr::{Code, EvalError, Expr, OnlyParameters, QKind, compile};
 use crate::check::cycle::{Aspect, Tri};
 use crate::check::program::{Hides, Reading, each_function, hides};
 use crate::program::syntax::{
-    Amount, Axis, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, NamedWord, Operand,
-    Path, Program, Statement, StatementKind, ToolRef, ValueKind,
+    Amount, Axis, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, IsoKind, NamedWord,
+    Operand, Path, Program, Statement, StatementKind, ToolRef, ValueKind,
 };
 
 /// What stepping needs besides the state.
@@ -261,6 +261,12 @@ impl<'f, 'a> Steps<'f, 'a> {
                 state.modal.loaded = Loaded::Unknown;
             }
             Hides::Assignment(parameters) => parameters.into_iter().for_each(|q| state.set(q, Known::Unknown)),
+            // A definition of a cycle sets no centre.
+            Hides::Anything if matches!(&block.kind, BlockKind::Iso(own) if matches!(own.kind, IsoKind::Cycle(_))) => {
+                let pole = state.modal.is(Aspect::Pole);
+                state.forget();
+                state.modal.set(Aspect::Pole, pole);
+            }
             Hides::Movement | Hides::Anything => state.forget(),
         }
     }
@@ -317,6 +323,11 @@ impl<'f, 'a> Steps<'f, 'a> {
                     _ => {}
                 }
             }
+            // It is what holds already.
+            StatementKind::Function
+                if word(0) == "FUNCTION"
+                    && (word(1), word(2)) == ("MODE", "MILL")
+                    && state.modal.is(Aspect::Turning) == Tri::No => {}
             StatementKind::Function if word(0) == "FUNCTION" && matches!(word(1), "MODE" | "TURNDATA") => {
                 for aspect in [
                     Aspect::Unstarted,

@@ -12,7 +12,8 @@ use super::step::Steps;
 use super::trace;
 use crate::base::diag::Span;
 use crate::base::expr::QRef;
-use crate::check::program::{calls_in, reads, stops};
+use crate::check::cycle::{Aspect, Tri};
+use crate::check::program::{calls_in, needs_feed, reads, stops};
 use crate::program::syntax::{BlockKind, Motion, Path};
 
 /// How often a block may be looked at on average.
@@ -400,7 +401,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         let blocks = self.steps.program.blocks();
         let mut words = Motion::new(Path::L);
         let (mut read, mut calls, mut seen) = (Vec::new(), Vec::new(), HashSet::<Modal>::new());
-        run.unset = self.first_pass();
+        (run.unset, run.unfed) = self.first_pass();
         for (at, first) in self.graph.leaders.iter().enumerate() {
             let nodes = (at, Caller::Nobody)..=(at, Caller::Use(usize::MAX));
             let mut states: Vec<State> = self.entries.range(nodes).map(|(_, state)| state.clone()).collect();
@@ -476,13 +477,15 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         run
     }
 
-    /// The parameters that have no value when the run comes to them first, as far as it can only go one way.
-    fn first_pass(&self) -> Vec<(QRef, Span)> {
+    /// The parameters that have no value when the run comes to them first, as far as it can only go one way, and the
+    /// first movement at feed on it that comes before any feed.
+    fn first_pass(&self) -> (Vec<(QRef, Span)>, Option<usize>) {
         let blocks = self.steps.program.blocks();
-        let Some(mut state) = self.entries.get(&(0, Caller::Nobody)).cloned() else { return Vec::new() };
+        let Some(mut state) = self.entries.get(&(0, Caller::Nobody)).cloned() else { return Default::default() };
         if !state.may_be_unset() {
-            return Vec::new();
+            return Default::default();
         }
+        let mut unfed = None;
         let (mut found, mut read, mut back) = (Vec::new(), Vec::new(), Vec::new());
         let mut index = 0;
         let mut patience = blocks.len().saturating_mul(4).saturating_add(10_000);
@@ -494,6 +497,9 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             read.clear();
             reads(block, &mut read);
             found.extend(read.iter().filter(|(q, _)| state.get(*q) == Known::Unset).copied());
+            if state.modal.is(Aspect::Feed) == Tri::No && needs_feed(block) {
+                unfed = unfed.or(Some(index));
+            }
             self.steps.step(index, block, &mut state);
             index += 1;
             match self.graph.end(index - 1, block) {
@@ -508,7 +514,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
                 }
             }
         }
-        found
+        (found, unfed)
     }
 }
 

@@ -2,7 +2,7 @@
 use crate::base::diag::Span;
 use crate::base::expr::{Node, QRef};
 use crate::program::syntax::{
-    Amount, Block, BlockKind, CallForm, CycleKeyword, Feed, FeedKind, Label, MFunction, Motion, Operand, Program,
+    Amount, Block, BlockKind, CallForm, CycleKeyword, Feed, FeedKind, Label, MFunction, Motion, Operand, Path, Program,
     Relation, ToolRef, ValueKind,
 };
 
@@ -43,6 +43,13 @@ pub(in crate::check) fn stops(block: &Block) -> bool {
     let mut ends = matches!(block.kind, BlockKind::EndPgm(_));
     each_function(block, |number| ends |= matches!(number, 2 | 30));
     ends
+}
+
+/// Whether a block moves at the feed that was programmed before it.
+pub(in crate::check) fn needs_feed(block: &Block) -> bool {
+    let BlockKind::Motion(motion) = &block.kind else { return false };
+    let moves = !matches!(motion.path(), Path::Cc | Path::Fpol) && motion.outline().has_coords();
+    moves && !motion.outline().has_feed() && !motion.outline().is_rapid()
 }
 
 /// The parameters that a block reads, with their places.

@@ -11,7 +11,7 @@ mod unread;
 mod values;
 pub(super) mod words;
 
-pub(super) use blocks::{calls_in, each_function, is_silent, reads, stops};
+pub(super) use blocks::{calls_in, each_function, is_silent, needs_feed, reads, stops};
 pub(super) use definition::with_meaning;
 pub use definition::{Defined, Definition};
 pub use item::Item;

@@ -5,7 +5,7 @@
 //! and Y. Silent at free contours and around blocks that may be skipped.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::contours::led;
-use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::check::{Aspect, Facts, Rule, Tri, Way};
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, Element, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "corner-wrong", severity: Severity::Warning, run };
@@ -34,7 +34,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let text = facts.text(facts.content(block));
             block.is_unread() && text.get(..4).is_some_and(|own| own.eq_ignore_ascii_case("APPR"))
         };
-        if motion.path() == Path::Chf && before.first().is_some_and(begun) {
+        let first = motion.path() == Path::Chf && before.first().is_some_and(begun);
+        if first || before.first().is_some_and(|block| begins_contour(facts, block)) {
             let finding = rule.at(facts, facts.content(block)).arg("what", "first").arg("least", Arg::Number(0.0));
             found.push(Diagnostic { severity: Severity::Error, ..finding });
             continue;
@@ -46,6 +47,17 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(Diagnostic { severity, ..finding });
         }
     }
+}
+
+/// Whether a block sets the label of a contour that only cycles read.
+fn begins_contour(facts: &Facts<'_>, block: &Block) -> bool {
+    if !matches!(block.kind, BlockKind::Lbl(_)) {
+        return false;
+    }
+    let graph = &facts.run.graph;
+    let here = facts.program.blocks().iter().position(|own| std::ptr::eq(own, block));
+    let mut uses = graph.uses.iter().filter(|own| own.mark.as_ref().and_then(|mark| graph.block_of(mark)) == here);
+    uses.next().is_some_and(|first| first.way == Way::Named && uses.all(|own| own.way == Way::Named))
 }
 
 /// Whether a block is more than a comment.

@@ -124,6 +124,7 @@ impl<'a> Other<'a> {
             found.push(tell(place, what).arg("message", sentence.unwrap_or_else(|| code.clone())));
         }
         super::doubtful_value::each(&super::doubtful_value::RULE, facts, &read, found);
+        super::clearance_height_too_low::each(&super::clearance_height_too_low::RULE, facts, &read, found);
     }
 
     /// Whether a parameter that the cycle does not have belongs to another one, or comes before one that it has.

@@ -1,5 +1,6 @@
 //! A pocket, a stud, a slot or a place of a contour that is so far from the blank that nothing of it is machined there, a
-//! round pocket that the edge of the blank cuts, a rectangular one that leaves nothing of it.
+//! round pocket that the edge of the blank cuts, a rectangular one that leaves nothing of it or goes far beyond it at both
+//! ends.
 //!
 //! Only at places that are known, in programs with a box as their blank and without transformations. Each is said once a
 //! program.

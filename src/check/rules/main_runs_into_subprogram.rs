@@ -1,6 +1,6 @@
 //! The main part runs into a subprogram, because neither M2 nor M30 comes before it.
 //!
-//! Nothing is reported of an M2 or M30 that may be skipped: a program that others call is left there on purpose. Only
+//! A contour that a cycle reads is a subprogram, too. Nothing is reported of an M2 or M30 that may be skipped: a program that others call is left there on purpose. Only
 //! reported where the subprogram is called before, is not jumped to, and only subprograms or the end of the program
 //! follow it: a subprogram that comes before its calls may be meant to be executed once on the way.
 use std::collections::BTreeMap;
@@ -22,7 +22,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for own in &graph.uses {
         if let Some(mark) = &own.mark {
             let before = graph.block_of(mark).is_some_and(|at| own.block < at);
-            *called.entry(mark).or_insert(true) &= own.way == Way::Call && before;
+            *called.entry(mark).or_insert(true) &= matches!(own.way, Way::Call | Way::Named) && before;
         }
     }
     for (mark, set) in &graph.labels {

@@ -1,6 +1,7 @@
 //! Values in a program in inches that look like millimetres: feeds above 10 m/min, feeds of contours with RL or RR, and
 //! of cycles that plunge, of more than a millimetre a revolution, feeds with which a tool mills fifty times as fast as
-//! it cuts elsewhere, a blank of more than 3 m, a depth of several times the height of the blank.
+//! it cuts elsewhere, a blank of more than 3 m, a depth of several times the height of the blank, a thread with less than
+//! two turns an inch.
 //!
 //! Every block with such a feed is reported, and once there is one also those whose feed is too great for a movement
 //! that cuts, of which no one can say whether it does. Feeds that stand for rapid traverse (9998 and more) are passed
@@ -31,6 +32,10 @@ const FARTHEST: f64 = 120.0;
 const DEPTH: &str = "depth";
 const DEEPEST: f64 = 4.0;
 
+/// The meaning of the pitch of a thread, and the greatest one that any thread in inches has.
+const PITCH: &str = "thread-pitch";
+const STEEPEST: f64 = 0.5;
+
 /// The feeds of one tool, as far as the program has been read.
 #[derive(Default)]
 struct Feeds {
@@ -52,6 +57,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut feeds = Feeds::default();
     let mut corner: Option<(Span, f64)> = None;
     let (mut lowest, mut height) = (None, None);
+    let mut pitches = Vec::new();
     for (index, block) in facts.program.blocks().iter().enumerate() {
         match &block.kind {
             BlockKind::Motion(motion) if motion.outline().has_feed() => {
@@ -67,6 +73,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
             BlockKind::CycleDef(cycle) => {
                 feeds.of_cycle(related(index), cycle);
+                pitches.extend(related(index).and_then(|related| too_steep(related, cycle)));
                 feeds
                     .found
                     .extend(height.zip(related(index)).and_then(|(height, related)| too_deep(related, cycle, height)));
@@ -94,8 +101,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !feeds.found.is_empty() {
         feeds.found.append(&mut feeds.doubtful);
     }
-    for (span, value) in corner.into_iter().chain(feeds.found) {
+    for (span, value) in corner.into_iter().chain(feeds.found).chain(pitches) {
         found.push(rule.at(facts, span).arg("value", Arg::Number(value)));
+    }
+}
+
+/// The pitch of a thread that has less than two turns an inch.
+fn too_steep(cycle: &Cycle, written: &CycleDef) -> Option<(Span, f64)> {
+    let q = with_meaning(cycle, PITCH)?.q?;
+    let own = written.parameters.iter().find(|own| own.q == q)?;
+    match own.value.kind {
+        ValueKind::Number(number) if number.abs() > STEEPEST => Some((own.value.span, number)),
+        _ => None,
     }
 }
 

@@ -64,6 +64,7 @@ mod functions_contradict;
 mod global_def_wrong;
 mod guard;
 mod hole_outside_blank;
+mod insert_points_away;
 mod iso_incomplete;
 mod label_duplicate;
 mod label_of_another_language;
@@ -152,9 +153,11 @@ mod tool_not_changed;
 mod tool_not_listed;
 mod tool_table_contradicts;
 mod tool_unused;
+mod tool_zero;
 mod transfer_parameter_overwritten;
 mod transformation_forbidden;
 mod transformation_left_on;
+mod transformation_without_effect;
 mod turning_system_missing;
 mod two_signs;
 mod unknown_cycle;
@@ -237,6 +240,7 @@ pub const RULES: &[&Rule] = &[
     &global_def_wrong::RULE,
     &guard::RULE,
     &hole_outside_blank::RULE,
+    &insert_points_away::RULE,
     &iso_incomplete::RULE,
     &label_duplicate::RULE,
     &label_of_another_language::RULE,
@@ -325,9 +329,11 @@ pub const RULES: &[&Rule] = &[
     &tool_not_listed::RULE,
     &tool_table_contradicts::RULE,
     &tool_unused::RULE,
+    &tool_zero::RULE,
     &transfer_parameter_overwritten::RULE,
     &transformation_forbidden::RULE,
     &transformation_left_on::RULE,
+    &transformation_without_effect::RULE,
     &turning_system_missing::RULE,
     &two_signs::RULE,
     &unknown_cycle::RULE,

@@ -1,15 +1,16 @@
 //! A milling cycle that is called while the control certainly turns, a turning cycle or FUNCTION TURNDATA while it
 //! certainly mills.
 //!
-//! FUNCTION MODE TURN and FUNCTION MODE MILL choose. Reported once for each way; a machine may have other ways to
-//! choose, and what is not certain is passed over.
+//! FUNCTION MODE TURN and FUNCTION MODE MILL choose. The control stops at such a call with an error (TNC 640, 001: 7302);
+//! FUNCTION TURNDATA has no effect there, which is a warning. Reported once for each way; a machine may have other ways
+//! to choose, and what is not certain is passed over.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::removes_material;
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{BlockKind, StatementKind};
 use crate::spec::Group;
 
-pub(super) const RULE: Rule = Rule { code: "mode-wrong", severity: Severity::Warning, run };
+pub(super) const RULE: Rule = Rule { code: "mode-wrong", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let turns = |own: &Defined<'_>| own.related_cycle().is_some_and(|cycle| cycle.file.group == Group::Turning);
@@ -33,6 +34,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let text = facts.text(facts.content(block)).to_ascii_uppercase();
             if text.starts_with("FUNCTION TURNDATA") {
                 let finding = rule.at(facts, facts.content(block)).arg("what", "data");
+                let finding = Diagnostic { severity: Severity::Warning, ..finding };
                 found.push(finding.arg("cycle", "FUNCTION TURNDATA"));
                 return;
             }

@@ -59,6 +59,11 @@ fn after_cycle(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ => false,
         });
         if !is_tilt(facts, own) {
+            // A program that takes the axes back by itself also has to take them there.
+            positioned |= part.iter().any(|block| match &block.kind {
+                BlockKind::Motion(motion) => motion.outline().has_coords() && turns(&motion.words()),
+                _ => false,
+            });
             continue;
         }
         positioned |= moved;
@@ -79,7 +84,7 @@ const fn is_unusual(own: &MFunction) -> bool {
 }
 
 /// Whether a cycle tilts the plane.
-fn tilts(own: &Defined<'_>) -> bool {
+pub(super) fn tilts(own: &Defined<'_>) -> bool {
     let tilts = |cycle| {
         Effect::of_cycle(cycle)
             .aspects
@@ -90,7 +95,7 @@ fn tilts(own: &Defined<'_>) -> bool {
 }
 
 /// The words of the lines of a definition.
-fn words<'d>(own: &'d Defined<'_>) -> impl Iterator<Item = &'d NamedWord> {
+pub(super) fn words<'d>(own: &'d Defined<'_>) -> impl Iterator<Item = &'d NamedWord> {
     let lines = match &own.view.form {
         CycleForm::Lines(lines) => lines.as_slice(),
         CycleForm::Parameters(_) => &[],
@@ -98,10 +103,18 @@ fn words<'d>(own: &'d Defined<'_>) -> impl Iterator<Item = &'d NamedWord> {
     lines.iter().filter(|line| line.line > 0).flat_map(|line| &line.words)
 }
 
+/// The angles of a definition: which axis, and whether it is 0.
+pub(super) fn angles<'d>(facts: &'d Facts<'_>, own: &'d Defined<'_>) -> impl Iterator<Item = (&'d str, bool)> {
+    words(own).filter_map(|word| {
+        let name = facts.text(word.name).trim();
+        let zero = word.value.kind == ValueKind::Number(0.0);
+        matches!(name, "A" | "B" | "C").then_some((name, zero))
+    })
+}
+
 /// Whether a definition has an angle that is not 0.
-fn is_tilt(facts: &Facts<'_>, own: &Defined<'_>) -> bool {
-    let angle = |word: &NamedWord| matches!(facts.text(word.name).trim(), "A" | "B" | "C");
-    words(own).any(|word| angle(word) && word.value.kind != ValueKind::Number(0.0))
+pub(super) fn is_tilt(facts: &Facts<'_>, own: &Defined<'_>) -> bool {
+    angles(facts, own).any(|(_, zero)| !zero)
 }
 
 /// Whether a definition states the feed at which the axes turn.

@@ -17,10 +17,11 @@ const DATUM: &str = "datum-row";
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(project) = facts.project.filter(|project| project.knows_rows()) else { return };
     let names_row = |param: &Param| matches!(param.is.as_str(), PRESET | DATUM);
-    let names_rows = |own: &&Defined<'_>| own.cycle().is_some_and(|cycle| cycle.params.iter().any(names_row));
+    let names_rows = |own: &&Defined<'_>| own.related_cycle().is_some_and(|cycle| cycle.params.iter().any(names_row));
     let selected = selections(facts);
     for definition in facts.definitions.iter().filter(names_rows) {
-        let definition = facts.read(definition);
+        let related = definition.as_related_cycle();
+        let definition = facts.read(&related);
         for item in &definition.items {
             let meaning = item.param.map_or("", |param| param.is.as_str());
             let rows = match meaning {

@@ -1,35 +1,71 @@
 //! A tool axis that does not fit: PATTERN DEF with another one than Z,
-//! or a first tool call with another axis than the blank.
+//! a first tool call with another axis than the blank, or a later one whose tool is only moved along that of the blank.
 //!
-//! A pattern is reported where the axis is certain. An angular head may well have another axis than the blank names, so
-//! only a program in which no tool has the axis of the blank is reported.
+//! A pattern is reported where the axis is certain, also where it is called. An angular head may well have another axis
+//! than the blank names, so only a program in which no tool has the axis of the blank is reported, and a tool that rapid
+//! movements along one axis alone lift along that of the blank, and never along its own.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::program::syntax::{Axis, Block, BlockKind};
+use crate::program::syntax::{Axis, Block, BlockKind, CallForm, Path};
 
 pub(super) const RULE: Rule = Rule { code: "tool-axis-other", severity: Severity::Warning, run };
 
+/// So many movements say along which axis a tool is lifted.
+const LIFTS: usize = 2;
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut blank, mut first, mut fits): (_, Option<(&Block, Axis)>, _) = (None, None, false);
+    // Whether there is a pattern of which the axis was right where it was defined.
+    let mut pattern = false;
+    let mut others: Vec<(usize, &Block, Axis)> = Vec::new();
     for (index, block) in facts.marked() {
+        let other = || facts.run.before(index).is_some_and(|modal| modal.is(Aspect::OtherAxis) == Tri::Yes);
         match &block.kind {
             BlockKind::BlkForm(own) => blank = blank.or(own.axis),
             BlockKind::ToolCall(own) => {
                 if let Some(axis) = own.axis {
                     fits |= blank.is_none_or(|blank| blank == axis);
                     first = first.or(Some((block, axis)));
+                    if blank.is_some_and(|blank| blank != axis) {
+                        others.push((index, block, axis));
+                    }
                 }
             }
             BlockKind::PatternDef(_) => {
-                let modal = facts.run.before(index);
-                if modal.is_some_and(|modal| modal.is(Aspect::OtherAxis) == Tri::Yes) {
+                pattern = !other();
+                if !pattern {
                     found.push(rule.at(facts, facts.content(block)).arg("what", "pattern").arg("axis", "Z"));
                 }
+            }
+            BlockKind::Sel(_) => pattern = false,
+            BlockKind::CyclCall(call) if matches!(call.form, CallForm::Pattern) && pattern && other() => {
+                pattern = false;
+                found.push(rule.at(facts, facts.content(block)).arg("what", "pattern").arg("axis", "Z"));
             }
             _ => {}
         }
     }
-    if let (Some(blank), Some((block, _)), false) = (blank, first, fits) {
+    let Some(blank) = blank else { return };
+    if let (Some((block, _)), false) = (first, fits) {
         found.push(rule.at(facts, facts.content(block)).arg("what", "blank").arg("axis", blank.name()));
+        return;
     }
+    for (index, block, axis) in others {
+        if lifts(facts, index, blank) >= LIFTS && lifts(facts, index, axis) == 0 {
+            found.push(rule.at(facts, facts.content(block)).arg("what", "lifted").arg("axis", blank.name()));
+        }
+    }
+}
+
+/// How many rapid movements move the tool that a block calls along an axis and no other.
+fn lifts(facts: &Facts<'_>, call: usize, axis: Axis) -> usize {
+    let after = facts.program.blocks().get(call + 1..).unwrap_or_default();
+    let part = after.iter().take_while(|block| !matches!(&block.kind, BlockKind::ToolCall(own) if own.tool.is_some()));
+    let alone = |block: &&Block| {
+        let BlockKind::Motion(motion) = &block.kind else { return false };
+        motion.path() == Path::L
+            && motion.outline().is_rapid()
+            && matches!(motion.words().coords.as_slice(), [only] if only.axis == axis)
+    };
+    part.filter(alone).count()
 }

@@ -4,7 +4,7 @@
 //! axis), and in programs that name neither blank nor tool: others call them.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
-use crate::spec::{Keyword, Known};
+use crate::spec::Keyword;
 
 pub(super) const RULE: Rule = Rule { code: "tool-missing", severity: Severity::Error, run };
 
@@ -12,7 +12,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let missing = |modal: crate::check::Modal| modal.is(Aspect::Tool) == Tri::No;
     let calls = facts.run.calls.iter().filter(|call| missing(call.modal) && !facts.definitions.is_empty());
     // What a cycle of the machine builder needs, no one knows.
-    let probe = |own: &&Defined<'_>| own.key.keyword == Keyword::TchProbe && matches!(own.known, Known::Described(_));
+    let probe = |own: &&Defined<'_>| own.key.keyword == Keyword::TchProbe && own.related_cycle().is_some();
     let probes = facts.definitions.iter().filter(probe);
     let probes = probes.filter(|own| facts.run.before(own.view.first).is_some_and(missing)).map(|own| own.view.head);
     let first = calls.map(|call| call.span).chain(probes).min_by_key(|span| span.start);

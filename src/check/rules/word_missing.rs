@@ -1,11 +1,12 @@
 //! A word without which a block means nothing: an approach without its length or angle, an arc of a free contour
 //! without DR, a pattern without a coordinate or number, FN 16 without its target,
-//! a text function without what it reads.
+//! a text function without what it reads, a cycle for the working plane without one of its three angles.
 //!
 //! An approach or departure without its length, angle or radius is refused: an error; so is a chamfer without a length.
 //! A block of DIN/ISO that has no equivalent because something is missing in it is reported with `iso-incomplete`.
 use std::collections::BTreeSet;
 
+use super::plane_not_positioned::{angles, is_tilt, tilts};
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::program::words::{self, Words};
 use crate::check::{Facts, Rule};
@@ -43,6 +44,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             && !motion.outline().has_coords()
         {
             report(facts.content(block), "X, Y");
+        }
+    }
+    // Angles that are not written stay as they were (TNC 640, 001: 6729).
+    for own in facts.definitions.iter().filter(|own| tilts(own)) {
+        let written: Vec<&str> = angles(facts, own).map(|(name, _)| name).collect();
+        let missing: Vec<&str> = ["A", "B", "C"].into_iter().filter(|name| !written.contains(name)).collect();
+        if !written.is_empty() && !missing.is_empty() && is_tilt(facts, own) {
+            report(own.view.head, &missing.join(", "));
         }
     }
     let functions = words::functions(facts);

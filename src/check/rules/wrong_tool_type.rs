@@ -1,11 +1,12 @@
 //! A workpiece that is probed with the tool that has just machined it,
 //! or machined with the tool that has just probed it.
 //!
-//! A tool call must come between them. Silent after STOP, M0, M6 and M functions of the machine builder, where
+//! A contour with RL or RR at feed is machining, too. A tool call must come between them. Silent after STOP, M0, M6 and M functions of the machine builder, where
 //! another tool may be put in by hand. Each is reported once a program.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::{probes, removes_material};
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
+use crate::program::syntax::{Block, BlockKind, Compensates};
 
 pub(super) const RULE: Rule = Rule { code: "wrong-tool-type", severity: Severity::Warning, run };
 
@@ -26,5 +27,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     });
     if let Some((span, own)) = call {
         found.push(rule.at(facts, span).arg("what", "mill").arg("cycle", own.key.to_string()));
+        return;
+    }
+    let along = |block: &Block| match &block.kind {
+        BlockKind::Motion(motion) => {
+            motion.outline().compensates() == Compensates::Beside && !motion.outline().is_rapid()
+        }
+        _ => false,
+    };
+    let probed = |index: usize| facts.run.before(index).is_some_and(|modal| modal.is(Aspect::Probed) == Tri::Yes);
+    if let Some((_, block)) = facts.shaped().find(|(index, block)| along(block) && probed(*index)) {
+        found.push(rule.at(facts, facts.content(block)).arg("what", "contour"));
     }
 }

@@ -83,7 +83,7 @@ impl Walk<'_, '_> {
         let height = words.coord(super::AXES[2]).map_or(self.at[2], |coord| self.target(coord, self.at[2]));
         self.at = match (form, end) {
             (Approach::Lct, Some([x, y])) => [Some(x), Some(y), height],
-            _ => [None; 3],
+            _ => [None, None, height],
         };
         self.course.heading = None;
         self.course.side = 0.0;

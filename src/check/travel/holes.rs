@@ -64,6 +64,8 @@ const CIRCLE: &str = "circle-diameter";
 const LENGTHS: [&str; 2] = ["first-side-length", "second-side-length"];
 /// A pocket may be so far beyond an edge of the blank, in millimetres.
 const OVER: f64 = 0.5;
+/// A groove that is open at both ends goes no farther beyond them, in millimetres.
+const OPEN_END: f64 = 25.0;
 /// Around a hole of which nobody says how wide it is, so much is never looked at, in millimetres.
 const NARROW: f64 = 20.0;
 
@@ -221,7 +223,8 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// Whether a round pocket is cut by the edge of the blank, or a rectangular one covers all of it.
+    /// Whether a round pocket is cut by the edge of the blank, or a rectangular one covers all of it, or goes far beyond
+    /// it at both ends.
     fn goes_over(&self, read: &Definition<'_>, place: [f64; 2]) -> bool {
         let value = |meaning: &str| read.item(meaning).and_then(number);
         let room = OVER * self.unit;
@@ -235,10 +238,15 @@ impl Walk<'_, '_> {
         let sides = LENGTHS.map(value);
         let centred = ["angle-of-rotation", "pocket-position"].iter().all(|meaning| value(meaning) == Some(0.0));
         let ([Some(length), Some(width)], true) = (sides, centred) else { return false };
-        [length, width].iter().enumerate().all(|(axis, side)| {
+        let beyond = |axis: usize, side: f64, room: f64| {
             place[axis] - side / 2.0 < self.blank.low[axis] - room
                 && place[axis] + side / 2.0 > self.blank.high[axis] + room
-        })
+        };
+        // A groove through the blank needs little more than the radius of its tool at both ends.
+        let end = OPEN_END * self.unit;
+        let sides = [(0, length), (1, width)];
+        sides.iter().all(|(axis, side)| beyond(*axis, *side, room))
+            || sides.iter().any(|(axis, side)| beyond(*axis, *side, end))
     }
 
     /// A cycle comes down at rapid to the set-up clearance above its surface, which must not be inside of the blank where

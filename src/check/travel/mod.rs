@@ -33,6 +33,8 @@ const RADIUS: f64 = 12.0;
 const SKIN: f64 = 0.01;
 /// So far above the blank a rotary axis does not turn at rapid, in millimetres.
 const CLEAR: f64 = 5.0;
+/// So far beside the blank a tool below its top has not been retracted, in millimetres.
+const BESIDE: f64 = 50.0;
 /// The meaning of a value that names a preset.
 const PRESET: &str = "preset-number";
 /// So many places that are cut are remembered.
@@ -145,7 +147,7 @@ impl Walk<'_, '_> {
     /// The program ends with a block.
     fn end(&mut self, block: &Block, modal: &Modal) {
         if self.facts.ends(block)
-            && let Some(height) = self.inside(0.0).filter(|_| modal.is(Aspect::Tool) == Tri::Yes)
+            && let Some(height) = self.low().filter(|_| modal.is(Aspect::Tool) == Tri::Yes)
         {
             self.tell(block, Incident::End(height));
         }
@@ -211,6 +213,14 @@ impl Walk<'_, '_> {
         (below && self.blank.holds(x, y) && self.turned == [false; 3]).then_some(z)
     }
 
+    /// The height of a tool that is in the blank or so close beside it that the workpiece cannot be taken out.
+    fn low(&self) -> Option<f64> {
+        let [Some(x), Some(y), Some(z)] = self.at else { return None };
+        let below = z < self.blank.high[2] - SKIN * self.unit && self.blank.low[2] <= z;
+        let near = self.blank.distance([x, y]) <= BESIDE * self.unit;
+        (below && near && self.turned == [false; 3]).then_some(z)
+    }
+
     fn motion(&mut self, index: usize, block: &Block, motion: &Element, modal: &Modal) {
         let outline = motion.outline();
         match motion.path() {
@@ -224,6 +234,13 @@ impl Walk<'_, '_> {
             Path::Dep(form) => return self.depart(block, form, &motion.words(), modal),
             Path::L | Path::Lp | Path::C | Path::Cr | Path::Ct if outline.has_coords() => {}
             Path::L if !outline.has_functions() => return,
+            // Where a free contour goes is not known, but it stays at its height.
+            Path::Fl | Path::Flt | Path::Fc | Path::Fct if !outline.has_functions() => {
+                let height = motion.words().coord(Axis::Z).map_or(self.at[2], |coord| self.target(coord, self.at[2]));
+                self.at = [None, None, height];
+                self.open = true;
+                return;
+            }
             _ => {
                 self.open |= !outline.is_rapid();
                 return self.lose();

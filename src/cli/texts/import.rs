@@ -152,6 +152,8 @@ fn diagnostic(session: &Session, source: &Arc<Source>, refusal: &Refusal) -> Dia
         Why::NotRead => "texts-unit-not-read",
         Why::Codes { .. } => "texts-unit-codes",
         Why::Exchanged => "texts-unit-exchanged",
+        Why::Swapped { .. } => "texts-unit-swapped",
+        Why::Negation => "texts-unit-negation",
         Why::Markup => "texts-unit-markup",
         Why::Numbers { .. } => "texts-unit-numbers",
         Why::Incomplete => "texts-unit-incomplete",
@@ -164,6 +166,7 @@ fn diagnostic(session: &Session, source: &Arc<Source>, refusal: &Refusal) -> Dia
             let none = |list: &str| if list.is_empty() { "–".to_owned() } else { list.to_owned() };
             diagnostic.arg("missing", none(missing)).arg("foreign", none(foreign))
         }
+        Why::Swapped { other } => diagnostic.arg("other", other.as_str()),
         Why::Found(found) => diagnostic.arg("code", found.code).arg("finding", session.ui.diagnostic(found)),
         _ => diagnostic,
     }

@@ -37,6 +37,10 @@ fn show(session: &mut Session, status: &LanguageStatus, all_files: bool) -> Resu
         print(session, control, count)?;
     }
     let is_open = |count: &Count| count.translated < count.texts || count.same_as_source + count.over_long > 0;
+    for (group, count) in status.groups.iter().filter(|(_, count)| is_open(count)) {
+        let name = session.ui.text("cli-texts-group", &Args::new().text("name", group.as_str()));
+        print(session, &name, count)?;
+    }
     for (file, count) in status.files.iter().filter(|(_, count)| all_files || is_open(count)) {
         print(session, file, count)?;
     }

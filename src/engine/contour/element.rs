@@ -100,6 +100,15 @@ impl Element {
         Self { from, to, shape: Shape::Arc { centre, sweep } }
     }
 
+    /// The same from its end to its beginning.
+    pub(crate) fn reversed(&self) -> Self {
+        let shape = match self.shape {
+            Shape::Line => Shape::Line,
+            Shape::Arc { centre, sweep } => Shape::Arc { centre, sweep: -sweep },
+        };
+        Self { from: self.to, to: self.from, shape }
+    }
+
     /// The direction of travel at one of its points.
     fn heading(&self, at: DVec2) -> DVec2 {
         let along = match self.shape {

@@ -4,7 +4,9 @@
 //! elements that are described by other data than their ends. Invariant: moves
 //! the tool by the drives alone; knows blocks of movement, and neither parameters nor cycles.
 pub(crate) mod approach;
+pub(crate) mod breaks;
 pub(crate) mod element;
 pub(crate) mod free;
 pub(crate) mod path;
+pub(crate) mod recess;
 pub(crate) mod undercut;

@@ -9,8 +9,8 @@ use std::collections::VecDeque;
 use glam::{DVec2, DVec3};
 
 use crate::engine::contour::approach::{Form, Lead, Leg};
-use crate::engine::contour::element::{Corner, Element, Manner, Shape, broken, corner, direction, rounded};
-use crate::engine::contour::undercut::Undercut;
+use crate::engine::contour::breaks::Break;
+use crate::engine::contour::element::{Corner, Element, Manner, Shape, corner, direction};
 use crate::engine::motion::drives::Drives;
 use crate::engine::motion::functions::ArcFeed;
 use crate::engine::motion::moves::{Speed, Turn};
@@ -25,14 +25,6 @@ use crate::program::syntax::{Axis, Compensation, Motion};
 const MOST_WAITING: usize = 10_000;
 /// A tool of a smaller radius, mm, runs on the contour.
 const NO_RADIUS: f64 = 1e-9;
-
-/// What comes at a corner.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Break {
-    Rounding(f64),
-    Chamfer(f64),
-    Undercut(Undercut),
-}
 
 /// A rounding or chamfer between the element that waits and the next one.
 #[derive(Clone, Debug)]
@@ -390,15 +382,7 @@ impl Contour {
             return Err(Fault::program("rounding-misplaced").into());
         };
         let Kind::Element(first) = before.kind else { return Err(Fault::program("rounding-misplaced").into()) };
-        let alone = |(first, corner, last): (Element, Option<Element>, Element)| (first, Vec::from_iter(corner), last);
-        let too_small = |size: f64| Fault::program("rounding-impossible").arg("size", size);
-        let (first, corner, last) = match between.what {
-            Break::Rounding(radius) => rounded(&first, &element, radius).map(alone).ok_or_else(|| too_small(radius))?,
-            Break::Chamfer(leg) => broken(&first, &element, leg).map(alone).ok_or_else(|| too_small(leg))?,
-            Break::Undercut(undercut) => {
-                undercut.between(&first, &element).ok_or_else(|| Fault::program("undercut-impossible"))?
-            }
-        };
+        let (first, corner, last) = between.what.elements(&first, &element)?;
         before.kind = Kind::Element(first);
         let height = before.height;
         self.piece = Some(before);

@@ -32,12 +32,24 @@ const MOST_CONTOURS: usize = 128;
 const MOST_LISTED: usize = 9;
 /// What a definition remembers that names the labels of contours.
 pub(super) const LABELS: &str = "contour";
-/// Where a contour begins that is so near to where the tool stands aside, mm, nothing was programmed.
-const LEFT_OUT: f64 = 1e-6;
+/// Ways along the tool axis that are shorter, mm, are rounding.
+const LEVEL: f64 = 1e-6;
 /// How much deeper a contour may be by calculation alone, mm.
 const SPARE: f64 = 1e-6;
 /// The feed of contours that are only read: any will do.
 const ANY_FEED: f64 = 1.0;
+
+/// What a contour is read for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Reading {
+    /// A subprogram that a cycle machines: its first block has both coordinates of the plane, and it has none in the tool
+    /// axis (TNC 640 manual, lines 4374-4375).
+    OfLabel,
+    /// A part of a formula: coordinates in the tool axis are ignored (lines 5892-5893).
+    OfFormula,
+    /// A contour that is turned.
+    Turned,
+}
 
 impl<'e> Run<'_, 'e> {
     /// Reads the closed contours that are in effect, down to a depth below the surface, mm.
@@ -89,7 +101,7 @@ impl<'e> Run<'_, 'e> {
             half.set_plane(across);
             run.drives.world.system.set_plane(across);
             run.drives.world.renew();
-            run.contour_of(&Of::Label(label.into()), &half)
+            run.contour_of(&Of::Label(label.into()), &half, Reading::Turned)
         })?;
         if contour.way.edges.len() > MOST_ELEMENTS {
             return Err(Fault::control("contour-elements").arg("limit", MOST_ELEMENTS as f64).into());
@@ -101,28 +113,15 @@ impl<'e> Run<'_, 'e> {
     /// it, in degrees if there are so many mm in one, and Y the way along it, whatever the axes of the machine are
     /// (TNC 640 manual, lines 5105-5109).
     pub(super) fn read_developed_contour(&mut self, mm_in_degree: Option<f64>) -> Done {
-        let (here, machine) = (self.drives.world.here, self.drives.world.machine);
         let plane = self.drives.world.system.plane;
         if plane.tool != Axis::Z {
             let axis = plane.tool.letter().to_string();
             return Err(Fault::unsupported("unsupported-axis").arg("axis", axis).into());
         }
-        // Its first block has both coordinates (line 5133): what it leaves out shows by being where nothing is.
-        let aside = here + DVec3::new(0.0, ASIDE, 0.0);
-        self.drives.world.here = aside;
-        self.drives.world.machine = self.drives.world.to_machine(aside);
         self.drives.world.system.unrolled = mm_in_degree;
         let read = self.contours_of_labels(1);
         self.drives.world.system.unrolled = None;
-        (self.drives.world.here, self.drives.world.machine) = (here, machine);
         let read = read?;
-        let nowhere = aside.truncate() + DVec2::new(ASIDE, 0.0);
-        if let Some((label, contour)) = read.first() {
-            let left_out = (contour.way.start - nowhere).abs().min_element() < LEFT_OUT;
-            if left_out {
-                return Err(Fault::program("contour-begin-incomplete").arg("label", &**label).into());
-            }
-        }
         // The plane in which the contour lies is that of the development: what mirrors and turns it acts there.
         let system = &self.drives.world.system;
         let turned = system.turned_about_datum();
@@ -272,7 +271,7 @@ impl<'e> Run<'_, 'e> {
 
     /// What a contour encloses that is described without a side, with its own depth.
     fn relief_of(&mut self, of: &Of, depth: Option<f64>, before: &System) -> Done<Relief> {
-        let contour = self.contour_of(of, before)?;
+        let contour = self.contour_of(of, before, Reading::OfFormula)?;
         let boundary = contour.boundary().map_err(|flaw| flawed(flaw, of.name()))?;
         Ok(Relief::new(Region::within(&boundary), contour.way.edges.len(), depth))
     }
@@ -306,7 +305,9 @@ impl<'e> Run<'_, 'e> {
         let labels = labels.split('/').map(str::trim).filter(|label| !label.is_empty()).take(most);
         let contours = self.described(|run, before| {
             let own = |label: &str| Of::Label(label.trim_matches('"').into());
-            labels.map(|label| Ok((label.to_owned(), run.contour_of(&own(label), before)?))).collect::<Done<Vec<_>>>()
+            labels
+                .map(|label| Ok((label.to_owned(), run.contour_of(&own(label), before, Reading::OfLabel)?)))
+                .collect::<Done<Vec<_>>>()
         })?;
         if contours.iter().map(|(_, contour)| contour.way.edges.len()).sum::<usize>() > MOST_ELEMENTS {
             return Err(Fault::control("contour-elements").arg("limit", MOST_ELEMENTS as f64).into());
@@ -318,7 +319,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// Executes what describes a contour, and takes it.
-    fn contour_of(&mut self, of: &Of, before: &System) -> Done<Contour> {
+    fn contour_of(&mut self, of: &Of, before: &System, reading: Reading) -> Done<Contour> {
         let (program, block, call) = match of {
             Of::Program(number, _) => (*number, 0, Call::Program),
             Of::Label(label) => {
@@ -334,13 +335,24 @@ impl<'e> Run<'_, 'e> {
         let depth = self.calls.depth();
         self.calls.call(program, block, call, &self.settings.limits)?;
         self.enter_program();
-        self.drives.world.stand_aside();
+        let here = self.drives.world.machine;
+        self.drives.world.stand_aside(reading != Reading::Turned);
         self.drives.traced = Some(Vec::new());
         (self.blocks)(self, depth + 1)?;
         let side = self.contour.side();
         self.end_contour()?;
         self.enter_program();
         let traced = self.drives.traced.take().unwrap_or_default();
+        let up = before.frame().vector(before.plane.tool.unit()).normalize();
+        // What the first block leaves out shows by being where nothing is.
+        let is_incomplete = |lead: &Path| (lead.at(1.0) - here).reject_from_normalized(up).length() > ASIDE / 2.0;
+        if reading != Reading::Turned && traced.first().is_some_and(is_incomplete) {
+            return Err(Fault::program("contour-begin-incomplete").arg("label", of.name()).into());
+        }
+        let is_level = |path: &Path| (path.at(1.0) - path.at(0.0)).dot(up).abs() < LEVEL;
+        if reading == Reading::OfLabel && !traced.iter().all(is_level) {
+            return Err(Fault::program("contour-tool-axis").arg("label", of.name()).into());
+        }
         self.contour_of_moves(&traced, before, side)
             .ok_or_else(|| Fault::program("contour-empty").arg("label", of.name()).into())
     }

@@ -21,8 +21,8 @@ use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::{Class, Fault};
 use crate::engine::scene::{ParameterValue, Plate, Preset};
 use crate::engine::strategy::action::{
-    Calibrated, Course, Felt, Function, Kept, Kinematics, KnownSetter, Probe, Probing, Programs, Rotary, RotaryAxes,
-    Running, Spindle, Stopped, Stylus, System, Tables, ToolSetter, Turntable,
+    Calibrated, Coordinate, Course, Felt, Function, Kept, Kinematics, KnownSetter, Probe, Probing, Programs, Rotary,
+    RotaryAxes, Running, Spindle, Stopped, Stylus, System, Tables, ToolSetter, Turntable,
 };
 use crate::engine::strategy::contour::Contours;
 use crate::engine::strategy::digitized::Digitizing;
@@ -32,9 +32,6 @@ use crate::engine::strategy::turning_thread::TurnedThread;
 use crate::engine::table::{Cell, TableError, TableKind};
 use crate::engine::world::insert::Aligned;
 use crate::engine::world::setter::Pose;
-
-/// A plane whose tool axis leans by less, as a sine, is at right angles to the tool.
-const ASKEW: f64 = 1e-9;
 
 /// A run while a cycle is executed.
 pub(super) struct OfRun<'c, 'x, 'r, 'e> {
@@ -431,6 +428,7 @@ impl ToolSetter for OfRun<'_, '_, '_, '_> {
         let (Plate::Disc(radius) | Plate::Cube(radius)) = truth.plate;
         let is_round = matches!(truth.plate, Plate::Disc(_));
         if let Some((at, radius)) = world.calibrated_setter {
+            let at = truth.mounted().inverse().point(at);
             return Ok(KnownSetter { at, radius, is_round });
         }
         let printed = self.exec.definition.on.datum("setter-centre");
@@ -441,11 +439,12 @@ impl ToolSetter for OfRun<'_, '_, '_, '_> {
             },
             _ => truth.at,
         };
-        Ok(KnownSetter { at, radius, is_round })
+        Ok(KnownSetter { at: truth.mounted().inverse().point(at), radius, is_round })
     }
 
     fn calibrate_setter(&mut self, known: KnownSetter) {
-        self.run.drives.world.calibrated_setter = Some((known.at, known.radius));
+        let mounted = self.run.drives.setter_frame().unwrap_or(Frame::IDENTITY);
+        self.run.drives.world.calibrated_setter = Some((mounted.point(known.at), known.radius));
     }
 
     fn setting(&self, name: &str) -> Result<f64, Fault> {
@@ -463,15 +462,12 @@ impl ToolSetter for OfRun<'_, '_, '_, '_> {
         }
     }
 
+    fn setter_frame(&self) -> Result<Frame, Fault> {
+        self.run.drives.setter_frame()
+    }
+
     fn tip(&self) -> Result<DVec3, Fault> {
-        let world = &self.run.drives.world;
-        // A table that is turned leaves the tool as it is in the machine, if the plane was turned to it.
-        let tool = world.system.plane.tool.unit();
-        let askew = || world.system.frame().vector(tool).normalize_or_zero().cross(tool).length() > ASKEW;
-        if world.head.is_some() || world.system.is_on_workpiece() && askew() {
-            return Err(Fault::unsupported("unsupported-transformation").arg("name", "tilting"));
-        }
-        Ok(world.machine)
+        self.run.drives.tip_at_setter()
     }
 
     fn reckoned(&self) -> (f64, f64) {
@@ -479,8 +475,7 @@ impl ToolSetter for OfRun<'_, '_, '_, '_> {
     }
 
     fn go(&mut self, to: DVec3) -> Done {
-        let drives = &mut self.run.drives;
-        drives.straight_to(drives.world.to_program(to), Some(to), Ok(Speed::Rapid))
+        self.run.drives.go_at_setter(to)
     }
 
     fn touch_setter(&mut self, way: DVec3, feed: f64, at: Option<f64>) -> Done<Option<DVec3>> {
@@ -497,7 +492,7 @@ impl ToolSetter for OfRun<'_, '_, '_, '_> {
         Ok(world.table(TableKind::Tool)?.text(tool.number, "DIRECT.")? == "+")
     }
 
-    fn first_edge(&self) -> f64 {
+    fn first_edge(&self) -> Result<f64, Fault> {
         self.run.drives.first_edge()
     }
 }
@@ -542,20 +537,38 @@ impl Stylus for OfRun<'_, '_, '_, '_> {
         &mut self.run.cycles.digitizing
     }
 
-    fn check_coordinates(&self, all: bool) -> Result<(), Fault> {
-        for (_, value) in &self.exec.definition.fields {
-            let FieldValue::Coords(coords) = value else { continue };
-            if let Some(rotary) = coords.iter().find(|coord| coord.rotary) {
-                let letter = RotaryAxis(rotary.axis).letter().to_string();
-                return Err(Fault::unsupported("digitizing-rotary-axis").arg("axis", letter));
+    fn coordinates(&self, meaning: &str) -> Vec<Coordinate> {
+        let definition = &self.exec.definition;
+        let param = definition.cycle.params.iter().find(|param| param.is.as_str() == meaning);
+        let id = param.and_then(|param| param.field.as_ref()).map(|field| field.id.as_str());
+        match id.and_then(|id| definition.field(id)) {
+            Some(FieldValue::Coords(coords)) => {
+                coords.iter().map(|own| Coordinate { axis: own.axis, rotary: own.rotary, value: own.value }).collect()
             }
-            let lacks = |axis: &Axis| coords.iter().all(|coord| coord.axis != *axis);
-            if let Some(axis) = Axis::ALL.into_iter().find(lacks).filter(|_| all) {
-                let fault = Fault::program("digitizing-range-incomplete");
-                return Err(fault.arg("axis", axis.letter().to_string()));
-            }
+            _ => Vec::new(),
         }
-        Ok(())
+    }
+
+    fn feel_turned(&self, turned: (RotaryAxis, f64), from: DVec3, to: DVec3) -> Result<Option<Felt>, Fault> {
+        let drives = &self.run.drives;
+        let found = drives.feel_turned(&drives.world.probe()?, turned, from, to)?;
+        Ok(found.map(|(at, out)| Felt { at, out }))
+    }
+
+    fn touches_while_turning(&self, turned: (RotaryAxis, f64), at: DVec3) -> Result<bool, Fault> {
+        let drives = &self.run.drives;
+        drives.touches_while_turning(&drives.world.probe()?, turned, at)
+    }
+
+    fn way_in_degree(&self, axis: RotaryAxis, at: DVec3) -> Result<DVec3, Fault> {
+        let drives = &self.run.drives;
+        drives.way_in_degree(&drives.world.probe()?, axis, at)
+    }
+
+    fn fly_turning(&mut self, turned: (RotaryAxis, f64), to: DVec3, feed: Option<f64>) -> Done {
+        let drives = &mut self.run.drives;
+        let probe = drives.world.probe()?;
+        drives.fly_turning(&probe, turned, to, feed.map_or(Ok(Speed::Rapid), Speed::of_feed))
     }
 
     fn points_of_table(&self, name: &str) -> Result<Vec<DVec3>, Fault> {

@@ -85,8 +85,7 @@ impl<'e> Run<'_, 'e> {
         let cycle = &definition.cycle.file;
         let mills = cycle.group != Group::Turning && (plan.probes || cycle.takes_effect == TakesEffect::OnCall);
         if mills && self.drives.world.system.turning {
-            let fault = Fault::unsupported("unsupported-transformation");
-            return Err(fault.arg("name", Transformation::Turning.as_str()).into());
+            return Err(Fault::program("milling-mode-missing").arg("cycle", definition.cycle.key.to_string()).into());
         }
         let radius = |(_, builtin): &(Slot, Builtin)| *builtin == Builtin::ToolRadius;
         if plan.builtins.iter().any(radius) && self.drives.world.system.plane_scale().is_none() {

@@ -25,7 +25,7 @@ pub(crate) struct Prepared<'p> {
     definitions: BTreeMap<usize, usize>,
     /// By block: the compiled formula.
     formulas: BTreeMap<usize, Code>,
-    /// By block: whether a rounding, a chamfer or an undercut follows directly.
+    /// By block: whether a rounding, a chamfer, an undercut or a recess follows directly.
     rounded: Vec<bool>,
     /// mm in its unit.
     pub(crate) unit: f64,
@@ -118,10 +118,10 @@ fn key(program: &Program, label: Label) -> Option<Key> {
     }
 }
 
-/// The word with which undercuts begin.
-const UNDERCUT: &str = "UDC";
+/// The words with which undercuts and recesses in contours begin.
+pub(crate) const FORM_ELEMENTS: [&str; 2] = ["UDC", "GRV"];
 
-/// By block: whether a rounding, a chamfer or an undercut follows, but for comments and M functions.
+/// By block: whether a rounding, a chamfer, an undercut or a recess follows, but for comments and M functions.
 fn rounded(program: &Program) -> Vec<bool> {
     let mut follows = false;
     let mut rounded: Vec<bool> = program
@@ -132,7 +132,10 @@ fn rounded(program: &Program) -> Vec<bool> {
             let here = follows;
             follows = match &block.kind {
                 BlockKind::Motion(motion) => matches!(motion.path(), Path::Rnd | Path::Chf),
-                BlockKind::Statement(own) => program.slice(own.head).trim_end().eq_ignore_ascii_case(UNDERCUT),
+                BlockKind::Statement(own) => {
+                    let head = program.slice(own.head).trim_end();
+                    FORM_ELEMENTS.iter().any(|word| head.eq_ignore_ascii_case(word))
+                }
                 BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => follows,
                 _ => false,
             };

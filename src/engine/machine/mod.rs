@@ -85,6 +85,8 @@ pub struct Machine {
     pub rotary: Vec<RotaryMachineAxis>,
     /// The distance of the point about which a swivel head turns from the spindle nose, mm.
     pub pivot: f64,
+    /// Where coordinates with M92 count from, in machine coordinates, mm; nothing where the machine has no such place.
+    pub second_datum: Option<DVec3>,
     /// By how much presets are displaced in the machine, mm: what the compensation of a preset has found.
     pub base: DVec3,
 }
@@ -119,7 +121,8 @@ impl Machine {
 
     /// Reads a machine written out in another file.
     pub(super) fn read(node: &Node, reader: &mut Reader<'_>) -> Option<Self> {
-        if !reader.only_keys(node, &["machine", "name", "spindle", "axes", "parallel", "rotary", "pivot", "base"]) {
+        let keys = ["machine", "name", "spindle", "axes", "parallel", "rotary", "pivot", "base", "second_datum"];
+        if !reader.only_keys(node, &keys) {
             return None;
         }
         if let Some(version) = node.get("machine").filter(|version| version.text() != Some(VERSION)) {
@@ -147,7 +150,11 @@ impl Machine {
         let rotary = node.get("rotary").map_or_else(Vec::new, |list| rotary::read(list, reader));
         let pivot = node.get("pivot").map_or(Some(0.0), |pivot| reader.length(pivot))?;
         let base = node.get("base").map_or(Some(DVec3::ZERO), |base| reader.vector(base))?;
-        Some(Self { name, spindle: spindle?, axes, parallel, rotary, pivot, base })
+        let second_datum = match node.get("second_datum") {
+            Some(datum) => Some(reader.vector(datum)?),
+            None => None,
+        };
+        Some(Self { name, spindle: spindle?, axes, parallel, rotary, pivot, second_datum, base })
     }
 
     /// The data of an axis, if the machine has it.

@@ -144,6 +144,9 @@ impl Machine {
             let _ = writeln!(text, ", rapid: {}, centre: {centre}, askew: {askew}}}", axis.rapid);
         }
         let _ = writeln!(text, "pivot: {}\nbase: {}", self.pivot, vector(self.base));
+        if let Some(datum) = self.second_datum {
+            let _ = writeln!(text, "second_datum: {}", vector(datum));
+        }
         text
     }
 

@@ -28,6 +28,8 @@ pub(crate) enum Effect {
     CallOnce,
     /// Coordinates of the block are machine coordinates.
     MachineCoordinates,
+    /// The same from the second datum of the machine.
+    SecondDatum,
     /// Coordinates of the block are those of the system that is not tilted.
     Untilted,
     /// The tool tip is held on the workpiece while rotary axes turn, or no longer.
@@ -73,6 +75,7 @@ pub(crate) fn effect(number: u16) -> Option<Effect> {
         89 => Effect::CallAlways,
         99 => Effect::CallOnce,
         91 => Effect::MachineCoordinates,
+        92 => Effect::SecondDatum,
         130 => Effect::Untilted,
         97 | 98 => Effect::Corner,
         140 => Effect::Retract,

@@ -2,10 +2,13 @@
 //!
 //! Invariant: what the control learns is where the tip would be if the tool were as the tool table says; the true tool
 //! and the true setter are the scene's.
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
+use crate::base::expr::atan2d;
+use crate::engine::geometry::Frame;
 use crate::engine::machine::Tool;
 use crate::engine::motion::drives::Drives;
+use crate::engine::motion::moves::Speed;
 use crate::engine::report::ending::Done;
 use crate::engine::report::envelope::Touching;
 use crate::engine::report::event::{EventKind, Probing};
@@ -18,6 +21,8 @@ use crate::engine::world::setter::{Course, Measured, Pose};
 const NOTHING: f64 = 1e-9;
 /// A circular path is straight pieces that are nowhere farther from it, mm.
 const CHORD: f64 = 1e-4;
+/// A tool that leans by less, as a sine, is at right angles to a face.
+const ASKEW: f64 = 1e-9;
 /// Two directions are the same if the cosine of the angle between them is not below this.
 const STRAIGHT: f64 = 1.0 - 1e-9;
 
@@ -39,16 +44,73 @@ impl Drives<'_, '_> {
         tool_is
     }
 
-    /// Where the first edge is while the spindle is at 0: what the control finds while it touches with the tool turning.
-    pub(crate) fn first_edge(&self) -> f64 {
-        self.world.tool().map_or(0.0, |tool| self.true_tool(&tool).first)
+    /// The frame from the directions in which the tool setter is mounted to the machine.
+    pub(crate) fn setter_frame(&self) -> Result<Frame, Fault> {
+        Ok(self.tool_setter()?.mounted())
     }
 
-    /// Moves the tool in the machine until the setter triggers, and stays there. The tip then in machine coordinates;
-    /// nothing, and at the end of the way, if it did not trigger. The way is along the tool axis or across it.
+    /// By how much the spindle is turned against these directions by a head, degrees; an error where the tool is not at
+    /// right angles to the face.
+    fn turned_by(&self, head: Option<Frame>) -> Result<f64, Fault> {
+        let (plane, back) = (self.world.system.plane, self.setter_frame()?.inverse());
+        let [main, tool] = [plane.main, plane.tool].map(|axis| {
+            let unit = axis.unit();
+            back.vector(head.map_or(unit, |head| head.vector(unit)))
+        });
+        if tool.distance(plane.tool.unit()) > ASKEW {
+            return Err(Fault::control("tool-setter-askew"));
+        }
+        let main = plane.flat(main);
+        Ok(if main == DVec2::X { 0.0 } else { atan2d(main.y, main.x) })
+    }
+
+    /// The true tip of a tool as the table has it, while the linear axes are there, seen from the centre of the face.
+    fn from_face(&self, setter: &ToolSetter, machine: DVec3) -> DVec3 {
+        let swung = self.world.true_head.map_or(DVec3::ZERO, |head| self.world.swing(&head));
+        setter.mounted().inverse().vector(machine + swung - setter.at)
+    }
+
+    /// The tip of the tool in the directions of the setter, as the control knows it.
+    pub(crate) fn tip_at_setter(&self) -> Result<DVec3, Fault> {
+        let world = &self.world;
+        let tool = world.system.plane.tool.unit();
+        let along = world.head.map_or(tool, |head| head.vector(tool));
+        // A table that is turned leaves the tool as it is in the machine, if the plane was turned to it.
+        let frame = world.system.frame();
+        let plane_is_askew =
+            world.system.is_on_workpiece() && frame.vector(tool).normalize_or_zero().cross(along).length() > ASKEW;
+        // Without a plane the control goes on as if the head was at 0.
+        let unknown = match world.head {
+            Some(head) if !world.system.is_on_workpiece() => world.swing(&head).length() > ASKEW,
+            _ => false,
+        };
+        if plane_is_askew || unknown {
+            return Err(Fault::unsupported("unsupported-transformation").arg("name", "tilting"));
+        }
+        self.turned_by(world.head)?;
+        Ok(self.setter_frame()?.inverse().point(world.machine + world.swung()))
+    }
+
+    /// Moves the tip there at rapid traverse.
+    pub(crate) fn go_at_setter(&mut self, to: DVec3) -> Done {
+        let machine = self.setter_frame()?.point(to) - self.world.swung();
+        self.straight_to(self.world.to_program(machine), Some(machine), Ok(Speed::Rapid))
+    }
+
+    /// Where the first edge is from the main direction of the setter while the spindle is at 0: what the control finds
+    /// while it touches with the tool turning.
+    pub(crate) fn first_edge(&self) -> Result<f64, Fault> {
+        let turned = self.turned_by(self.world.head)?;
+        Ok(turned + self.world.tool().map_or(0.0, |tool| self.true_tool(&tool).first))
+    }
+
+    /// Moves the tool until the setter triggers, and stays there: a way in the directions of the setter, along the tool
+    /// axis or across it. The tip then, as [`Drives::tip_at_setter`] gives it; nothing, and at the end of the way, if it
+    /// did not trigger.
     pub(crate) fn touch_setter(&mut self, way: DVec3, feed: f64, pose: Pose) -> Done<Option<DVec3>> {
         self.count_move()?;
         let setter = self.tool_setter()?.clone();
+        let mounted = setter.mounted();
         let tool = self.world.tool().unwrap_or_default();
         let true_tool = self.true_tool(&tool);
         let measured = Measured {
@@ -58,10 +120,17 @@ impl Drives<'_, '_> {
             first: true_tool.first,
             misaligned: true_tool.misaligned,
         };
-        let (plane, tip) = (self.world.system.plane, self.world.machine);
+        let turned = self.turned_by(self.world.true_head)?;
+        let pose = match pose {
+            Pose::At(angle) => Pose::At(angle + turned),
+            Pose::Turning => Pose::Turning,
+        };
+        let plane = self.world.system.plane;
+        let machine = self.world.machine;
         let length = way.length();
         let direction = way / length;
-        let (axis, up) = (plane.flat(tip - setter.at), plane.tool.of(tip - setter.at));
+        let beside = self.from_face(&setter, machine);
+        let (axis, up) = (plane.flat(beside), plane.tool.of(beside));
         // The spindle is as far above the tip as the table says that the tool is long.
         let spindle = up + tool.length;
         // It triggers once the face, or its side, is pushed in so far.
@@ -76,26 +145,29 @@ impl Drives<'_, '_> {
         let late = setter.scatter.get(self.world.triggered % setter.scatter.len().max(1)).copied().unwrap_or_default();
         let gone = found.map(|gone| gone.max(0.0) + late).filter(|gone| *gone <= length);
         self.world.triggered += usize::from(gone.is_some());
-        let stopped = tip + direction * gone.unwrap_or(length);
+        let direction = mounted.vector(direction);
+        let stopped = machine + direction * gone.unwrap_or(length);
         self.has_axes_to(stopped)?;
         self.world.within_limits(stopped)?;
-        let (from, back) = (self.world.here, *self.world.system.back());
-        let target = back.point(tip + way);
-        let tip = back.point(stopped);
+        let from = self.world.here;
+        let target = self.world.to_program(machine + direction * length);
+        let tip = self.world.to_program(stopped);
         let contact = gone.map(|_| (tip, tip));
         self.report.report(EventKind::Probe(Probing { from, target, contact, feed }));
         self.world.machine = stopped;
         self.world.renew();
         self.world.at_setter = gone.map(|_| direction);
-        Ok(gone.map(|_| stopped))
+        Ok(gone.map(|_| mounted.inverse().point(stopped + self.world.swung())))
     }
 
     /// An error if the tool gets into the tool setter on a path of its tip in the machine. Back from where it touched it
-    /// may go. While the head is turned the setter is not looked at.
+    /// may go. While the tool is not at right angles to the face the setter is not looked at.
     pub(crate) fn meets_setter(&mut self, path: &Path) -> Done {
         let touched = self.world.at_setter.take();
         let Some(setter) = self.world.scene.setter.as_ref() else { return Ok(()) };
-        let (Some(tool), None) = (self.world.tool(), &self.world.true_head) else { return Ok(()) };
+        let Some(tool) = self.world.tool().filter(|_| self.turned_by(self.world.true_head).is_ok()) else {
+            return Ok(());
+        };
         let back = |from: DVec3, to: DVec3| {
             touched.is_some_and(|touched| (from - to).normalize_or_zero().dot(touched) >= STRAIGHT)
         };
@@ -106,7 +178,7 @@ impl Drives<'_, '_> {
         let (round, first, misaligned) = (true, true_tool.first, true_tool.misaligned);
         let measured = Measured { tool: &tool, edges: &true_tool.edges, round, first, misaligned };
         let at = |share: f64| {
-            let from_face = path.at(share) - setter.at;
+            let from_face = self.from_face(setter, path.at(share));
             (plane.flat(from_face), plane.tool.of(from_face) + tool.length)
         };
         let (pieces, nearer) = match *path {
@@ -120,14 +192,14 @@ impl Drives<'_, '_> {
         // What is far from all of the path is far from each piece of it.
         let (middle, half) = (path.at(0.5), 0.5 * path.length());
         let widest = true_tool.edges.iter().map(|edge| edge.radius).fold(0.0, f64::max) + misaligned.length() + nearer;
-        if plane.flat(middle - setter.at).length() > half + widest + setter.plate.reach() {
+        if plane.flat(self.from_face(setter, middle)).length() > half + widest + setter.plate.reach() {
             return Ok(());
         }
         for piece in 0..pieces as u32 {
             let share = |piece: u32| f64::from(piece) / pieces;
             let course = Course { from: at(share(piece)), to: at(share(piece + 1)) };
             if measured.meets(setter.plate, &course, nearer) {
-                let from = self.world.system.back().point(path.at(share(piece)));
+                let from = self.world.to_program(path.at(share(piece)));
                 let fault = Fault::control("tool-setter-collision");
                 return Err(fault.arg("x", from.x).arg("y", from.y).arg("z", from.z).into());
             }

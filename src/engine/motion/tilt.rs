@@ -183,6 +183,18 @@ impl Drives<'_, '_> {
         let machine = self.world.kinematics();
         let direction = machine.head(self.world.angles).vector(machine.spindle.unit());
         let system = &self.world.system;
+        if !system.is_on_workpiece() {
+            // A system that is not tilted stays with the machine: the point goes with the table, and the axes after it.
+            let (before, spindle) = (self.world.angles, machine.spindle.unit());
+            let after = turns.iter().fold(before, |angles, (axis, angle)| axis.with(angles, *angle));
+            let (head, turned) = (machine.head(before), machine.head(after));
+            let tip = self.world.machine + self.world.swing(&head);
+            let held = tip - direction.normalize() * distance;
+            let held = machine.table(after).point(machine.table(before).inverse().point(held));
+            let end = held + turned.vector(spindle).normalize() * distance - self.world.swing(&turned);
+            self.turn_to(&turns, speed.clone())?;
+            return self.straight_to(self.world.to_program(end), Some(end), speed);
+        }
         let held = self.world.here - system.back().vector(direction).normalize() * distance;
         let to = held + system.plane.tool.unit() * distance;
         self.turn_to(&turns, speed.clone())?;

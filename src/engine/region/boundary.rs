@@ -7,15 +7,15 @@ use std::f64::consts::{PI, TAU};
 use cavalier_contours::core::Control;
 use cavalier_contours::core::math::Vector2;
 use cavalier_contours::polyline::{
-    FindIntersectsOptions, PlineCreation, PlineIntersect, PlineOrientation, PlineSelfIntersectOptions, PlineSource,
-    PlineSourceMut, PlineVertex, Polyline, SelfIntersectsInclude, seg_arc_radius_and_center, seg_closest_point,
+    PlineCreation, PlineIntersect, PlineOrientation, PlineSelfIntersectOptions, PlineSource, PlineSourceMut,
+    PlineVertex, Polyline, SelfIntersectsInclude, seg_arc_radius_and_center, seg_closest_point,
 };
 use glam::DVec2;
 
-use super::{NEAR, NO_AREA, Part};
+use super::{NEAR, NO_AREA};
 
 /// Distances that differ by no more than this, mm, are equal.
-const EQUAL: f64 = 1e-6;
+pub(super) const EQUAL: f64 = 1e-6;
 
 /// A piece of a contour, from where the one before it ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,6 +46,16 @@ impl Edge {
         match *self {
             Self::Line(to) => from.distance(to),
             Self::Arc { centre, sweep, .. } => from.distance(centre) * sweep.to_radians().abs(),
+        }
+    }
+
+    /// Its direction at one of its points.
+    pub fn heading(&self, from: DVec2, at: DVec2) -> DVec2 {
+        match *self {
+            Self::Line(to) => (to - from).normalize_or_zero(),
+            Self::Arc { centre, sweep, .. } => {
+                (at - centre).perp().normalize_or_zero() * if sweep < 0.0 { -1.0 } else { 1.0 }
+            }
         }
     }
 
@@ -281,20 +291,19 @@ pub(super) fn points_of(line: &Polyline, to: DVec2) -> impl Iterator<Item = DVec
 /// to the left, then the lowest: the unit of a program must not decide.
 pub(super) fn nearest_of(points: impl Iterator<Item = DVec2> + Clone, to: DVec2) -> Option<DVec2> {
     let least = points.clone().map(|point| point.distance(to)).fold(f64::INFINITY, f64::min);
-    let earlier = |a: DVec2, b: DVec2| if (a.x - b.x).abs() > EQUAL { a.x < b.x } else { a.y < b.y };
     let near = points.filter(|point| point.distance(to) <= least + EQUAL);
-    near.reduce(|one, other| if earlier(other, one) { other } else { one })
+    near.reduce(earliest)
+}
+
+/// The one of two points that is farther to the left, or else lower.
+pub(super) fn earliest(one: DVec2, other: DVec2) -> DVec2 {
+    let is_earlier = if (one.x - other.x).abs() > EQUAL { other.x < one.x } else { other.y < one.y };
+    if is_earlier { other } else { one }
 }
 
 /// The direction in which edges begin.
 pub(super) fn heading(start: DVec2, edges: &[Edge]) -> DVec2 {
-    match edges.first() {
-        Some(Edge::Line(to)) => (*to - start).normalize_or_zero(),
-        Some(Edge::Arc { centre, sweep, .. }) => {
-            (start - *centre).perp().normalize_or_zero() * if *sweep < 0.0 { -1.0 } else { 1.0 }
-        }
-        None => DVec2::X,
-    }
+    edges.first().map_or(DVec2::X, |edge| edge.heading(start, start))
 }
 
 /// Adds a segment; one that continues the arc before it about the same centre is one with it.
@@ -365,30 +374,4 @@ pub(super) fn inverted(line: &Polyline) -> Polyline {
 /// Whether a closed line encloses something.
 pub(super) fn has_area(line: &Polyline) -> bool {
     line.vertex_count() > 1 && line.area().abs() > NO_AREA
-}
-
-/// Whether the straight way between two points of an area stays within it; it may touch boundaries.
-pub(super) fn is_clear(parts: &[Part], from: DVec2, to: DVec2) -> bool {
-    if from.distance(to) <= NEAR {
-        return true;
-    }
-    let mut way = Polyline::with_capacity(2, false);
-    way.add(from.x, from.y, 0.0);
-    way.add(to.x, to.y, 0.0);
-    let options = FindIntersectsOptions { pline1_aabb_index: None, pos_equal_eps: NEAR };
-    // The way is cut where it meets a boundary; each piece is inside or outside as a whole.
-    let mut cuts = vec![0.0, 1.0];
-    let length = from.distance(to);
-    for line in parts.iter().flat_map(|part| std::iter::once(&part.outer).chain(&part.holes)) {
-        let found = line.find_intersects_opt(&way, &options);
-        let basic = found.basic_intersects.iter().map(|found| point(found.point));
-        let along = found.overlapping_intersects.iter().flat_map(|found| [point(found.point1), point(found.point2)]);
-        cuts.extend(basic.chain(along).map(|at| at.distance(from) / length));
-    }
-    cuts.sort_by(f64::total_cmp);
-    let region = super::Region { parts: parts.to_vec() };
-    cuts.windows(2).filter(|pair| (pair[1] - pair[0]) * length > 4.0 * NEAR).all(|pair| {
-        let middle = from.lerp(to, (pair[0] + pair[1]) / 2.0);
-        region.contains(middle) || region.nearest(middle).is_some_and(|(_, distance)| distance <= 10.0 * NEAR)
-    })
 }

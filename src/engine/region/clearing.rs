@@ -5,12 +5,14 @@
 //! between rings it goes straight where nothing is in the way, and else along rings and from one to the next. A step
 //! of at most the radius of the cutter leaves nothing; the corners of a greater one may (manual, line 4712).
 //! Invariant: every edge lies within the region of centres.
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 
 use glam::DVec2;
 
 use super::boundary::{Boundary, Edge, nearest_of};
-use super::{NEAR, Region};
+use super::nearest::Bridge;
+use super::{NEAR, Nearest, Region};
 
 /// More rings than this one inside the other are refused.
 pub const MOST_RINGS: usize = 10_000;
@@ -52,6 +54,10 @@ struct Level {
     inside: Vec<usize>,
     /// How far inside it is, mm.
     depth: f64,
+    /// Where something of its rings is near, by their numbers.
+    near: OnceCell<Nearest>,
+    /// The straight ways from ring to ring that join all of them.
+    bridges: OnceCell<Vec<Bridge>>,
 }
 
 /// The paths that clear a region in which the centre of the cutter may be, one for each of its connected parts.
@@ -134,12 +140,17 @@ fn from_inside(levels: &[Level], outermost: usize) -> Vec<usize> {
 impl Level {
     fn new(region: Region, depth: f64, left: bool) -> Self {
         let rings = region.boundaries().map(|ring| if left { ring } else { ring.reversed() }).collect();
-        Self { rings, region, around: None, inside: Vec::new(), depth }
+        let (near, bridges) = (OnceCell::new(), OnceCell::new());
+        Self { rings, region, around: None, inside: Vec::new(), depth, near, bridges }
+    }
+
+    fn near(&self) -> &Nearest {
+        self.near.get_or_init(|| Nearest::of(&self.region))
     }
 
     /// The point of its rings that is nearest to a point.
     fn nearest(&self, near: DVec2) -> DVec2 {
-        self.region.nearest(near).map_or(near, |(point, _)| point)
+        self.near().nearest(near).map_or(near, |(point, _)| point)
     }
 
     /// The middle of its region, in steps that rounding does not change.
@@ -150,15 +161,13 @@ impl Level {
 
     /// The number of the ring that a point is on.
     fn ring_of(&self, point: DVec2) -> usize {
-        let distance = |ring: &Boundary| ring.nearest(point).distance_squared(point);
-        let rings = self.rings.iter().enumerate();
-        rings.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map_or(0, |(n, _)| n)
+        self.near().nearest_among(point, f64::INFINITY, &|_| true).map_or(0, |(_, ring)| ring)
     }
 
     /// Whether a point is inside of it or on its rim.
     fn holds(&self, point: DVec2) -> bool {
         let on_rim = |(_, distance): (DVec2, f64)| distance <= 10.0 * NEAR;
-        self.region.nearest(point).is_some_and(on_rim) || self.region.contains(point)
+        self.near().nearest(point).is_some_and(on_rim) || self.region.contains(point)
     }
 }
 
@@ -172,12 +181,13 @@ struct Walk<'a> {
 impl Walk<'_> {
     /// Mills the rings of a level, the nearest one first.
     fn mill(&mut self, number: usize) {
-        let mut left: Vec<&Boundary> = self.levels[number].rings.iter().collect();
-        while !left.is_empty() {
-            let nearest = number_of_nearest(left.iter().map(|ring| ring.nearest(self.here)), self.here);
-            let ring = left.swap_remove(nearest);
-            self.go_to(ring.nearest(self.here), number);
-            self.edges.extend(ring.from_nearest(self.here).edges());
+        let levels = self.levels;
+        let level = &levels[number];
+        let mut left = vec![true; level.rings.len()];
+        while let Some((near, next)) = level.near().nearest_among(self.here, f64::INFINITY, &|ring| left[ring]) {
+            left[next] = false;
+            self.go_to(near, number);
+            self.edges.extend(level.rings[next].from_nearest(self.here).edges());
         }
     }
 
@@ -189,7 +199,7 @@ impl Walk<'_> {
             return self.line(goal);
         };
         let common = &self.levels[common];
-        if common.region.has_line_of_sight(self.here, goal) {
+        if common.near().is_clear(&common.region, self.here, goal) {
             return self.line(goal);
         }
         // Out to its rings, along them, and in again: nothing is between a point and the nearest one of them.
@@ -203,10 +213,10 @@ impl Walk<'_> {
     fn along(&mut self, level: &Level, goal: DVec2) {
         let (own, other) = (level.ring_of(self.here), level.ring_of(goal));
         let mut ring = own;
-        for (from, to) in level.bridges(own, other) {
+        for Bridge { lines: [_, next], ends: [from, to] } in level.bridges(own, other) {
             self.along_ring(&level.rings[ring], from);
             self.line(to);
-            ring = level.ring_of(to);
+            ring = next;
         }
         self.along_ring(&level.rings[other], goal);
     }
@@ -240,47 +250,27 @@ impl Walk<'_> {
 impl Level {
     /// The straight ways from ring to ring that lead from one to another: where two are nearest to each other nothing
     /// is between them.
-    fn bridges(&self, from: usize, to: usize) -> Vec<(DVec2, DVec2)> {
-        // The rings that are reached, with the ring and the bridge by which.
-        let mut reached: Vec<(usize, usize, (DVec2, DVec2))> = vec![(from, from, (DVec2::ZERO, DVec2::ZERO))];
-        while !reached.iter().any(|(ring, ..)| *ring == to) {
-            let known = |ring: usize| reached.iter().any(|(known, ..)| *known == ring);
-            let free = (0..self.rings.len()).filter(|ring| !known(*ring));
-            let pairs = free.flat_map(|ring| reached.iter().map(move |(known, ..)| (*known, ring)));
-            let bridge = |(known, ring): (usize, usize)| {
-                let (a, b) = closest(&self.rings[known], &self.rings[ring]);
-                (known, ring, a, b)
-            };
-            let best = pairs.map(bridge).min_by(|a, b| a.2.distance(a.3).total_cmp(&b.2.distance(b.3)));
-            let Some((known, ring, a, b)) = best else { break };
-            reached.push((ring, known, (a, b)));
+    fn bridges(&self, from: usize, to: usize) -> Vec<Bridge> {
+        if from == to {
+            return Vec::new();
         }
-        let (mut bridges, mut at) = (Vec::new(), to);
-        while at != from {
-            let Some((_, before, bridge)) = reached.iter().find(|(ring, ..)| *ring == at) else { break };
-            bridges.push(*bridge);
-            at = *before;
+        let all = self.bridges.get_or_init(|| self.near().bridges(self.rings.len()));
+        let mut beside: Vec<Vec<Bridge>> = vec![Vec::new(); self.rings.len()];
+        for bridge in all.iter().flat_map(|bridge| [*bridge, bridge.back()]) {
+            beside[bridge.lines[0]].push(bridge);
         }
-        bridges.reverse();
-        bridges
-    }
-}
-
-/// The points of two rings that are nearest to each other, found from their corners and the middles of their edges.
-fn closest(one: &Boundary, other: &Boundary) -> (DVec2, DVec2) {
-    let mut best = (one.start(), other.nearest(one.start()));
-    for (own, foreign, swapped) in [(one, other, false), (other, one, true)] {
-        for edge in own.edges() {
-            // A step back and forth from a point of one ring to the other comes to a pair that sees each other.
-            let (mut a, mut b) = (edge.to(), foreign.nearest(edge.to()));
-            for _ in 0..8 {
-                a = own.nearest(b);
-                b = foreign.nearest(a);
-            }
-            if a.distance(b) < best.0.distance(best.1) - NEAR {
-                best = if swapped { (b, a) } else { (a, b) };
+        // How each ring that is reached was reached, from the goal.
+        let mut reached: Vec<Option<Bridge>> = vec![None; self.rings.len()];
+        let mut open = vec![to];
+        while let Some(ring) = open.pop() {
+            for bridge in &beside[ring] {
+                let next = bridge.lines[1];
+                if next != to && reached[next].is_none() {
+                    reached[next] = Some(bridge.back());
+                    open.push(next);
+                }
             }
         }
+        std::iter::successors(reached[from], |before| reached[before.lines[1]]).collect()
     }
-    best
 }

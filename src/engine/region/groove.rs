@@ -11,8 +11,8 @@ use crate::base::expr::atan2d;
 
 /// Angles and lengths below this are none, degrees and mm.
 const SAME: f64 = 1e-9;
-/// An eased insert is so much narrower, mm.
-const EASED: f64 = 4e-9;
+/// An eased insert is so much narrower, mm: what calculation loses of a groove, and what a program with six decimals does.
+pub const EASED: [f64; 2] = [4e-9, 1.6e-6];
 
 /// The cutting edge of a recessing insert.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,13 +38,17 @@ impl CuttingEdge {
         self.placed(profile, allowance, far, self.straight())
     }
 
-    /// The same of an insert that is narrower by so little that it fits between walls that are as far from each other as
-    /// it is wide.
+    /// The same of an insert that is narrower by so much, mm: one of [`EASED`], with which it fits between walls that are
+    /// as far from each other as it is wide.
     ///
     /// # Errors
     /// The profile has arcs that end off their circle.
-    pub fn eased_over(&self, profile: &Way, allowance: Allowance, far: f64) -> Result<Envelope, GoesBack> {
-        self.placed(profile, allowance, far, (self.straight() - EASED).max(0.0))
+    pub fn eased_over(
+        &self,
+        narrower: f64,
+        (profile, allowance, far): (&Way, Allowance, f64),
+    ) -> Result<Envelope, GoesBack> {
+        self.placed(profile, allowance, far, (self.straight() - narrower).max(0.0))
     }
 
     fn placed(&self, profile: &Way, allowance: Allowance, far: f64, straight: f64) -> Result<Envelope, GoesBack> {

@@ -12,6 +12,7 @@ mod combine;
 pub mod contours;
 pub mod formula;
 pub mod groove;
+mod nearest;
 pub mod profile;
 pub mod relief;
 pub mod section;
@@ -23,6 +24,7 @@ use cavalier_contours::shape_algorithms::{Shape, ShapeOffsetOptions};
 use glam::DVec2;
 
 pub use boundary::{Boundary, Edge, Flaw};
+pub use nearest::Nearest;
 pub use way::Way;
 
 /// Points that lie nearer to each other than this are one, in mm.
@@ -138,7 +140,7 @@ impl Region {
 
     /// Whether the straight way between two points of the region stays within it.
     pub fn has_line_of_sight(&self, from: DVec2, to: DVec2) -> bool {
-        boundary::is_clear(&self.parts, from, to)
+        Nearest::of(self).is_clear(self, from, to)
     }
 
     fn offset(&self, inwards: f64) -> Self {

@@ -180,14 +180,17 @@ impl Envelope {
 
     /// The lowest height at a place; nothing where there is no part.
     pub fn height(&self, x: f64) -> Option<f64> {
-        let here = self.pieces.iter().filter(|piece| piece.from - SAME <= x && x <= piece.to + SAME);
+        // They are in order and do not overlap.
+        let first = self.pieces.partition_point(|piece| piece.to + SAME < x);
+        let here = self.pieces.iter().skip(first).take_while(|piece| piece.from - SAME <= x);
         here.map(|piece| piece.shape.height(x.clamp(piece.from, piece.to))).reduce(f64::max)
     }
 
     /// Where it is not higher than a level, between two places: pairs of beginning and end in their order.
     pub fn below(&self, level: f64, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+        let first = self.pieces.partition_point(|piece| piece.to < from);
         let mut places = vec![from, to];
-        for piece in &self.pieces {
+        for piece in self.pieces.iter().skip(first).take_while(|piece| piece.from <= to) {
             places.extend([piece.from, piece.to]);
             let roots = piece.shape.meets_line(DVec2::new(0.0, level), 0.0);
             places.extend(roots.into_iter().filter(|x| (piece.from..=piece.to).contains(x)));
@@ -446,7 +449,7 @@ fn highest(pieces: &[Piece]) -> Vec<Piece> {
             }
         }
     }
-    places.sort_by(f64::total_cmp);
+    places.sort_unstable_by(f64::total_cmp);
     let mut found: Vec<Piece> = Vec::new();
     for pair in places.windows(2) {
         let &[from, to] = pair else { continue };
@@ -454,18 +457,21 @@ fn highest(pieces: &[Piece]) -> Vec<Piece> {
             continue;
         }
         let middle = from.midpoint(to);
-        let here = pieces.iter().filter(|piece| piece.from <= middle && middle <= piece.to);
-        let top = here.max_by(|a, b| a.shape.height(middle).total_cmp(&b.shape.height(middle)));
-        let Some(top) = top else { continue };
         // What touches the piece before only goes on with it, as far as that goes.
-        let goes_on = |last: &Piece| {
-            let far =
-                pieces.iter().any(|piece| piece.shape == last.shape && piece.from <= middle && middle <= piece.to);
-            far && top.shape.height(middle) - last.shape.height(middle) <= SAME
-        };
+        let before = found.last().filter(|last| from - last.to <= SAME).map(|last| last.shape);
+        let (mut top, mut goes_far): (Option<(f64, Shape)>, bool) = (None, false);
+        for piece in pieces.iter().filter(|piece| piece.from <= middle && middle <= piece.to) {
+            let height = piece.shape.height(middle);
+            if top.is_none_or(|(best, _)| height >= best) {
+                top = Some((height, piece.shape));
+            }
+            goes_far |= before == Some(piece.shape);
+        }
+        let Some((height, shape)) = top else { continue };
+        let goes_on = goes_far && before.is_some_and(|before| height - before.height(middle) <= SAME);
         match found.last_mut() {
-            Some(last) if from - last.to <= SAME && goes_on(last) => last.to = to,
-            _ => found.push(Piece { from, to, shape: top.shape }),
+            Some(last) if goes_on => last.to = to,
+            _ => found.push(Piece { from, to, shape }),
         }
     }
     found

@@ -52,6 +52,11 @@ impl<'r> Reporter<'r> {
         self.rehearsing = rehearsing;
     }
 
+    /// Whether what happens is only rehearsed.
+    pub(crate) const fn is_rehearsing(&self) -> bool {
+        self.rehearsing
+    }
+
     /// Whether events wait from now on, until they are [taken](Self::take_held).
     pub(crate) const fn hold(&mut self, holding: bool) {
         self.holding = holding;

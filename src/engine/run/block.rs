@@ -46,7 +46,10 @@ impl<'e> Run<'_, 'e> {
         let goes = motion.path != Path::L || !motion.coords.is_empty();
         let fed = motion.feed.is_some_and(|feed| feed.kind != FeedKind::Max);
         self.before(&motion.functions, !goes && !fed)?;
-        let in_machine = motion.functions.iter().any(|m| effect(m.number) == Some(Effect::MachineCoordinates));
+        let in_machine = motion
+            .functions
+            .iter()
+            .any(|function| matches!(effect(function.number), Some(Effect::MachineCoordinates | Effect::SecondDatum)));
         let positioned = self.motion(motion, in_machine)?;
         self.after(&motion.functions, positioned)
     }
@@ -98,11 +101,11 @@ impl<'e> Run<'_, 'e> {
                 return self.after(functions, false);
             }
             BlockKind::Statement(statement) if statement.kind == StatementKind::Fselect => self.selection()?,
-            BlockKind::Statement(statement) if self.is_undercut(statement) => self.undercut(statement)?,
+            BlockKind::Statement(statement) if self.is_form_element(statement) => self.form_element(statement)?,
             BlockKind::Statement(statement) if self.drives.beside_contour => {
                 self.drives.not_beside_contour(self.slice(statement.head).trim())?;
             }
-            BlockKind::Statement(_) if self.switches_mode(block) => {}
+            BlockKind::Statement(_) if self.switches_mode(block)? => {}
             BlockKind::Statement(statement) if statement.kind == StatementKind::Function => {
                 self.function(block, statement)?;
             }
@@ -170,10 +173,11 @@ impl<'e> Run<'_, 'e> {
         Ok(self.set(target, value)?)
     }
 
-    /// `FUNCTION MODE TURN` and `FUNCTION MODE MILL`: in turning X is a diameter.
-    fn switches_mode(&mut self, block: &Block) -> bool {
-        let words: Vec<String> = self
-            .slice(block.span)
+    /// `FUNCTION MODE TURN` and `FUNCTION MODE MILL`: in turning X is a diameter. A name after that is the kinematics to
+    /// be used; the scene has one machine, which must be that.
+    fn switches_mode(&mut self, block: &Block) -> Result<bool, Fault> {
+        let text = self.slice(block.span);
+        let words: Vec<String> = text
             .split_ascii_whitespace()
             .skip_while(|word| word.bytes().all(|b| b.is_ascii_digit()))
             .take(3)
@@ -182,13 +186,18 @@ impl<'e> Run<'_, 'e> {
         let turning = match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
             ["FUNCTION", "MODE", "TURN"] => true,
             ["FUNCTION", "MODE", "MILL"] => false,
-            _ => return false,
+            _ => return Ok(false),
         };
+        let machine = &self.drives.world.kinematics().name;
+        let named = text.split(';').next().and_then(|text| text.split('"').nth(1)).map(str::trim);
+        if let Some(name) = named.filter(|name| !name.eq_ignore_ascii_case(machine)) {
+            return Err(Fault::unsupported("kinematics-unknown").arg("name", name).arg("machine", machine.clone()));
+        }
         self.drives.world.system.turning = turning;
         if !turning {
             self.drives.align(Aligned::default());
         }
-        true
+        Ok(true)
     }
 
     fn select(&mut self, what: &str, name: &str) -> Done {
@@ -312,6 +321,9 @@ impl<'e> Run<'_, 'e> {
                 // In a block that moves, too, a length comes first.
                 Effect::Retract if retracts || function.with.is_some() => self.retract(function)?,
                 Effect::Retract => return Err(self.no_function(function).into()),
+                Effect::SecondDatum if self.drives.world.scene.machine.second_datum.is_none() => {
+                    return Err(self.no_function(function).into());
+                }
                 Effect::ArcFeed(feed) => self.contour.arc_feed = feed,
                 Effect::PlungeFactor => self.modal.plunge_factor = self.factor_of(function)?,
                 Effect::ShorterWay(shorter) => self.modal.shorter_way = shorter,

@@ -9,6 +9,7 @@ use crate::engine::flow::definition::Definition;
 use crate::engine::flow::definition::FieldCoord;
 use crate::engine::flow::definition::FieldValue;
 use crate::engine::flow::state::Run;
+use crate::engine::geometry::RotaryAxis;
 use crate::engine::motion::axis::linear;
 use crate::engine::motion::axis::rotary;
 use crate::engine::motion::moves::RAPID_FEED;
@@ -20,7 +21,7 @@ use crate::program::syntax::{
     Axis, CycleDef, CycleForm, CycleView, NamedWord, OldCycleLine, Parameter, Value, ValueKind,
 };
 use crate::spec::{
-    self, Combined, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect,
+    self, Combined, Cycle, CycleKey, Group, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect,
     Transformation,
 };
 
@@ -342,7 +343,7 @@ impl<'e> Run<'_, 'e> {
                     if !is_valued(word, self.slice(word.value.span).trim(), param, field) {
                         return Ok(Err(*word));
                     }
-                    let value = self.field_value(word, param, field)?;
+                    let value = self.field_value(word, (param, field), cycle.file.group == Group::Digitizing)?;
                     match (fields.iter_mut().find(|(id, _)| *id == field.id.text), value) {
                         (Some((_, FieldValue::Coords(all))), FieldValue::Coords(more)) => all.extend(more),
                         (Some(_), _) => return Ok(Err(*word)),
@@ -355,7 +356,13 @@ impl<'e> Run<'_, 'e> {
         Ok(Ok(fields))
     }
 
-    fn field_value(&self, word: &NamedWord, param: &Param, field: &spec::Field) -> Result<FieldValue, Fault> {
+    /// The value of a word; `turns` says whether a direction may be that of a rotary axis.
+    fn field_value(
+        &self,
+        word: &NamedWord,
+        (param, field): (&Param, &spec::Field),
+        turns: bool,
+    ) -> Result<FieldValue, Fault> {
         let name = self.slice(word.name).trim().to_ascii_uppercase();
         let out_of_range = || Fault::program("parameter-out-of-range").arg("q", field.id.as_str());
         let in_range = |value: f64| {
@@ -368,7 +375,13 @@ impl<'e> Run<'_, 'e> {
                 let printed = if field.shape == Shape::Labelled { value.to_ascii_uppercase() } else { name };
                 let axis = axis_of(printed.trim_end_matches(['+', '-']));
                 let (axis, _) = axis.ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
-                Ok(FieldValue::Direction(linear(axis)?.unit() * if value.ends_with('-') { -1.0 } else { 1.0 }))
+                let value = if value.ends_with('-') { -1.0 } else { 1.0 };
+                match rotary(axis).filter(|_| turns) {
+                    None => Ok(FieldValue::Direction(linear(axis)?.unit() * value)),
+                    Some(RotaryAxis(axis)) => {
+                        Ok(FieldValue::Coords(vec![FieldCoord { axis, rotary: true, value, incremental: false }]))
+                    }
+                }
             }
             (Shape::Axes, _) => {
                 let (axis, _) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;

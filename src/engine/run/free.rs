@@ -216,7 +216,7 @@ impl Run<'_, '_> {
         match closed {
             Some(false) => ahead.begun = Some(ahead.given.len()),
             // What begins nowhere cannot be closed.
-            Some(true) => given.closes = Some(ahead.begun.take().ok_or_else(|| open(Missing::End))?),
+            Some(true) => given.closes = Some(ahead.begun.take().ok_or_else(|| open(Missing::End, 1))?),
             None => {}
         }
         Ok(given)
@@ -378,13 +378,13 @@ fn out_of_place(word: &str) -> Fault {
     Fault::program("free-contour-word").arg("word", word.to_owned())
 }
 
-fn open(missing: Missing) -> Fault {
+fn open(missing: Missing, values: usize) -> Fault {
     let what = match missing {
         Missing::Line => "line",
         Missing::Arc => "arc",
         Missing::End => "end",
     };
-    Fault::program("free-contour-open").arg("what", what)
+    Fault::program("free-contour-open").arg("what", what).arg("values", values as f64)
 }
 
 fn selection(wanted: usize, solutions: usize) -> Fault {
@@ -396,7 +396,7 @@ fn selection(wanted: usize, solutions: usize) -> Fault {
 fn told(flaw: Flaw) -> (usize, Fault) {
     match flaw {
         Flaw::Contradiction { element } => (element, Fault::program("free-contour-contradicts")),
-        Flaw::Open { element, missing } => (element, open(missing)),
+        Flaw::Open { element, missing, values } => (element, open(missing, values)),
         Flaw::Several { element, solutions } => {
             (element, Fault::program("free-contour-several").arg("solutions", solutions as f64))
         }

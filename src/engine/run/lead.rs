@@ -1,14 +1,13 @@
-//! Roundings, chamfers, undercuts, and the ways to a contour and away from it (`APPR`, `DEP`), as a program writes them.
+//! Roundings, chamfers, and the ways to a contour and away from it (`APPR`, `DEP`), as a program writes them.
 use glam::DVec3;
 
 use crate::engine::contour::approach::{Form, Lead};
-use crate::engine::contour::path::Break;
-use crate::engine::contour::undercut::{Form as UndercutForm, Undercut};
+use crate::engine::contour::breaks::Break;
 use crate::engine::flow::state::Run;
 use crate::engine::motion::moves::Speed;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
-use crate::program::syntax::{Approach, Motion, Statement, StatementKind};
+use crate::program::syntax::{Approach, Motion};
 
 impl Run<'_, '_> {
     /// The value of `LEN` or `CCA`.
@@ -85,44 +84,6 @@ impl Run<'_, '_> {
         self.modal.feed = feed;
         let what = if chamfer { Break::Chamfer(size) } else { Break::Rounding(size) };
         self.contour.break_corner(&mut self.drives, what, speed);
-        Ok(())
-    }
-
-    /// Whether a block is `UDC`.
-    pub(super) fn is_undercut(&self, statement: &Statement) -> bool {
-        statement.kind == StatementKind::Function && self.slice(statement.head).trim_end().eq_ignore_ascii_case("UDC")
-    }
-
-    /// `UDC TYPE_E R0.6 DEPTH0.3 BREADTH2.5 ANGLE15`: an undercut where the surface before it and the face after it meet.
-    pub(super) fn undercut(&mut self, statement: &Statement) -> Done {
-        let refused = |word: &str| Fault::unsupported("unsupported-block").arg("word", format!("UDC {word}"));
-        let mut words = statement.words.iter();
-        let form = words.next().map_or("", |word| self.slice(word.name)).trim().to_ascii_uppercase();
-        let form = match form.as_str() {
-            "TYPE_E" => UndercutForm::E,
-            "TYPE_F" => UndercutForm::F,
-            "TYPE_U" => UndercutForm::U,
-            other => return Err(refused(other).into()),
-        };
-        self.contour.has_corner()?;
-        let mut own = Undercut::of(form);
-        for word in words {
-            let name = self.slice(word.name).trim().to_ascii_uppercase();
-            let value = self.number_of(&word.value)?;
-            let length = value * self.drives.unit();
-            match (name.as_str(), form) {
-                ("R", _) => own.radius = Some(length),
-                ("DEPTH", _) => own.depth = Some(length),
-                ("BREADTH", _) => own.breadth = Some(length),
-                ("ANGLE", UndercutForm::E | UndercutForm::F) => own.angle = Some(value),
-                ("FACEDEPTH", UndercutForm::F) => own.face_depth = Some(length),
-                ("FACEANGLE", UndercutForm::F) => own.face_angle = Some(value),
-                ("RND" | "CHF", UndercutForm::U) => own.edge = Some((length, name == "CHF")),
-                (other, _) => return Err(refused(other).into()),
-            }
-        }
-        let speed = self.speed(None);
-        self.contour.break_corner(&mut self.drives, Break::Undercut(own), speed);
         Ok(())
     }
 }

@@ -23,6 +23,8 @@ pub(super) enum Source {
     Second,
     Day,
     Month,
+    /// The month with three letters.
+    NamedMonth,
     /// The year with two digits.
     ShortYear,
     Year,
@@ -66,6 +68,8 @@ pub(super) enum Statement {
     Close,
     /// The output goes to the end of a file that was closed.
     Append,
+    /// The same, but only to a file that has less than so many KB.
+    AppendUpTo(u32),
     /// The output begins its file anew.
     Truncate,
     /// Whether lines without any text are left out.
@@ -127,6 +131,10 @@ fn statement(written: &str) -> Result<Statement, String> {
             "M_CLOSE" => Statement::Close,
             "M_APPEND" => Statement::Append,
             "M_TRUNCATE" => Statement::Truncate,
+            most if most.starts_with("M_APPEND_MAX") => {
+                let most = most.trim_start_matches("M_APPEND_MAX").trim();
+                Statement::AppendUpTo(most.parse().map_err(|_| written.to_owned())?)
+            }
             "M_EMPTY_HIDE" => Statement::HideEmpty(true),
             "M_EMPTY_SHOW" => Statement::HideEmpty(false),
             "L_ALL" => Statement::Language(None),
@@ -168,6 +176,7 @@ fn source(word: &str) -> Option<Source> {
         "SEC" => Source::Second,
         "DAY" => Source::Day,
         "MONTH" => Source::Month,
+        "STR_MONTH" => Source::NamedMonth,
         "YEAR2" => Source::ShortYear,
         "YEAR4" => Source::Year,
         _ => Source::Parameter(QRef::parse(word)?),
@@ -191,9 +200,14 @@ fn pieces(format: &str, values: &[Source]) -> Result<Vec<Piece>, String> {
                     signs.next();
                 }
                 let kind = signs.next().map(|kind| kind.to_ascii_uppercase());
+                // A text as it is, without a field.
+                let is_bare = kind == Some('R') && signs.next_if(|next| matches!(next, 'S' | 's')).is_some();
                 let shown = || format!("%{written}{}", kind.map(String::from).unwrap_or_default());
                 let of = *values.next().ok_or_else(shown)?;
-                let piece = field(&written, kind, of).ok_or_else(shown)?;
+                let piece = match is_bare && written.is_empty() {
+                    true => Piece::Value { of, form: Form::Text, width: 0, left: false, zeros: false },
+                    false => field(&written, kind, of).ok_or_else(shown)?,
+                };
                 if !text.is_empty() {
                     pieces.push(Piece::Text(std::mem::take(&mut text)));
                 }

@@ -6,6 +6,7 @@
 mod block;
 mod define;
 mod engine;
+mod form_element;
 mod free;
 mod lead;
 mod mask;

@@ -17,6 +17,9 @@ use crate::engine::report::fault::Fault;
 use crate::engine::table::TableKind;
 use crate::program::syntax::{Approach, Axis, Coord, Motion, Path};
 
+/// Lengths of directions that differ by less are the same.
+const SAME_SIZE: f64 = 1e-9;
+
 impl Run<'_, '_> {
     /// Executes a motion block. Whether it positions the tool.
     pub(super) fn motion(&mut self, motion: &Motion, in_machine: bool) -> Done<bool> {
@@ -172,12 +175,22 @@ impl Run<'_, '_> {
             motion.coords.iter().copied().partition(|coord| rotary(coord.axis).is_some());
         let turns = self.turn_target(&turning, in_machine)?;
         if in_machine {
-            let to = self.target(&coords, self.drives.world.machine)?;
+            let from = self.second_datum(motion, turns.is_empty())?;
+            let to = self.target(&coords, self.drives.world.machine - from)? + from;
             return self.drives.turn_and_go(&turns, self.drives.world.to_program(to), Some(to), speed, None);
         }
         let to = self.target(&coords, self.drives.world.here)?;
         let speed = self.speed_at_tool(&turns, to, speed)?;
         self.drives.turn_and_go(&turns, to, None, speed, None)
+    }
+
+    /// From where machine coordinates count: with `M92` from the second datum of the machine, which is one of linear axes.
+    fn second_datum(&self, motion: &Motion, is_linear: bool) -> Result<DVec3, Fault> {
+        if !motion.functions.iter().any(|function| effect(function.number) == Some(Effect::SecondDatum)) {
+            return Ok(DVec3::ZERO);
+        }
+        let datum = self.drives.world.scene.machine.second_datum.filter(|_| is_linear);
+        datum.ok_or_else(|| Fault::unsupported("unsupported-m").arg("word", "M92"))
     }
 
     /// The speed of rotary axes with `M116`: as many degrees a minute as bring the tool along the workpiece with the feed
@@ -233,25 +246,53 @@ impl Run<'_, '_> {
         self.drives.turn_and_go(&[], self.drives.world.to_program(to), Some(to), speed, None)
     }
 
-    /// `LN`: a straight line whose block gives the direction across the surface, too. Only a tool of the size for which
-    /// the program was written: the ways of others would be shifted along it.
+    /// `LN`: a straight line whose block gives the direction across the surface, too. A tool with oversizes touches the
+    /// surface where the tool without them does; the program describes the way of the one without.
     fn line_with_normal(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
-        let is_as_programmed = self.has_size_of_program()?;
+        let refused = || Fault::unsupported("unsupported-path").arg("word", "LN");
         let turns_tool = motion.words.iter().any(|word| self.slice(word.name).to_ascii_uppercase().starts_with('T'));
-        if !is_as_programmed || turns_tool || self.is_in_contour(motion) {
-            return Err(Fault::unsupported("unsupported-path").arg("word", "LN").into());
+        if turns_tool || self.is_in_contour(motion) {
+            return Err(refused().into());
         }
-        let to = self.target(&motion.coords, self.programmed())?;
-        self.straight_block(motion, to, speed)
+        let nominal = self.target(&motion.coords, self.programmed())?;
+        let (radius, corner) = self.oversizes()?;
+        if (radius, corner) == (0.0, 0.0) {
+            return self.straight_block(motion, nominal, speed);
+        }
+        let system = &self.drives.world.system;
+        let up = system.plane.tool.unit();
+        let normal = self.surface_normal(motion)?;
+        // Scaled the oversizes would be, too; below the tool nothing of it touches the surface.
+        let unscaled = (system.frame().vector(normal).length() - 1.0).abs() < SAME_SIZE;
+        if !unscaled || normal.dot(up) < -SAME_SIZE {
+            return Err(refused().into());
+        }
+        // The centre of the rounding, of the ring on which it lies, and back to the tip below it.
+        let across = normal.reject_from_normalized(up).normalize_or_zero();
+        let to = nominal + (normal - up) * corner + across * (radius - corner);
+        self.contour.forget();
+        self.drives.straight_to(to, None, speed)?;
+        self.contour.went_along(nominal, self.drives.world.here);
+        Ok(())
     }
 
-    /// Whether the tool has no oversizes, neither in the table nor of its call.
-    fn has_size_of_program(&self) -> Result<bool, Fault> {
-        let Some(tool) = self.drives.world.tool() else { return Ok(true) };
+    /// The direction out of the surface, of length 1: `NX`, `NY`, `NZ`.
+    fn surface_normal(&self, motion: &Motion) -> Result<DVec3, Fault> {
+        let part = |name: &str| {
+            let word = motion.words.iter().find(|word| self.slice(word.name).trim().eq_ignore_ascii_case(name));
+            word.map_or(Ok(0.0), |word| self.number_of(&word.value))
+        };
+        let normal = DVec3::new(part("NX")?, part("NY")?, part("NZ")?);
+        if normal.length() > 0.0 { Ok(normal.normalize()) } else { Err(Fault::program("value-missing")) }
+    }
+
+    /// The oversizes of the tool in radius and corner radius, those of the table and of the call together, mm. Its length
+    /// is compensated whatever it is.
+    fn oversizes(&self) -> Result<(f64, f64), Fault> {
+        let Some(tool) = self.drives.world.tool() else { return Ok((0.0, 0.0)) };
         let table = self.drives.world.table(TableKind::Tool)?;
         let oversize = |column| table.number(tool.number, column).map(Option::unwrap_or_default);
-        let of_table = [oversize("DL")?, oversize("DR")?, oversize("DR2")?];
-        Ok(tool.deltas == (0.0, 0.0) && of_table.iter().all(|value| *value == 0.0))
+        Ok((oversize("DR")? + tool.deltas.0, oversize("DR2")?))
     }
 
     /// Where the rotary axes of a block go, in machine coordinates.

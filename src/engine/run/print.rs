@@ -10,6 +10,8 @@ use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::{Class, Fault};
 use crate::program::syntax::{Block, Statement};
 
+/// A kilobyte of a file.
+const KILOBYTE: usize = 1024;
 /// A name of a language has as many letters at least.
 const SHORTEST: usize = 5;
 /// The message that has the name of the language in masks.
@@ -43,7 +45,7 @@ impl Run<'_, '_> {
         };
         let statements = mask::read(text).map_err(unreadable)?;
         let (mut printed, mut is_meant, mut hides) = (String::new(), true, false);
-        let (mut closes, mut appends, mut anew) = (false, false, false);
+        let (mut closes, mut appends, mut anew, mut most) = (false, false, false, None);
         for statement in &statements {
             match statement {
                 mask::Statement::Line(pieces) if is_meant => {
@@ -56,11 +58,16 @@ impl Run<'_, '_> {
                 mask::Statement::Line(_) => {}
                 mask::Statement::Close => closes = true,
                 mask::Statement::Append => appends = true,
+                mask::Statement::AppendUpTo(size) => (appends, most) = (true, Some(*size as usize * KILOBYTE)),
                 mask::Statement::Truncate => anew = true,
                 mask::Statement::HideEmpty(empty) => hides = *empty,
                 mask::Statement::Language(None) => is_meant = true,
                 mask::Statement::Language(Some(language)) => is_meant = self.is_own_language(language)?,
             }
+        }
+        // A contour that is only read prints nothing: each cycle that machines it reads it again.
+        if self.drives.report.is_rehearsing() {
+            return Ok(());
         }
         let Target::File(file) = target else {
             self.records.screens.push(printed.clone());
@@ -71,6 +78,7 @@ impl Run<'_, '_> {
             self.records.logs.retain(|(known, _)| *known != file);
         }
         match self.records.logs.iter_mut().find(|(known, _)| *known == file) {
+            Some((_, all)) if most.is_some_and(|most| all.len() >= most) => return Ok(()),
             Some((_, all)) => all.push_str(&printed),
             None => self.records.logs.push((file.clone(), printed.clone())),
         }
@@ -126,6 +134,7 @@ impl Run<'_, '_> {
             Source::Second => Content::Number(f64::from(now.second)),
             Source::Day => Content::Number(f64::from(now.day)),
             Source::Month => Content::Number(f64::from(now.month)),
+            Source::NamedMonth => Content::Text(month(now.month).into()),
             Source::ShortYear => Content::Number(f64::from(now.year % 100)),
             Source::Year => Content::Number(f64::from(now.year)),
         };
@@ -139,6 +148,12 @@ impl Run<'_, '_> {
         let is_zero = text.starts_with('-') && text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
         Ok(if is_zero { text.trim_start_matches('-').to_owned() } else { text })
     }
+}
+
+/// A month from 1 with three letters.
+fn month(number: u8) -> &'static str {
+    const NAMES: [&str; 12] = ["JAN", "FEB", "MAR", "APR", "MAY", "JUN", "JUL", "AUG", "SEP", "OCT", "NOV", "DEC"];
+    usize::from(number).checked_sub(1).and_then(|index| NAMES.get(index)).copied().unwrap_or_default()
 }
 
 /// Whether two paths of a control mean one file: drives and directories do not matter, nor does case.

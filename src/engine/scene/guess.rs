@@ -248,13 +248,18 @@ impl Guess {
             let _ = writeln!(text, "# {line}");
         });
         let _ = writeln!(text, "scene: 1\nunits: mm\nmachine: {}", self.machine());
-        if !self.tools.is_empty() {
-            text.push_str("tools:\n");
-        }
-        for tool in &self.tools {
-            let listed = self.rows.iter().find(|(number, _)| *number == tool.number);
-            let row = listed.map_or_else(|| tool.row(), |(_, row)| row.clone());
-            let _ = writeln!(text, "  - {{{row}}}{}", comment(Line::Tool(tool)));
+        // Tools of a tool table are rows of it, whatever they do.
+        let listed = |tool: &GuessedTool| self.rows.iter().find(|(number, _)| *number == tool.number);
+        let of_turning = |tool: &&GuessedTool| tool.turns && listed(tool).is_none();
+        let (turning, others): (Vec<_>, Vec<_>) = self.tools.iter().partition(of_turning);
+        for (table, tools) in [("tools", others), ("turning_tools", turning)] {
+            if !tools.is_empty() {
+                let _ = writeln!(text, "{table}:");
+            }
+            for tool in tools {
+                let row = listed(tool).map_or_else(|| tool.row(), |(_, row)| row.clone());
+                let _ = writeln!(text, "  - {{{row}}}{}", comment(Line::Tool(tool)));
+            }
         }
         if self.tools.iter().any(|tool| tool.probes) {
             let ball = self.tools.iter().find(|tool| tool.probes && tool.origin != Origin::Assumed);
@@ -276,29 +281,24 @@ impl Guess {
 }
 
 impl GuessedTool {
-    /// Its row as a scene writes it.
+    /// Its row as a scene writes it: in the table of turning tools if it turns.
     fn row(&self) -> String {
         let [length, radius] = self.size;
-        let radius = match self.origin {
-            Origin::Assumed if self.probes => BALL,
-            Origin::Assumed if self.turns => 0.0,
-            _ => radius,
-        };
         let name = self.name.as_ref().map(|name| format!(", NAME: {}", quoted(name))).unwrap_or_default();
+        if self.turns {
+            let insert = if self.recesses {
+                let [width, nose] = RECESSING;
+                format!("RS: {nose}, CUTWIDTH: {width}")
+            } else {
+                let [nose, angle, point] = INSERT;
+                format!("RS: {nose}, T-ANGLE: {angle}, P-ANGLE: {point}")
+            };
+            return format!("T: {}{name}, ZL: {length}, {insert}", self.number);
+        }
+        let radius = if self.probes && self.origin == Origin::Assumed { BALL } else { radius };
         let angle = if self.plunges { format!(", ANGLE: {ANGLE}") } else { String::new() };
         let probe = if self.probes { ", TP_NO: 1" } else { "" };
-        let insert = match (self.turns, self.recesses) {
-            (false, _) => String::new(),
-            (true, false) => {
-                let [nose, angle, point] = INSERT;
-                format!(", RS: {nose}, T-ANGLE: {angle}, P-ANGLE: {point}")
-            }
-            (true, true) => {
-                let [width, nose] = RECESSING;
-                format!(", RS: {nose}, CUTWIDTH: {width}")
-            }
-        };
-        format!("T: {}{name}, L: {length}, R: {radius}{angle}{probe}{insert}", self.number)
+        format!("T: {}{name}, L: {length}, R: {radius}{angle}{probe}", self.number)
     }
 }
 

@@ -4,6 +4,7 @@
 //! what is so.
 use glam::{DVec2, DVec3};
 
+use crate::engine::geometry::Frame;
 use crate::engine::read::Reader;
 use crate::spec::Node;
 
@@ -40,12 +41,21 @@ impl Plate {
 pub struct ToolSetter {
     /// The centre of its upper face in machine coordinates.
     pub at: DVec3,
+    /// How it is mounted: its directions are those of the machine, turned about X, Y and Z by so many degrees.
+    pub rotate: DVec3,
     /// The shape of that face.
     pub plate: Plate,
     /// How far a tool pushes it in before it triggers, mm.
     pub pre_travel: f64,
     /// By how much each trigger comes later than it should, mm, in turn.
     pub scatter: Vec<f64>,
+}
+
+impl ToolSetter {
+    /// The frame from the directions in which it is mounted to the machine.
+    pub fn mounted(&self) -> Frame {
+        if self.rotate == DVec3::ZERO { Frame::IDENTITY } else { Frame::placed(DVec3::ZERO, self.rotate) }
+    }
 }
 
 /// A cutting edge as it really is.
@@ -72,7 +82,7 @@ pub struct TrueTool {
 pub(super) const OWN: [&str; 4] = ["neck", "edges", "first_edge", "misaligned"];
 
 pub(super) fn setter(node: &Node, r: &mut Reader<'_>) -> Option<ToolSetter> {
-    r.only_keys(node, &["at", "diameter", "cube", "pre_travel", "scatter"]);
+    r.only_keys(node, &["at", "rotate", "diameter", "cube", "pre_travel", "scatter"]);
     let at = r.need(node, "at").and_then(|node| match r.items(node) {
         [x, y, z] => Some(DVec3::new(r.length(x)?, r.length(y)?, r.length(z)?)),
         _ => {
@@ -85,14 +95,15 @@ pub(super) fn setter(node: &Node, r: &mut Reader<'_>) -> Option<ToolSetter> {
         (_, None) => r.need(node, "diameter").and_then(|node| r.positive(node)).map(|wide| Plate::Disc(wide / 2.0)),
         // One of them is too many.
         (Some(_), Some(_)) => {
-            r.only_keys(node, &["at", "diameter", "pre_travel", "scatter"]);
+            r.only_keys(node, &["at", "rotate", "diameter", "pre_travel", "scatter"]);
             None
         }
     };
+    let rotate = node.get("rotate").map_or(Some(DVec3::ZERO), |node| r.angles(node));
     let pre_travel = node.get("pre_travel").map_or(Some(0.0), |node| r.length(node));
     let list = node.get("scatter").map_or(&[][..], |node| r.items(node));
     let scatter: Option<Vec<f64>> = list.iter().map(|item| r.length(item)).collect();
-    Some(ToolSetter { at: at?, plate: plate?, pre_travel: pre_travel?, scatter: scatter? })
+    Some(ToolSetter { at: at?, rotate: rotate?, plate: plate?, pre_travel: pre_travel?, scatter: scatter? })
 }
 
 /// What a row of the tools says of the tool as it is; nothing if it says nothing.

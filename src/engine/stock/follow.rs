@@ -132,6 +132,25 @@ impl Blank {
         }
     }
 
+    /// All parts of a scene as one body, in the coordinates of the preset that is active at the start; nothing if there
+    /// are none, or one of them has no end.
+    pub fn of_parts(scene: &Scene) -> Option<Self> {
+        let axis = scene.machine.spindle;
+        let shape = Shape::Placed { frame: scene.frame.inverse(), shape: Box::new(scene.parts.clone()) };
+        let [min, max] = around(&scene.parts, &scene.frame.inverse())?;
+        let bounds = [min, max];
+        min.cmplt(max).all().then_some(Self { shape, bounds, frame: scene.frame, axis })
+    }
+
+    /// The body as it is before it is cut, with columns at most so far from each other as a two-hundredth of it.
+    ///
+    /// # Errors
+    /// The body cannot be had, or it is too flat for columns.
+    pub fn uncut(&self) -> Result<Stock, StockTrouble> {
+        let [min, max] = self.bounds;
+        Stock::new(&self.shape, self.bounds, self.frame, self.axis, (max - min).max_element() / 200.0)
+    }
+
     /// `BLK FORM 0.1` and `0.2`.
     fn form(program: &Program, scene: &Scene) -> Option<Result<Self, StockTrouble>> {
         let mut corners: [Option<DVec3>; 2] = [None, None];
@@ -182,6 +201,30 @@ impl Blank {
 
 fn linear(axis: syntax::Axis) -> Option<Axis> {
     axis.name().chars().next().filter(|_| axis.name().len() == 1).and_then(Axis::from_letter)
+}
+
+/// A box that holds a body that lies in a frame; nothing if it has no end or is empty.
+fn around(shape: &Shape, frame: &Frame) -> Option<[DVec3; 2]> {
+    match shape {
+        Shape::Placed { frame: inner, shape } => around(shape, &frame.of(*inner)),
+        Shape::Union(shapes) => {
+            let all: Option<Vec<[DVec3; 2]>> = shapes.iter().map(|shape| around(shape, frame)).collect();
+            all?.into_iter().reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+        }
+        Shape::Difference(shapes) => around(shapes.first()?, frame),
+        Shape::Sphere { centre, radius } => {
+            let centre = frame.point(*centre);
+            Some([centre - *radius, centre + *radius])
+        }
+        _ => {
+            let [min, max] = bounds(shape)?;
+            let corner = |n: u32| {
+                let take = |bit: u32, low: f64, high: f64| if n & bit == 0 { low } else { high };
+                frame.point(DVec3::new(take(1, min.x, max.x), take(2, min.y, max.y), take(4, min.z, max.z)))
+            };
+            (0..8).map(corner).map(|p| [p, p]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+        }
+    }
 }
 
 /// The box that holds a blank.

@@ -327,7 +327,7 @@ pub trait Kept {
 /// What the control knows of the tool setter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KnownSetter {
-    /// The centre of its upper face, machine coordinates.
+    /// The centre of its upper face, in its own directions ([`ToolSetter::setter_frame`]).
     pub at: DVec3,
     /// The radius of that face, or half its width, mm.
     pub radius: f64,
@@ -335,8 +335,15 @@ pub struct KnownSetter {
     pub is_round: bool,
 }
 
-/// The tool setter.
+/// The tool setter. Points and ways are in the directions in which it is mounted, those of the machine where nothing
+/// else is said, and the tool is along the tool axis of these.
 pub trait ToolSetter {
+    /// The frame from these directions to machine coordinates.
+    ///
+    /// # Errors
+    /// The scene has no tool setter.
+    fn setter_frame(&self) -> Result<Frame, Fault>;
+
     /// What the control knows of it: from its calibration, else from machine parameters, else as it is.
     ///
     /// # Errors
@@ -355,16 +362,16 @@ pub trait ToolSetter {
     /// The text of a machine parameter by its neutral name; that of a number is its digits.
     fn setting_word(&self, name: &str) -> Option<String>;
 
-    /// The tip of the tool in machine coordinates, if the tool is as the tool table says.
+    /// The tip of the tool, if the tool is as the tool table says.
     ///
     /// # Errors
-    /// The tool is not along an axis of the machine.
+    /// The tool is not at right angles to the face, or the control does not know where it is.
     fn tip(&self) -> Result<DVec3, Fault>;
 
     /// Radius and length with which the control reckons, oversizes included, mm.
     fn reckoned(&self) -> (f64, f64);
 
-    /// Moves the tip at rapid traverse, machine coordinates.
+    /// Moves the tip at rapid traverse.
     ///
     /// # Errors
     /// It cannot go there.
@@ -386,8 +393,12 @@ pub trait ToolSetter {
     /// The tool table cannot be read.
     fn cuts_counter_clockwise(&self) -> Result<bool, Fault>;
 
-    /// Where the first edge is while the spindle is at 0, as found while the tool touched turning.
-    fn first_edge(&self) -> f64;
+    /// Where the first edge is from the main direction while the spindle is at 0, degrees, as found while the tool touched
+    /// turning.
+    ///
+    /// # Errors
+    /// The tool is not at right angles to the face.
+    fn first_edge(&self) -> Result<f64, Fault>;
 }
 
 /// A way of the stylus on which it is felt for the part, program coordinates.
@@ -409,6 +420,17 @@ pub enum Course {
         /// Its angle in degrees, counter-clockwise.
         sweep: f64,
     },
+}
+
+/// A coordinate of a definition.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coordinate {
+    /// The axis; of a rotary one, the linear axis that it turns about.
+    pub axis: Axis,
+    /// Whether it is the rotary axis.
+    pub rotary: bool,
+    /// mm, or degrees; of the direction of a rotary axis its sign.
+    pub value: f64,
 }
 
 /// Where the stylus touches the part.
@@ -456,12 +478,35 @@ pub trait Stylus {
     /// What digitizing keeps.
     fn digitizing(&mut self) -> &mut Digitizing;
 
-    /// An error where the definition in effect has a coordinate of a rotary axis or, if all are needed, lacks one of a
-    /// linear axis.
+    /// The axes and coordinates that the parameter of that meaning has in the definition in effect; none of a direction
+    /// along a linear axis.
+    fn coordinates(&self, meaning: &str) -> Vec<Coordinate>;
+
+    /// Where it would touch the part first on a straight way, once a rotary axis of the table has turned to an angle in
+    /// program coordinates.
     ///
     /// # Errors
-    /// That.
-    fn check_coordinates(&self, all: bool) -> Result<(), Fault>;
+    /// There is no probe, or the contact cannot be calculated.
+    fn feel_turned(&self, turned: (RotaryAxis, f64), from: DVec3, to: DVec3) -> Result<Option<Felt>, Fault>;
+
+    /// Whether it would touch the part at a position while a rotary axis of the table turns to an angle from where it is.
+    ///
+    /// # Errors
+    /// There is no probe, or the contact cannot be calculated.
+    fn touches_while_turning(&self, turned: (RotaryAxis, f64), at: DVec3) -> Result<bool, Fault>;
+
+    /// By how much its ball moves over the part at a position for each degree of a rotary axis of the table.
+    ///
+    /// # Errors
+    /// There is no probe.
+    fn way_in_degree(&self, axis: RotaryAxis, at: DVec3) -> Result<DVec3, Fault>;
+
+    /// Moves it through the air while a rotary axis turns to an angle; at a feed, mm/min or degrees/min, or at rapid
+    /// traverse.
+    ///
+    /// # Errors
+    /// It cannot go there, or touches something.
+    fn fly_turning(&mut self, turned: (RotaryAxis, f64), to: DVec3, feed: Option<f64>) -> Done;
 
     /// The points of a point table.
     ///

@@ -8,6 +8,7 @@ use super::digitized::Row;
 use super::digitizing::{
     Manner, OFF, Spent, begin, in_plane, keep_sudden, probe, range_of, scanning, stepping, sudden, take,
 };
+use super::digitizing_turned::{contour_line_start, ends_in_plane, once_around, turn_back, turning_sense};
 use super::scan::{Level, feel, lost};
 use super::signature::{Mm, strategy};
 use crate::engine::report::ending::Done;
@@ -66,16 +67,16 @@ impl Action for ApproachContourLineStart {
     type Results = ();
 
     fn act(&self, control: &mut dyn Control) -> Done {
-        control.check_coordinates(false)?;
         let range = range_of(control)?;
         if range.corners.is_some() {
             return Err(Fault::program("digitizing-range-of-points").into());
         }
+        let over = contour_line_start(control, &range, self.start.0.truncate(), self.analog)?;
         control.digitizing().begin();
-        begin(control, &range, self.start.0.truncate(), self.analog)?;
+        begin(control, &range, over, self.analog)?;
         let end = if self.spacing.0 < 0.0 { range.greatest } else { range.least };
         let level = control.in_plane(end).z;
-        control.digitizing().rows.push(Row::Down(level));
+        control.digitizing().push(Row::Down(level));
         let (_, feed) = control.stylus()?;
         control.fly(control.axes(self.start.0.truncate().extend(level)), Some(feed))
     }
@@ -85,9 +86,9 @@ impl Action for ApproachContourLineStart {
 fn reach(control: &mut dyn Control, direction: DVec2) -> Done {
     let range = range_of(control)?;
     let (here, feed) = control.stylus()?;
-    let boundary = range.boundary(control.plane());
     let here = control.in_plane(here).truncate();
-    let way = boundary.iter().map(|corner| (*corner - here).dot(direction)).fold(0.0, f64::max);
+    let ends = ends_in_plane(control, &range, direction)?;
+    let way = ends.into_iter().map(|end| (end - here).dot(direction)).fold(0.0, f64::max);
     let way = way.max(OFF);
     let began = here.extend(0.0);
     if !probe(control, direction.extend(0.0) * way, feed)? {
@@ -107,17 +108,46 @@ impl Action for ApproachWorkpieceInDirection {
     }
 }
 
+/// How a line begins.
+enum Begins {
+    /// In that direction of the working plane.
+    Along(DVec2),
+    /// With the rotary axis turning, 1 or -1.
+    Turning(f64),
+}
+
 /// What a contour line is digitized with.
 struct Around {
-    direction: DVec2,
+    direction: Begins,
     approach: DVec2,
     limit: f64,
+}
+
+impl Around {
+    fn new(control: &mut dyn Control, direction: DVec3, approach: DVec3, limit: f64) -> Result<Self, Fault> {
+        let range = range_of(control)?;
+        let direction = match turning_sense(control, &range)? {
+            Some(sense) => Begins::Turning(sense),
+            None => Begins::Along(in_plane(control, direction)?),
+        };
+        Ok(Self { direction, approach: in_plane(control, approach)?, limit })
+    }
 }
 
 /// Goes once around the part from where it was touched; the least share of the line distance that it asks for where it
 /// is flat.
 fn around(control: &mut dyn Control, with: &Around, first: bool, manner: &Manner) -> Done<f64> {
     let range = range_of(control)?;
+    let direction = match with.direction {
+        Begins::Along(direction) => direction,
+        Begins::Turning(sense) => {
+            if let Some(travel) = manner.travel {
+                control.retract(travel)?;
+            }
+            let mut spent = Spent { limit: (with.limit > 0.0).then_some(with.limit), ..Spent::default() };
+            return once_around(control, &range, (sense, with.approach), manner, &mut spent).map(|()| 1.0);
+        }
+    };
     let (here, _) = control.stylus()?;
     let here = control.in_plane(here);
     // Where the ball touches, felt on the way on which the part was approached.
@@ -131,7 +161,7 @@ fn around(control: &mut dyn Control, with: &Around, first: bool, manner: &Manner
         control.retract(travel)?;
     }
     let right = DVec2::new(start.away.y, -start.away.x);
-    let clockwise = right.dot(with.direction) >= 0.0;
+    let clockwise = right.dot(direction) >= 0.0;
     let samples = Level { control: &*control, range: &range, clockwise }.trace(start, stepping(manner))?;
     let mut spent = Spent { limit: (with.limit > 0.0).then_some(with.limit), ..Spent::default() };
     let feeds = if first { manner.first_feed } else { manner.feed };
@@ -145,11 +175,7 @@ impl Action for ScanContourLine {
     const PROBES: bool = true;
 
     fn act(&self, control: &mut dyn Control) -> Done {
-        let with = Around {
-            direction: in_plane(control, self.direction)?,
-            approach: in_plane(control, self.approach)?,
-            limit: self.limit,
-        };
+        let with = Around::new(control, self.direction, self.approach, self.limit)?;
         let manner = self.manner(control)?;
         let share = around(control, &with, true, &manner)?;
         control.digitizing().next_step = self.step(share);
@@ -162,11 +188,7 @@ impl Action for ScanFurtherContourLines {
     const PROBES: bool = true;
 
     fn act(&self, control: &mut dyn Control) -> Done {
-        let with = Around {
-            direction: in_plane(control, self.direction)?,
-            approach: in_plane(control, self.approach)?,
-            limit: self.limit,
-        };
+        let with = Around::new(control, self.direction, self.approach, self.limit)?;
         let (manner, range) = (self.manner(control)?, range_of(control)?);
         let (least, greatest) = (control.in_plane(range.least).z, control.in_plane(range.greatest).z);
         let mut level = if self.spacing.0 < 0.0 { greatest } else { least };
@@ -177,7 +199,7 @@ impl Action for ScanFurtherContourLines {
             if step <= 0.0 || level > greatest + BEYOND || level < least - BEYOND {
                 return Ok(());
             }
-            control.digitizing().rows.push(Row::Down(level));
+            control.digitizing().push(Row::Down(level));
             let (_, feed) = control.stylus()?;
             control.fly(control.axes(self.start.0.truncate().extend(level)), Some(feed))?;
             reach(control, with.approach)?;
@@ -195,6 +217,7 @@ fn back_to_start(control: &mut dyn Control, start: DVec2, with: &Around) -> Done
         control.fly(control.axes(here - with.approach.extend(0.0) * OFF), Some(feed))?;
     }
     let at = control.axes(start.extend(here.z));
-    control.digitizing().rows.push(Row::Back(at));
-    control.fly(at, None)
+    control.digitizing().push(Row::Back(at));
+    control.fly(at, None)?;
+    turn_back(control, at)
 }

@@ -11,7 +11,7 @@ use super::contour::{Contours, Depths, Followed, OverContours, Wall, centres, dr
 use super::milling::shape_impossible;
 use super::pen::{Cutter, Pen};
 use super::signature::{results, strategy};
-use crate::engine::region::{Boundary, Edge, Region};
+use crate::engine::region::{Boundary, Edge, Nearest, Region};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
 
@@ -136,10 +136,10 @@ impl OverContours for FollowContourSide {
         let Wall { boundary: wall, centres, .. } =
             contours.wall(self.contour, tool.radius, self.allowance, self.rounding)?;
         let wall = if self.direction < 0.0 { wall.reversed() } else { wall };
-        let (wall, join) = joined(&centres, &wall, tool.radius * JOIN, tool.radius * LEAST_JOIN);
-        let (start, heading) = (wall.start(), wall.heading());
         // Into the region: on the left of the way in climb milling.
         let side = if self.direction < 0.0 { -1.0 } else { 1.0 };
+        let (wall, join) = joined(&centres, &wall, side, [tool.radius * JOIN, tool.radius * LEAST_JOIN]);
+        let (start, heading) = (wall.start(), wall.heading());
         let centre = start + heading.perp() * side * join;
         let (before, after) = (centre - heading * join, centre + heading * join);
         if pen.here().z < self.height {
@@ -160,34 +160,29 @@ impl OverContours for FollowContourSide {
 }
 
 /// A wall from where there is most room for an arc onto it, with the radius of that: the circle of the arc stays in the
-/// region. Tried in the middle of each edge.
-fn joined(centres: &Region, wall: &Boundary, most: f64, least: f64) -> (Boundary, f64) {
+/// region, which lies on the side 1 (left) or -1 of the wall. Tried in the middle of each edge.
+fn joined(centres: &Region, wall: &Boundary, side: f64, [most, least]: [f64; 2]) -> (Boundary, f64) {
+    let near = Nearest::of(centres);
     let mut at = wall.start();
-    let middles: Vec<DVec2> = wall
+    let middles: Vec<(DVec2, DVec2)> = wall
         .edges()
         .iter()
         .map(|edge| {
             let from = std::mem::replace(&mut at, edge.to());
-            edge.shortened(from, edge.length(from) / 2.0).to()
+            let middle = edge.shortened(from, edge.length(from) / 2.0).to();
+            (middle, edge.heading(from, middle).perp() * side)
         })
         .collect();
     let mut radius = most;
     while radius > least {
-        for middle in &middles {
-            let turned = wall.from_nearest(*middle);
-            let inwards = turned.heading().perp() * if wall_has_region_left(centres, &turned) { 1.0 } else { -1.0 };
-            let centre = turned.start() + inwards * radius;
-            let deep = centres.nearest(centre).is_some_and(|(_, distance)| distance >= radius - SPARE);
+        for (middle, inwards) in &middles {
+            let centre = *middle + *inwards * radius;
+            let deep = near.nearest(centre).is_some_and(|(_, distance)| distance >= radius - SPARE);
             if deep && centres.contains(centre) {
-                return (turned, radius);
+                return (wall.from_nearest(*middle), radius);
             }
         }
         radius /= 2.0;
     }
     (wall.clone(), least)
-}
-
-/// Whether the region lies on the left of the way along a wall.
-fn wall_has_region_left(centres: &Region, wall: &Boundary) -> bool {
-    centres.contains(wall.start() + wall.heading().perp() * 100.0 * SPARE)
 }

@@ -2,10 +2,11 @@
 //! file of digitized data.
 //!
 //! A position is that of the south pole of the stylus. Points of a range and of a record are given by axis; lines are in
-//! the working plane. Invariant: nothing moves here.
+//! the working plane. In a range with a rotary axis they are in its chart: the coordinate of the linear axis of the
+//! plane, and the angle, in which a degree counts as 1 mm. Invariant: nothing moves here.
 use glam::{DVec2, DVec3};
 
-use crate::engine::geometry::{Axis, WorkingPlane};
+use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
 use crate::engine::report::fault::Fault;
 
 /// Places that are nearer to each other are one, mm.
@@ -32,9 +33,33 @@ pub struct Range {
     pub corners: Option<Vec<DVec3>>,
     /// The clearance height, in the touch probe axis.
     pub height: f64,
+    /// The rotary axis of a range that has one.
+    pub rotary: Option<RotaryRange>,
 }
 
-/// A block of the file.
+/// The rotary axis of a range.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RotaryRange {
+    /// The axis.
+    pub axis: RotaryAxis,
+    /// The linear axis beside it in the working plane; the third linear axis stays where it is.
+    pub line: Axis,
+    /// The least angle, program coordinates, degrees.
+    pub least: f64,
+    /// The greatest.
+    pub greatest: f64,
+}
+
+/// A block of the file, and where the rotary axis of the range is in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block {
+    /// The block.
+    pub row: Row,
+    /// The angle, program coordinates, degrees.
+    pub angle: f64,
+}
+
+/// What a block of the file does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Row {
     /// Rapid traverse along the tool axis.
@@ -55,13 +80,17 @@ pub struct Digitizing {
     /// The range of the last definition.
     pub range: Option<Range>,
     /// What was digitized by the cycle that is executed.
-    pub rows: Vec<Row>,
+    pub rows: Vec<Block>,
+    /// Where the rotary axis of the range is, program coordinates, degrees.
+    pub(super) angle: f64,
     /// The lines of that cycle.
     pub(super) lines: Option<Lines>,
     /// Where sudden changes of direction were in the line before, main and minor coordinate.
     pub(super) corners: Vec<DVec2>,
     /// Whether the block form is enlarged, mm.
     pub(super) enlarged: f64,
+    /// Where the stylus was when the cycle began: an axis that the range does not have stays there.
+    pub(super) began: DVec3,
     /// From where the part was approached in the plane last.
     pub(super) first: DVec3,
     /// The distance to the next line.
@@ -86,21 +115,30 @@ pub(super) struct Lines {
 }
 
 impl Range {
-    /// The boundary in the working plane.
+    /// The boundary in the working plane, or in the chart.
     pub(super) fn boundary(&self, plane: WorkingPlane) -> Vec<DVec2> {
         if let Some(corners) = &self.corners {
             return corners.iter().map(|corner| plane.flat(*corner)).collect();
         }
-        let (a, b) = (plane.flat(self.least), plane.flat(self.greatest));
+        let (a, b) = match self.rotary {
+            None => (plane.flat(self.least), plane.flat(self.greatest)),
+            Some(RotaryRange { line, least, greatest, .. }) => {
+                (DVec2::new(line.of(self.least), least), DVec2::new(line.of(self.greatest), greatest))
+            }
+        };
         vec![a, DVec2::new(b.x, a.y), b, DVec2::new(a.x, b.y)]
     }
 
     /// The fault of a range that has no extent along an axis.
     pub(super) fn check(&self) -> Result<(), Fault> {
-        let empty = |axis: &Axis| axis.of(self.greatest) - axis.of(self.least) <= SAME;
-        let Some(axis) = Axis::ALL.into_iter().find(empty) else { return Ok(()) };
-        let fault = Fault::program("digitizing-range-wrong").arg("axis", axis.letter().to_string());
-        Err(fault.arg("min", axis.of(self.least)).arg("max", axis.of(self.greatest)))
+        let linear = Axis::ALL
+            .into_iter()
+            .filter(|axis| self.rotary.is_none_or(|rotary| *axis == rotary.line || axis.of(self.axis).abs() > SAME));
+        let rotary = self.rotary.map(|rotary| (rotary.axis.letter(), rotary.least, rotary.greatest));
+        let mut all = linear.map(|axis| (axis.letter(), axis.of(self.least), axis.of(self.greatest))).chain(rotary);
+        let Some((letter, min, max)) = all.find(|(_, least, greatest)| greatest - least <= SAME) else { return Ok(()) };
+        let fault = Fault::program("digitizing-range-wrong").arg("axis", letter.to_string());
+        Err(fault.arg("min", min).arg("max", max))
     }
 }
 
@@ -183,29 +221,47 @@ impl Digitizing {
         self.enlarged = 0.0;
     }
 
+    /// Adds a block, with the rotary axis of the range where it is.
+    pub(super) fn push(&mut self, row: Row) {
+        self.rows.push(Block { row, angle: self.angle });
+    }
+
     /// The file of digitized data in a unit of so many mm: its name and its text.
     pub(in crate::engine) fn file(&self, range: &Range, plane: WorkingPlane, mm: f64) -> (String, String) {
         let name = name_of(&range.file);
         let unit = if mm == 1.0 { "MM" } else { "INCH" };
         let mut blocks = vec![format!("BEGIN PGM {name} {unit}")];
-        let more = DVec3::splat(self.enlarged);
-        let writer = Writer { mm, decimals: if mm == 1.0 { 4 } else { 5 } };
-        let form = |point: DVec3| Axis::ALL.map(|axis| writer.word(axis, axis.of(point))).join(" ");
-        blocks.push(format!("BLK FORM 0.1 {} {}", plane.tool.letter(), form(range.least - more)));
-        blocks.push(format!("BLK FORM 0.2 {}", form(range.greatest + more)));
-        let mut before: [Option<String>; 3] = [None, None, None];
-        for row in &self.rows {
-            let (axes, point, rapid): (&[Axis], _, _) = match *row {
-                Row::Height(height) => (&[plane.tool], plane.lift(DVec2::ZERO, height), true),
-                Row::Down(height) => (&[plane.tool], plane.lift(DVec2::ZERO, height), false),
-                Row::Over(point) => (&[plane.main, plane.secondary], point, true),
-                Row::Back(point) => (&[plane.main, plane.secondary], point, false),
-                Row::Point(point) => (&Axis::ALL, point, false),
+        let writer = Writer { decimals: if mm == 1.0 { 4 } else { 5 } };
+        let columns: Vec<Column> = match range.rotary {
+            None => Axis::ALL.map(Column::Linear).to_vec(),
+            Some(rotary) => {
+                vec![Column::Linear(rotary.line), Column::Rotary(rotary.axis), Column::Linear(plane.tool)]
+            }
+        };
+        if range.rotary.is_none() {
+            let more = DVec3::splat(self.enlarged);
+            let form = |point: DVec3| Axis::ALL.map(|axis| writer.word(axis.letter(), axis.of(point) / mm)).join(" ");
+            blocks.push(format!("BLK FORM 0.1 {} {}", plane.tool.letter(), form(range.least - more)));
+            blocks.push(format!("BLK FORM 0.2 {}", form(range.greatest + more)));
+        }
+        let tool = Column::Linear(plane.tool);
+        let mut before: Vec<Option<String>> = vec![None; columns.len()];
+        for Block { row, angle } in &self.rows {
+            let (along_tool, in_plane, point, rapid) = match *row {
+                Row::Height(height) => (true, false, plane.lift(DVec2::ZERO, height), true),
+                Row::Down(height) => (true, false, plane.lift(DVec2::ZERO, height), false),
+                Row::Over(point) => (false, true, point, true),
+                Row::Back(point) => (false, true, point, false),
+                Row::Point(point) => (true, true, point, false),
             };
             let mut words = Vec::new();
-            for (axis, known) in Axis::ALL.into_iter().zip(&mut before) {
-                let word = axes.contains(&axis).then(|| writer.word(axis, axis.of(point)));
-                if let Some(word) = word.filter(|word| known.as_ref() != Some(word)) {
+            for (column, known) in columns.iter().zip(&mut before) {
+                let written = if *column == tool { along_tool } else { in_plane };
+                let word = || match column {
+                    Column::Linear(axis) => writer.word(axis.letter(), axis.of(point) / mm),
+                    Column::Rotary(axis) => writer.word(axis.letter(), *angle),
+                };
+                if let Some(word) = written.then(word).filter(|word| known.as_ref() != Some(word)) {
                     words.push(word.clone());
                     *known = Some(word);
                 }
@@ -221,6 +277,13 @@ impl Digitizing {
     }
 }
 
+/// An axis whose coordinates the file has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Column {
+    Linear(Axis),
+    Rotary(RotaryAxis),
+}
+
 /// The name of a program, of a file name with or without its path and extension.
 fn name_of(file: &str) -> String {
     let last = file.rsplit(['\\', '/', ':']).next().unwrap_or(file);
@@ -231,15 +294,14 @@ fn name_of(file: &str) -> String {
 
 /// How coordinates are written.
 struct Writer {
-    mm: f64,
     decimals: usize,
 }
 
 impl Writer {
-    fn word(&self, axis: Axis, value: f64) -> String {
-        let text = format!("{:+.*}", self.decimals, value / self.mm);
+    fn word(&self, letter: char, value: f64) -> String {
+        let text = format!("{value:+.*}", self.decimals);
         let text = text.trim_end_matches('0').trim_end_matches('.');
         let text = if text == "-0" { "+0" } else { text };
-        format!("{}{text}", axis.letter())
+        format!("{letter}{text}")
     }
 }

@@ -9,7 +9,8 @@ use glam::{DVec2, DVec3};
 
 use super::action::{Action, Control, Felt};
 use super::digitized::{Lines, Range, Row};
-use super::scan::{Ground, Profile, Sample, feel, lost, stored};
+use super::digitizing_turned::{go_over, in_working_plane, line_direction, rotary_range, take_turned};
+use super::scan::{Chart, Ground, Profile, Sample, feel, lost, stored};
 use super::signature::{Mm, strategy};
 use crate::base::expr::{cosd, sind};
 use crate::engine::report::ending::Done;
@@ -74,6 +75,8 @@ strategy! {
         angle: Option<f64> = Angle,
         /// Whether the probe measures its deflection.
         analog: bool = Number,
+        /// Whether each line goes back from where the one before has ended.
+        meander: bool = Number,
     }
 }
 
@@ -181,10 +184,11 @@ impl Action for RememberDigitizingRange {
     type Results = ();
 
     fn act(&self, control: &mut dyn Control) -> Done {
-        control.check_coordinates(true)?;
+        let rotary = rotary_range(control)?;
         let points = [self.minimum.0, self.maximum.0].map(|point| control.axes(point));
         let (axis, [least, greatest]) = (control.axes(self.axis), points);
-        let range = Range { file: self.file.to_string(), axis, least, greatest, corners: None, height: self.height.0 };
+        let (file, height) = (self.file.to_string(), self.height.0);
+        let range = Range { file, axis, least, greatest, corners: None, height, rotary };
         range.check()?;
         control.digitizing().range = Some(range);
         Ok(())
@@ -207,7 +211,8 @@ impl Action for RememberRangeFromPoints {
         };
         let (least, greatest) = (bound(DVec3::min, self.minimum.0), bound(DVec3::max, self.maximum.0));
         let file = self.file.to_string();
-        let range = Range { file, axis, least, greatest, corners: Some(corners), height: self.height.0 };
+        let height = self.height.0;
+        let range = Range { file, axis, least, greatest, corners: Some(corners), height, rotary: None };
         range.check()?;
         control.digitizing().range = Some(range);
         Ok(())
@@ -225,7 +230,7 @@ pub(super) fn range_of(control: &mut dyn Control) -> Result<Range, Fault> {
 }
 
 /// The fault of an axis that is not where one of the plane, or the tool axis, belongs.
-fn axis_wrong(control: &dyn Control, axis: DVec3) -> Fault {
+pub(super) fn axis_wrong(control: &dyn Control, axis: DVec3) -> Fault {
     let plane = control.plane();
     let letters = crate::engine::geometry::Axis::ALL.into_iter();
     let named = letters.max_by(|a, b| a.of(axis).abs().total_cmp(&b.of(axis).abs()));
@@ -241,14 +246,13 @@ pub(super) fn in_plane(control: &dyn Control, direction: DVec3) -> Result<DVec2,
 /// Begins a file of data: over the start of the first line, at the clearance height.
 pub(super) fn begin(control: &mut dyn Control, range: &Range, over: DVec2, analog: bool) -> Done {
     let depth = if analog { control.setting("stylus-deflection-depth").unwrap_or(0.0) } else { 0.0 };
-    let at = control.axes(over.extend(range.height));
-    let kept = control.digitizing();
-    kept.enlarged = 2.0 * depth;
-    kept.rows.extend([Row::Height(range.height), Row::Over(at)]);
     let (here, _) = control.stylus()?;
+    let kept = control.digitizing();
+    (kept.enlarged, kept.began) = (2.0 * depth, here);
+    kept.push(Row::Height(range.height));
     let up = control.in_plane(here).truncate().extend(range.height);
     control.fly(control.axes(up), None)?;
-    control.fly(at, None)
+    go_over(control, range, over)
 }
 
 impl Action for ApproachDigitizingStart {
@@ -256,7 +260,7 @@ impl Action for ApproachDigitizingStart {
 
     fn act(&self, control: &mut dyn Control) -> Done {
         let range = range_of(control)?;
-        let axis = in_plane(control, self.direction)?;
+        let axis = line_direction(control, &range, self)?;
         let angle = self.angle.unwrap_or(0.0);
         let lines = Lines::new(axis, DVec2::new(cosd(angle), sind(angle)), range.boundary(control.plane()));
         let first = lines.stretches().first().map_or_else(|| lines.corners.first().copied(), |line| Some(line.0));
@@ -268,9 +272,9 @@ impl Action for ApproachDigitizingStart {
 }
 
 /// Stores a position of the stylus.
-fn store(control: &mut dyn Control, at: DVec3) {
+pub(super) fn store(control: &mut dyn Control, at: DVec3) {
     let at = control.axes(at);
-    control.digitizing().rows.push(Row::Point(at));
+    control.digitizing().push(Row::Point(at));
 }
 
 /// Probes on a way and stores the position where the probe triggers; the fault of nothing there.
@@ -317,7 +321,7 @@ pub(super) struct Spent {
 }
 
 impl Spent {
-    fn add(&mut self, way: f64, feed: f64) -> Result<(), Fault> {
+    pub(super) fn add(&mut self, way: f64, feed: f64) -> Result<(), Fault> {
         self.minutes += way / feed;
         match self.limit {
             Some(limit) if self.minutes * 60.0 > limit => {
@@ -451,7 +455,18 @@ pub(super) fn stepping(manner: &Manner) -> f64 {
 fn along(control: &mut dyn Control, to: DVec2, from: DVec2, manner: &Manner) -> Done<Vec<Sample>> {
     let range = range_of(control)?;
     let (floor, ceiling) = (control.in_plane(range.least).z, control.in_plane(range.greatest).z);
-    let profile = Profile { control: &*control, from, to, top: range.height, floor, ceiling };
+    let turns = range.rotary.filter(|_| (to.y - from.y).abs() > SAME);
+    let flat = (in_working_plane(control, &range, from), in_working_plane(control, &range, to));
+    if let Some(rotary) = turns {
+        let chart = Chart { axis: rotary.axis, base: flat.0.extend(0.0), up: DVec3::Z, around: false };
+        let (from, to) = (DVec2::new(from.y, 0.0), DVec2::new(to.y, 0.0));
+        let profile = Profile { control: &*control, from, to, top: range.height, floor, ceiling, turned: Some(chart) };
+        let samples = profile.trace(stepping(manner))?;
+        take_turned(control, &chart, &samples, manner, range.height, &mut Spent::default())?;
+        return Ok(samples);
+    }
+    let (from, to) = flat;
+    let profile = Profile { control: &*control, from, to, top: range.height, floor, ceiling, turned: None };
     let samples = profile.trace(stepping(manner))?;
     let is_first = control.digitizing().lines.as_ref().is_none_or(|lines| lines.count == 0);
     let feeds = if is_first { manner.first_feed } else { manner.feed };
@@ -460,13 +475,18 @@ fn along(control: &mut dyn Control, to: DVec2, from: DVec2, manner: &Manner) -> 
 }
 
 /// The least share of the line distance that the part asks for where it leans across the lines.
-fn leaning(samples: &[Sample], across: DVec2) -> f64 {
-    let share = |sample: &Sample| {
-        let lean = across.dot(sample.out.truncate());
-        sample.out.z / libm::hypot(sample.out.z, lean).max(SAME)
-    };
-    let part = samples.iter().filter(|sample| sample.on == Ground::Part && sample.away.z.abs() > SAME);
-    part.map(share).fold(1.0, f64::min).max(0.0)
+fn leaning(control: &mut dyn Control, samples: &[Sample], across: DVec2) -> Result<f64, Fault> {
+    let rotary = range_of(control)?.rotary;
+    let mut least: f64 = 1.0;
+    for sample in samples.iter().filter(|sample| sample.on == Ground::Part && sample.away.z.abs() > SAME) {
+        let across = match rotary {
+            None => across.extend(0.0),
+            Some(rotary) => control.in_plane(control.way_in_degree(rotary.axis, control.axes(sample.at))?),
+        };
+        let lean = across.dot(sample.out);
+        least = least.min(sample.out.z / libm::hypot(sample.out.z, lean).max(SAME));
+    }
+    Ok(least.max(0.0))
 }
 
 /// Leaves the part upwards.
@@ -481,7 +501,7 @@ fn lift(control: &mut dyn Control, range: &Range) -> Done {
     }
     let (here, _) = control.stylus()?;
     let up = control.in_plane(here).truncate().extend(range.height);
-    control.digitizing().rows.push(Row::Height(range.height));
+    control.digitizing().push(Row::Height(range.height));
     control.fly(control.axes(up), None)
 }
 
@@ -507,12 +527,11 @@ fn checked(spacing: f64) -> Done {
 fn come_down(control: &mut dyn Control, over: DVec2, height: f64, travel: Option<f64>) -> Done {
     let range = range_of(control)?;
     lift(control, &range)?;
-    let at = control.axes(over.extend(range.height));
-    control.digitizing().rows.push(Row::Over(at));
-    control.fly(at, None)?;
+    go_over(control, &range, over)?;
     let floor = control.in_plane(range.least).z;
     let height = height.clamp(floor, range.height.max(floor));
-    control.fly(control.axes(over.extend(height)), None)?;
+    let flat = in_working_plane(control, &range, over);
+    control.fly(control.axes(flat.extend(height)), None)?;
     down(control, travel)
 }
 
@@ -530,7 +549,7 @@ fn whole_line(control: &mut dyn Control, line: &[(DVec2, DVec2)], height: f64, m
             come_down(control, *from, height, manner.travel)?;
         }
         let samples = along(control, *to, *from, manner)?;
-        share = share.min(leaning(&samples, across));
+        share = share.min(if manner.travel.is_none() { leaning(control, &samples, across)? } else { 1.0 });
         places.extend(sudden(&samples));
     }
     keep_sudden(control, places);

@@ -7,12 +7,14 @@ use glam::{DVec2, DVec3};
 
 use super::pen::Pen;
 use super::turned::{Sight, direction};
-use crate::engine::region::groove::CuttingEdge;
+use crate::engine::region::groove::{CuttingEdge, EASED};
 use crate::engine::region::profile::{Allowance, Envelope, GoesBack};
 use crate::engine::region::{Edge, Way};
 
 /// So far beside a wall a place is not on it, mm.
 const SIDE: f64 = 1e-8;
+/// Places between walls that are not further from each other than this are one, mm.
+const ONE: f64 = EASED[1] + 4e-7;
 /// What calculation may add to a height, mm.
 const SPARE: f64 = 1e-8;
 /// A level that is so near to the floor is that of the floor, mm.
@@ -21,6 +23,8 @@ const NEAR: f64 = 1e-7;
 const BELOW: f64 = 5e-10;
 /// What is lower beside a place by more than this is beyond a wall, mm.
 const WALL: f64 = 1e-6;
+/// An insert that is narrower by next to nothing is one that fits better if it comes down by more than this, mm.
+const DEEPER: f64 = 1e-6;
 /// What stays beyond what a nose leaves is reported if it is more than this, mm.
 const REPORTED: f64 = 1e-3;
 
@@ -63,9 +67,14 @@ impl Reach {
             own.find_floor();
             own
         };
-        let (exact, eased) = (reach(exact), reach(edge.eased_over(profile, allowance, far)?));
-        // Between walls that are as far from each other as the insert is wide there is one place.
-        let own = if eased.floor < exact.floor - WALL { eased } else { exact };
+        // Between walls that are as far from each other as the insert is wide there is one place, where it comes down
+        // to the floor only if it is a little narrower.
+        let mut reached = vec![reach(exact)];
+        for narrower in EASED {
+            reached.push(reach(edge.eased_over(narrower, (profile, allowance, far))?));
+        }
+        let lowest = reached.iter().map(|own| own.floor).fold(f64::INFINITY, f64::min);
+        let own = reached.into_iter().find(|own| own.floor <= lowest + DEEPER).ok_or(GoesBack)?;
         let left = edge.leaves((profile, allowance, far), &own.envelope, [own.begin.x, own.end.x])?;
         Ok((own, if left > REPORTED { left } else { 0.0 }))
     }
@@ -123,7 +132,7 @@ impl Reach {
         if is_point {
             found = self.envelope.below(level + SPARE, wide);
         }
-        let one_place = |[from, to]: [f64; 2]| match is_point || to - from < 2.0 * SIDE {
+        let one_place = |[from, to]: [f64; 2]| match is_point || to - from < ONE {
             true => [from.midpoint(to); 2],
             false => [from.max(range[0]), to.min(range[1])],
         };
@@ -141,10 +150,11 @@ impl Reach {
 
     /// The cuts at a level: pairs of beginning and end.
     pub fn cuts(&self, level: f64) -> Vec<[f64; 2]> {
-        if self.end.x - self.begin.x < 2.0 * SIDE {
+        if self.end.x - self.begin.x < ONE {
             // An insert as wide as the groove has one place.
-            let free = self.begin.x - self.end.x < 2.0 * SIDE && self.low(self.begin.x) <= level + SPARE;
-            return if free { vec![[self.begin.x; 2]] } else { Vec::new() };
+            let middle = self.begin.x.midpoint(self.end.x);
+            let free = self.begin.x - self.end.x < ONE && self.low(middle) <= level + SPARE;
+            return if free { vec![[middle; 2]] } else { Vec::new() };
         }
         self.below(level, [self.begin.x, self.end.x])
     }

@@ -179,8 +179,14 @@ impl Wanted {
             (first, 0.0, cuts.last().map_or(rough.feet[1], |cut| cut[1]))
         } else {
             // A flank that is narrower than the side infeed is left to finishing, as it is between two recesses.
-            let first = rough.feet[0].min(rough.begin.x + apart);
-            (first, apart, rough.feet[1].max(rough.end.x - apart))
+            let (feet, last) = (rough.feet, rough.feet[1].max(rough.end.x - apart));
+            let first = feet[0].min(rough.begin.x + apart);
+            let on_flank = |from: f64| libm::ceil((feet[0] - from) / apart - SPARE);
+            let meets_floor = first + apart * on_flank(first) <= feet[1] + FITS || last <= feet[1] + FITS;
+            // No recess would come down to a floor on which the insert has next to no room: then one begins there, and
+            // others are beside it up the flank.
+            let first = if meets_floor { first } else { feet[0] - apart * (on_flank(rough.begin.x) - 1.0).max(0.0) };
+            (first, apart, last)
         };
         let scale = sight.level(1.0).abs();
         Ok(GrooveResults {

@@ -29,11 +29,14 @@ pub(super) enum Held {
 
 /// Reports the insert of the tool in the spindle as the cuts of a cycle see it.
 pub(super) fn hold(control: &mut dyn Control, sight: Sight, held: Held) -> Done {
+    // The table of turning tools has a column of its own for how long the edges are.
     let mut length = 0.0;
-    if let Some(tool) = control.tool()
-        && control.has_row(TableKind::Tool, tool)?
-    {
-        length = control.number(TableKind::Tool, tool, "LCUTS")?.unwrap_or_default();
+    if let Some(tool) = control.tool() {
+        for (table, column) in [(TableKind::Turning, "CUTLENGTH"), (TableKind::Tool, "LCUTS")] {
+            if length <= 0.0 && control.has_row(table, tool)? {
+                length = control.number(table, tool, column)?.unwrap_or_default();
+            }
+        }
     }
     // Along the main axis and along the rotary axis.
     let in_machine = |seen: DVec2| {

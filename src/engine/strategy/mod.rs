@@ -20,6 +20,7 @@ pub mod cylinder;
 pub mod datum;
 pub mod digitized;
 pub mod digitizing;
+mod digitizing_turned;
 pub mod engraving;
 pub mod face;
 pub mod font;

@@ -1,4 +1,4 @@
-//! How a stylus follows a part: in a vertical plane over it, and at one height around it.
+//! How a stylus follows a part: in a vertical plane over it, along a rotary axis, and at one height around it.
 //!
 //! What is followed is the curve on which the south pole of the stylus goes while the ball touches the part, found point
 //! by point by contacts of the ball. Points are main, minor and tool coordinate. Invariant: nothing moves here.
@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use super::action::{Control, Course, Felt};
 use super::digitized::{Range, SAME};
 use crate::base::expr::sind;
+use crate::engine::geometry::RotaryAxis;
 use crate::engine::report::fault::{Class, Fault};
 
 /// A step is looked through in so many parts for where it becomes too long.
@@ -55,7 +56,7 @@ pub(super) struct Sample {
 }
 
 /// The fault of a position beyond the range.
-fn beyond(control: &dyn Control, at: DVec3) -> Fault {
+pub(super) fn beyond(control: &dyn Control, at: DVec3) -> Fault {
     let at = control.axes(at);
     Fault::control("digitizing-range-left").arg("x", at.x).arg("y", at.y).arg("z", at.z)
 }
@@ -88,6 +89,49 @@ pub(super) struct Profile<'c> {
     /// The limits of the range.
     pub floor: f64,
     pub ceiling: f64,
+    /// The rotary axis that is turned along the line, if it is not straight: then `x` of places is its angle and `z`
+    /// counts against the direction in which the stylus goes to the part.
+    pub turned: Option<Chart>,
+}
+
+/// A line along which a rotary axis turns while the stylus stays where it is, but for the direction in which it touches.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chart {
+    pub axis: RotaryAxis,
+    /// The place of the stylus where `z` is 0.
+    pub base: DVec3,
+    /// Away from the part, of length 1.
+    pub up: DVec3,
+    /// Whether the line goes around a part that is there at every angle.
+    pub around: bool,
+}
+
+impl Chart {
+    /// The place of the stylus at a height.
+    pub(super) fn place(&self, height: f64) -> DVec3 {
+        self.base + self.up * height
+    }
+
+    /// Where a stylus that comes from the top touches at an angle.
+    fn down(&self, profile: &Profile<'_>, angle: f64) -> Result<Sample, Fault> {
+        let control = profile.control;
+        let [from, to] = [profile.top, profile.floor].map(|height| control.axes(self.place(height)));
+        let at = |height: f64| DVec3::new(angle, 0.0, height);
+        let Some(felt) = control.feel_turned((self.axis, angle), from, to)? else {
+            if self.around {
+                return Err(lost(control, self.place(profile.floor)));
+            }
+            return Ok(Sample { at: at(profile.floor), out: self.up, away: DVec3::Z, on: Ground::Floor });
+        };
+        let height = (control.in_plane(felt.at) - self.base).dot(self.up);
+        if height > profile.ceiling + TOUCHES {
+            return Err(beyond(control, control.in_plane(felt.at)));
+        }
+        let out = control.in_plane(felt.out);
+        let lean = out.dot(control.in_plane(control.way_in_degree(self.axis, felt.at)?));
+        let away = DVec3::new(lean, 0.0, out.dot(self.up)).try_normalize().unwrap_or(DVec3::Z);
+        Ok(Sample { at: at(height), out, away, on: Ground::Part })
+    }
 }
 
 impl Profile<'_> {
@@ -98,6 +142,9 @@ impl Profile<'_> {
     /// Where a stylus that comes down touches at that way along the line.
     pub(super) fn down(&self, way: f64) -> Result<Sample, Fault> {
         let place = self.from + self.along() * way;
+        if let Some(chart) = &self.turned {
+            return chart.down(self, place.x);
+        }
         match feel(self.control, place.extend(self.top), place.extend(self.floor))? {
             None => Ok(Sample { at: place.extend(self.floor), out: DVec3::Z, away: DVec3::Z, on: Ground::Floor }),
             Some(felt) if felt.at.z > self.ceiling + TOUCHES => Err(beyond(self.control, felt.at)),
@@ -177,7 +224,8 @@ impl Profile<'_> {
     /// A place at the foot of a wall from which that direction leads away: it is left, and touched, at an angle.
     fn at_foot(&self, sample: Sample, away: DVec2) -> Result<Sample, Fault> {
         let off = away.extend(0.0) * TOUCHES;
-        if feel(self.control, sample.at + off, sample.at - off)?.is_none() {
+        // What turns is touched in one direction only.
+        if self.turned.is_some() || feel(self.control, sample.at + off, sample.at - off)?.is_none() {
             return Ok(sample);
         }
         let beside = away.extend(0.0);
@@ -189,6 +237,9 @@ impl Profile<'_> {
 
     /// The places along a wall between its ends.
     fn climb(&self, from: &Sample, to: &Sample, spacing: f64, all: &mut Vec<Sample>) -> Result<(), Fault> {
+        if self.turned.is_some() {
+            return Ok(());
+        }
         let rise = to.at.z - from.at.z;
         // The ball is on the side of the wall that is lower.
         let (place, away) = if rise > 0.0 { (from.at, -self.along()) } else { (to.at, self.along()) };
@@ -237,7 +288,9 @@ impl Profile<'_> {
             return Ok(None);
         }
         corner.away = (a.away + b.away).try_normalize().unwrap_or(corner.away);
-        if corner.on == Ground::Floor {
+        // Beside an overhang nothing is touched at the foot.
+        let touches = || self.control.touches(self.control.axes(corner.at), TOUCHES);
+        if corner.on == Ground::Floor && (self.turned.is_some() || touches()?) {
             corner.on = Ground::Part;
         }
         Ok(Some((way, corner)))

@@ -247,7 +247,7 @@ impl<'c> Work<'c> {
     /// The angles at which each edge points from the positive main axis towards the setter.
     fn angles(&self) -> Result<Vec<f64>, Fault> {
         let count = self.edges()?.max(1.0) as u32;
-        let first = self.control.first_edge();
+        let first = self.control.first_edge()?;
         Ok((0..count)
             .map(|edge| (180.0 - first - 360.0 / f64::from(count) * f64::from(edge)).rem_euclid(360.0))
             .collect())
@@ -267,9 +267,10 @@ impl Action for ApproachToolSetter {
 
     fn act(&self, control: &mut dyn Control) -> Done {
         let plane = control.plane();
-        let (frame, tip) = (control.frame(), control.tip()?);
-        let here = frame.inverse().point(tip);
-        let height = plane.tool.of(frame.point(plane.tool.with(here, self.height.0)));
+        let (frame, tip, mounted) = (control.frame(), control.tip()?, control.setter_frame()?);
+        let here = frame.inverse().point(mounted.point(tip));
+        let height = frame.point(plane.tool.with(here, self.height.0));
+        let height = plane.tool.of(mounted.inverse().point(height));
         let mut work = Work::new(control)?;
         let least = plane.tool.of(work.point(DVec2::ZERO, work.safety));
         let over = height.max(least);

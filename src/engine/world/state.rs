@@ -265,18 +265,30 @@ impl<'s> World<'s> {
             astray = axis.with(astray, truth.map_or(0.0, |truth| truth.astray(axis, *turned)));
         }
         let (machine, true_angles) = (self.true_machine(), angles + self.lag + astray);
-        let (table, at_start) = (machine.table(true_angles), machine.table(self.scene.start_angles));
         let head = |machine: &Machine, angles| Some(machine.head(angles)).filter(|head| *head != Frame::IDENTITY);
         let true_head = head(machine, true_angles);
-        self.parts = (table != at_start).then(|| at_start.of(table.inverse()));
-        if let Some(truth) = truth.filter(|truth| truth.drift != DVec3::ZERO) {
-            self.parts = Some(self.parts.unwrap_or(Frame::IDENTITY).of(Frame::shift(truth.drift)));
-        }
+        self.parts = self.parts_turned(true_angles);
         self.head = head(self.kinematics(), angles);
         self.true_head = true_head;
         if !self.system_stays || self.system.tip_held {
             self.carry_system();
         }
+    }
+
+    /// From the machine to the parts while the rotary axes really are there; nothing where that changes nothing.
+    fn parts_turned(&self, true_angles: DVec3) -> Option<Frame> {
+        let machine = self.true_machine();
+        let (table, at_start) = (machine.table(true_angles), machine.table(self.scene.start_angles));
+        let parts = (table != at_start).then(|| at_start.of(table.inverse()));
+        match self.scene.truth.as_ref().filter(|truth| truth.drift != DVec3::ZERO) {
+            Some(truth) => Some(parts.unwrap_or(Frame::IDENTITY).of(Frame::shift(truth.drift))),
+            None => parts,
+        }
+    }
+
+    /// The same as they will be once the axes have turned there, but for what turning scatters.
+    pub(crate) fn parts_after(&self, angles: DVec3) -> Frame {
+        self.parts_turned(angles + self.lag).unwrap_or(Frame::IDENTITY)
     }
 
     /// A system on the workpiece goes with the table.
@@ -490,13 +502,17 @@ impl<'s> World<'s> {
     }
 
     /// Sets the world up for a contour that is only read: the tool has no radius, and is so far away that the first
-    /// block moves it.
-    pub(crate) fn stand_aside(&mut self) {
+    /// block moves it; far away along all axes, where each coordinate that is programmed shall show.
+    pub(crate) fn stand_aside(&mut self, along_all: bool) {
         if let Some(tool) = &mut self.tool {
             tool.radius = 0.0;
         }
         let plane = self.system.plane;
         self.here = plane.main.with(self.here, plane.main.of(self.here) + ASIDE);
+        if along_all {
+            self.here = plane.secondary.with(self.here, plane.secondary.of(self.here) + ASIDE);
+            self.here = plane.tool.with(self.here, plane.tool.of(self.here) + ASIDE);
+        }
         self.machine = self.to_machine(self.here);
     }
 

@@ -148,10 +148,8 @@ fn number(chars: &[char], from: usize, language: &str, facts: &mut BTreeMap<Kind
     if let Some(unit) = UNITS.iter().find(|unit| after.starts_with(**unit)) {
         let end = unit_at + unit.chars().count();
         let ends = !chars.get(end).is_some_and(|c| c.is_alphanumeric());
-        // `2° asse`, but not `5°.`
-        let small = (1.0..=LARGEST_ORDINAL).contains(&value) && unit_at == to;
-        let word = chars.get(end).is_some_and(|c| *c == ' ') && chars.get(end + 1).is_some_and(|c| c.is_alphabetic());
-        let ordinal = *unit == "°" && small && word && matches!(language, "it" | "pt");
+        let after = chars.iter().skip(end).copied();
+        let ordinal = *unit == "°" && unit_at == to && is_ordinal(value, after, language);
         if ends && !ordinal {
             facts.entry(Kind::Unit).or_default().push((*unit).to_owned());
             return end;
@@ -162,4 +160,10 @@ fn number(chars: &[char], from: usize, language: &str, facts: &mut BTreeMap<Kind
         to += 1;
     }
     to
+}
+
+/// Whether a degree sign right after a number makes an ordinal of it: `2° asse`, but not `5°.`
+pub(super) fn is_ordinal(number: f64, mut after: impl Iterator<Item = char>, language: &str) -> bool {
+    let word = after.next() == Some(' ') && after.next().is_some_and(char::is_alphabetic);
+    (1.0..=LARGEST_ORDINAL).contains(&number) && word && matches!(language, "it" | "pt")
 }

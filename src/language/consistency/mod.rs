@@ -16,6 +16,7 @@ mod term;
 mod used;
 
 pub use meaning::meanings;
+pub use negation::Negation;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -44,6 +45,9 @@ const NAMES: [&str; 3] = ["parameter-", "cycle-", "unit-"];
 /// A language has no variant of a text where the source has one with other facts.
 pub const VARIANT: &str = "consistency-variant";
 
+/// Two texts seem to have changed places in a language.
+pub const SWAPPED: &str = "consistency-swapped";
+
 /// What the languages do not agree on.
 pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     let mut found = Vec::new();
@@ -68,6 +72,12 @@ pub fn shared_labels(locales: &Locales) -> Vec<Diagnostic> {
 
 /// Units that may be after a number, longest first.
 pub const UNITS: [&str; 6] = fact::UNITS;
+
+/// Whether a degree sign after a number makes an ordinal of it in this language: `2° asse`, but not `5°.` The number is right
+/// before the sign; `after` is what follows it.
+pub fn is_ordinal(number: f64, after: &str, language: &str) -> bool {
+    fact::is_ordinal(number, after.chars(), language)
+}
 
 /// How often a text says absolute or incremental, in the words of any language.
 pub fn references(text: &str) -> [usize; 2] {
@@ -140,8 +150,28 @@ fn facts(locales: &Locales, found: &mut Vec<Diagnostic>) {
         let scope = scope_of(suffixes);
         let message = std::iter::once(id).chain(suffixes).map(String::as_str).collect::<Vec<_>>().join("__");
         let variant = attribute.as_ref().map_or_else(|| message.clone(), |name| format!("{message}.{name}"));
-        compare(key, &variant, &said(locales, key, scope), found);
+        let all = said(locales, key, scope);
+        compare(key, &variant, &all, found);
+        for one in variants(&all, key, scope) {
+            compare(key, &variant, &one, found);
+        }
     }
+}
+
+/// What the languages say in each variant of a selection that several of them have.
+fn variants<'l>(all: &[Said<'l>], key: Key, scope: Scope) -> Vec<Vec<Said<'l>>> {
+    let mut by_path: BTreeMap<String, Vec<Said<'l>>> = BTreeMap::new();
+    for said in all {
+        for (path, text) in said.language.variants(key, scope) {
+            by_path.entry(path).or_default().push(Said {
+                language: said.language,
+                text,
+                place: said.place.clone(),
+                exact: said.exact,
+            });
+        }
+    }
+    by_path.into_values().collect()
 }
 
 /// Reports the texts whose facts are not those of most languages; the variant is the key with the suffixes of the scope.

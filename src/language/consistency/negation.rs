@@ -1,7 +1,8 @@
 //! Whether a sentence that denies something does so in every language.
 //!
 //! Each language lists its words for that (`lexicon-negation`): words, beginnings of words (`un-`), endings (`-less`) and what
-//! is inside of them (`-less-`), separated by ` | `. Only where all languages but one have such a word is that one reported: there are many ways to say what
+//! is inside of them (`-less-`), separated by ` | `. A word with a plus (`nor+`) goes on with what another one denies: alone it
+//! denies only at the beginning of a clause. Only where all languages but one have such a word is that one reported: there are many ways to say what
 //! is not so. Invariant: a language without a list is not judged, and has no vote.
 use super::{Said, keys, said, scope_of};
 use crate::base::diag::Diagnostic;
@@ -60,20 +61,95 @@ fn listed(language: &Language) -> Vec<String> {
     list.split('|').map(|word| word.trim().to_lowercase()).filter(|word| !word.is_empty()).collect()
 }
 
-/// Whether one of the words of the text is in the list. The names of arguments are no words.
+/// Whether something in the text denies.
 fn is_in(text: &str, list: &[String]) -> bool {
-    let mut inside = false;
-    let lower = text.to_lowercase();
-    let words = lower.split(|c: char| {
-        inside = (inside || c == '‹') && c != '›';
-        inside || !c.is_alphanumeric()
-    });
-    words.filter(|word| !word.is_empty()).any(|word| {
-        list.iter().any(|entry| match (entry.strip_suffix('-'), entry.strip_prefix('-')) {
-            (Some(_), Some(_)) => word.contains(entry.trim_matches('-')),
-            (Some(begin), _) => word.starts_with(begin),
-            (_, Some(end)) => word.ends_with(end),
-            _ => word == entry,
-        })
+    tokens(text).iter().any(|token| match denies(&token.word, list) {
+        Some(Denial::GoesOn) => token.begins,
+        Some(Denial::Whole) => true,
+        None => false,
     })
+}
+
+/// How a word denies.
+enum Denial {
+    Whole,
+    /// With another word before it.
+    GoesOn,
+}
+
+fn denies(word: &str, list: &[String]) -> Option<Denial> {
+    let is = |entry: &str| match (entry.strip_suffix('-'), entry.strip_prefix('-')) {
+        (Some(_), Some(_)) => word.contains(entry.trim_matches('-')),
+        (Some(begin), _) => word.starts_with(begin),
+        (_, Some(end)) => word.ends_with(end),
+        _ => word == entry,
+    };
+    list.iter().find_map(|entry| match entry.strip_suffix('+') {
+        Some(entry) => (word == entry).then_some(Denial::GoesOn),
+        None => is(entry).then_some(Denial::Whole),
+    })
+}
+
+/// A word of a text in small letters, or an argument with its quotation marks.
+struct Token {
+    word: String,
+    /// Whether a clause may begin with it.
+    begins: bool,
+}
+
+fn tokens(text: &str) -> Vec<Token> {
+    let mut all: Vec<Token> = Vec::new();
+    let (mut word, mut begins, mut inside) = (String::new(), true, false);
+    for c in text.to_lowercase().chars().chain([' ']) {
+        inside |= c == '‹';
+        if inside || c.is_alphanumeric() {
+            word.push(c);
+            inside &= c != '›';
+            continue;
+        }
+        if !word.is_empty() {
+            all.push(Token { word: std::mem::take(&mut word), begins });
+            begins = false;
+        }
+        begins |= matches!(c, ',' | ';' | ':' | '.' | '!' | '?' | '(' | '–' | '—');
+    }
+    all
+}
+
+/// The words with which a translation and its source deny.
+pub struct Negation {
+    own: Vec<String>,
+    source: Vec<String>,
+}
+
+impl Negation {
+    /// Those of a language; none that lists no such words.
+    pub fn of(locales: &Locales, tag: &str) -> Option<Self> {
+        let (own, source) = (listed(locales.language(tag).ok()?), listed(locales.source()?));
+        (!own.is_empty()).then_some(Self { own, source })
+    }
+
+    /// Whether words that deny were taken out of a text, or one word was put in the place of one, and nothing else was
+    /// changed, though the source denies. Codes are between `‹` and `›`.
+    pub fn is_lost(&self, source: &str, old: &str, new: &str) -> bool {
+        let (old, new) = (tokens(old), tokens(new));
+        let same = |(a, b): &(&Token, &Token)| a.word == b.word;
+        let head = old.iter().zip(&new).take_while(same).count();
+        let rest = old.len().min(new.len()) - head;
+        let tail = old.iter().rev().zip(new.iter().rev()).take(rest).take_while(same).count();
+        let middle = |all: &[Token]| -> Vec<String> {
+            let inner = all.iter().take(all.len() - tail).skip(head);
+            inner.map(|token| token.word.clone()).collect()
+        };
+        let (gone, come) = (middle(&old), middle(&new));
+        let is_denial = |word: &String| denies(word, &self.own).is_some();
+        // A word that was there twice was a slip.
+        let is_slip = || head > 0 && gone.first() == old.get(head - 1).map(|token| &token.word);
+        let taken_out = come.is_empty() && !is_slip();
+        // `ni` becomes `je`; what denies in another way is a longer word.
+        let replaced = matches!((&gone[..], &come[..]), ([one], [other])
+            if other.chars().count() <= one.chars().count() && !is_denial(other));
+        let is_less = !gone.is_empty() && gone.iter().all(is_denial) && (taken_out || replaced);
+        is_less && is_in(source, &self.source)
+    }
 }

@@ -62,7 +62,7 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
         for (at, with) in against.iter().enumerate().filter(|(_, with)| with.len() == most) {
             let Some((_, place)) = corpora[at].language.raw(Key::from(one.as_str()), Scope::NONE) else { continue };
             found.push(
-                Diagnostic::warning("consistency-swapped", place)
+                Diagnostic::warning(super::SWAPPED, place)
                     .arg("language", corpora[at].language.tag())
                     .arg("key", one.as_str())
                     .arg("other", other.as_str())

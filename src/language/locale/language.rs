@@ -327,6 +327,17 @@ impl Language {
         Some((pattern::sketch(self.pattern(form)?, &term), self.place(form)?))
     }
 
+    /// What the variants of the selections in a text say that are not the default ones, as [`Self::raw`] gives it: how each is
+    /// chosen, and its text. Variants for categories of numbers are left out.
+    pub fn variants(&self, key: Key, scope: Scope) -> Vec<(String, String)> {
+        let Some(found) = self.find(key, scope).and_then(|form| self.pattern(form)) else { return Vec::new() };
+        let term = |id: &str| {
+            let form = self.entries.get(&format!("-{id}"))?.best(None, scope)?;
+            Some(pattern::sketch(self.pattern(form)?, &|_| None))
+        };
+        pattern::variants(found, &term)
+    }
+
     /// The place of a text, whatever its scope.
     pub(super) fn place_of(&self, key: Key) -> Option<Place> {
         let entry = self.entries.get(key.id)?;

@@ -73,21 +73,34 @@ pub(super) fn plain<'a>(pattern: &Pattern<&'a str>) -> Option<&'a str> {
     }
 }
 
+/// Which variants are taken: names of variables with the keys of their variants.
+type Chosen = Vec<(String, String)>;
+
 /// The pattern as a reader may see it without arguments: variables as `‹name›`, the default of each
 /// selection, terms as `term` gives them.
 pub(super) fn sketch(pattern: &Pattern<&str>, term: &dyn Fn(&str) -> Option<String>) -> String {
-    pattern.elements.iter().map(|element| sketch_element(element, term)).collect()
+    sketch_with(pattern, term, &Chosen::new())
 }
 
-fn sketch_element(element: &PatternElement<&str>, term: &dyn Fn(&str) -> Option<String>) -> String {
+fn sketch_with(pattern: &Pattern<&str>, term: &dyn Fn(&str) -> Option<String>, chosen: &Chosen) -> String {
+    pattern.elements.iter().map(|element| sketch_element(element, term, chosen)).collect()
+}
+
+fn sketch_element(
+    element: &PatternElement<&str>,
+    term: &dyn Fn(&str) -> Option<String>,
+    chosen: &Chosen,
+) -> String {
     let inline = match element {
         PatternElement::TextElement { value } => return (*value).to_owned(),
         PatternElement::Placeable { expression: Expression::Inline(inline) } => inline,
-        PatternElement::Placeable { expression: Expression::Select { variants, .. } } => {
-            return variants
-                .iter()
-                .find(|variant| variant.default)
-                .map_or_else(String::new, |it| sketch(&it.value, term));
+        PatternElement::Placeable { expression: Expression::Select { selector, variants } } => {
+            let name = variable(selector);
+            let key = chosen.iter().find(|(own, _)| Some(own.as_str()) == name).map(|(_, key)| key.as_str());
+            let wanted = variants.iter().find(|variant| key.is_some_and(|key| key == key_of(&variant.key)));
+            return wanted
+                .or_else(|| variants.iter().find(|variant| variant.default))
+                .map_or_else(String::new, |it| sketch_with(&it.value, term, chosen));
         }
     };
     match inline {
@@ -103,6 +116,48 @@ fn sketch_element(element: &PatternElement<&str>, term: &dyn Fn(&str) -> Option<
             _ => String::new(),
         },
         InlineExpression::Placeable { .. } => String::new(),
+    }
+}
+
+/// Categories of numbers, which each language has as it needs them.
+const CATEGORIES: [&str; 6] = ["zero", "one", "two", "few", "many", "other"];
+
+/// What the pattern says where a selection takes another variant than the default: what is chosen, such as `what=twice`, and
+/// the sketch of the whole. Variants for categories of numbers are left out.
+pub(super) fn variants(pattern: &Pattern<&str>, term: &dyn Fn(&str) -> Option<String>) -> Vec<(String, String)> {
+    let mut choices = Vec::new();
+    choices_in(pattern, &Chosen::new(), &mut choices);
+    let named = |chosen: &Chosen| chosen.iter().map(|(name, key)| format!("{name}={key} ")).collect();
+    choices.into_iter().map(|chosen| (named(&chosen), sketch_with(pattern, term, &chosen))).collect()
+}
+
+fn choices_in(pattern: &Pattern<&str>, before: &Chosen, choices: &mut Vec<Chosen>) {
+    for element in &pattern.elements {
+        let PatternElement::Placeable { expression: Expression::Select { selector, variants } } = element else {
+            continue;
+        };
+        let Some(name) = variable(selector) else { continue };
+        let is_plural = variants.iter().any(|variant| key_of(&variant.key) == "other");
+        for variant in variants {
+            let key = key_of(&variant.key);
+            let mut chosen = before.clone();
+            if !variant.default && !(is_plural && CATEGORIES.contains(&key)) {
+                chosen.push((name.to_owned(), key.to_owned()));
+                choices.push(chosen.clone());
+            }
+            choices_in(&variant.value, &chosen, choices);
+        }
+    }
+}
+
+fn variable<'a>(selector: &InlineExpression<&'a str>) -> Option<&'a str> {
+    if let InlineExpression::VariableReference { id } = selector { Some(id.name) } else { None }
+}
+
+const fn key_of<'a>(key: &VariantKey<&'a str>) -> &'a str {
+    match key {
+        VariantKey::Identifier { name } => name,
+        VariantKey::NumberLiteral { value } => value,
     }
 }
 

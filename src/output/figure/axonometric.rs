@@ -33,11 +33,16 @@ const fn index(axis: Along) -> usize {
     }
 }
 
-/// To the right, upwards and towards the reader.
+/// To the right, upwards and towards a reader who stands so many degrees to the left of the secondary axis, and so many
+/// above the working plane.
+pub(super) fn seen_from(aside: f64, above: f64) -> [DVec3; 3] {
+    let right = DVec3::new(cosd(aside), sind(aside), 0.0);
+    let away = DVec3::new(-sind(aside), cosd(aside), 0.0);
+    [right, away * sind(above) + DVec3::Z * cosd(above), DVec3::Z * sind(above) - away * cosd(above)]
+}
+
 fn directions() -> [DVec3; 3] {
-    let right = DVec3::new(cosd(ASIDE), sind(ASIDE), 0.0);
-    let away = DVec3::new(-sind(ASIDE), cosd(ASIDE), 0.0);
-    [right, away * sind(ABOVE) + DVec3::Z * cosd(ABOVE), DVec3::Z * sind(ABOVE) - away * cosd(ABOVE)]
+    seen_from(ASIDE, ABOVE)
 }
 
 /// A place as the reader sees it.

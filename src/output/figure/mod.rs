@@ -12,7 +12,9 @@ mod half_plane;
 mod lanes;
 mod measure;
 mod pen;
+mod plot;
 mod profile;
+mod relief;
 mod rotary;
 mod scan;
 mod setter;
@@ -23,8 +25,10 @@ mod slice;
 mod stroke;
 mod subject;
 mod turned;
+mod way;
 mod window;
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::sync::OnceLock;
 
@@ -38,6 +42,8 @@ use pen::{Rect, escaped, short};
 use sheet::Plate;
 use shot::Shot;
 use subject::{Subject, Words};
+
+pub use plot::{Legend, Plot, View};
 
 /// The width of a figure in pixels.
 const WIDTH: f64 = 360.0;
@@ -104,9 +110,16 @@ fn prepare_all<'c>(
     figures: &'c [Declared],
 ) -> (Vec<Figure<'c>>, Vec<Diagnostic>) {
     let (mut ready, mut found) = (Vec::new(), Vec::new());
+    let mut names = BTreeSet::new();
     for declared in figures {
         let dimensions = dimensions(on, cycle, declared);
         for chosen in choices(cycle, declared) {
+            let name = stem(cycle, declared, chosen);
+            if !names.insert(name.clone()) {
+                let taken = Diagnostic::error("figure-name-taken", declared.name.place.clone());
+                found.push(taken.arg("name", name).arg("cycle", cycle.key.to_string()));
+                continue;
+            }
             match shot::take(world, on, cycle, declared, &dimensions, chosen) {
                 Ok(shot) => {
                     let (measured, wrong) = measure::measure(cycle, declared, &dimensions, &shot);
@@ -118,6 +131,12 @@ fn prepare_all<'c>(
         }
     }
     (ready, found)
+}
+
+/// The name of a file for a figure; no two of a cycle have the same.
+fn stem(cycle: &Cycle, declared: &Declared, chosen: Option<&str>) -> String {
+    let name = format!("{}-{}", cycle.key.number, declared.name.as_str());
+    chosen.map_or_else(|| name.clone(), |chosen| format!("{name}-{chosen}"))
 }
 
 /// The values for each of which a figure is drawn; one nothing for a figure that stands alone.
@@ -146,8 +165,7 @@ pub fn check(catalogue: &Catalogue, world: &World<'_>, wanted: &dyn Fn(&Cycle) -
 impl Figure<'_> {
     /// The name of a file for it, without extension: `205-section`, `251-plunging-1`.
     pub fn stem(&self, cycle: &Cycle) -> String {
-        let name = format!("{}-{}", cycle.key.number, self.declared.name.as_str());
-        self.chosen.map_or_else(|| name.clone(), |chosen| format!("{name}-{chosen}"))
+        stem(cycle, self.declared, self.chosen)
     }
 
     /// The name that it is declared with.

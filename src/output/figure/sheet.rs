@@ -8,13 +8,13 @@ use glam::{DVec2, DVec3};
 
 use super::frame::{Camera, Frame};
 use super::measure::axes;
-use super::pen::{ARROW, Pen, Rect, short};
+use super::pen::{Pen, Rect, short};
 use super::shot::{CUT, MARKS, number, point};
 use super::slice::{self, Face, Outline};
 use super::stroke::{Stroke, Way};
 use super::subject::{Subject, Words, depth, flat};
 use super::window::Window;
-use super::{axonometric, bar, cylinder, rotary, scan, setter, turned};
+use super::{axonometric, bar, cylinder, rotary, scan, setter, turned, way};
 use crate::base::expr::tand;
 use crate::spec::{Along, FigureView};
 
@@ -288,18 +288,17 @@ impl Sheet<'_> {
             if self.view == FigureView::Rotary && !cylinder::meets(stroke, number(self.subject.shot, CUT)) {
                 continue;
             }
-            let points = clip_line(&points, &paper.grown(0.5));
-            let class = ["r", "f", "p"][stroke.way as usize];
+            let points = way::clip_line(&points, &paper.grown(0.5));
+            let class = way::class(stroke.way);
             let data = Pen::data(&points, false);
             if !data.contains('L') || !drawn.insert((stroke.way as usize, data.clone())) {
                 continue;
             }
             self.pen.path(class, &data);
-            let Some((tip, way)) = arrow_place(&points) else { continue };
+            let Some((tip, along)) = way::arrow_place(&points) else { continue };
             if arrows.iter().all(|other| (*other - tip).length() > 16.0) {
                 arrows.push(tip);
-                let head = ["ra", "fa", "pa"][stroke.way as usize];
-                if stroke.way == Way::Rapid { self.pen.chevron(head, tip, way) } else { self.pen.arrow(head, tip, way) }
+                way::head(&mut self.pen, stroke.way, tip, along);
             }
         }
         let shot = self.subject.shot;
@@ -415,88 +414,19 @@ impl Sheet<'_> {
         }
         let used = |way: Way| self.subject.shot.strokes.iter().any(|stroke| stroke.way == way);
         let ways = [Way::Rapid, Way::Feed, Way::Probe].into_iter().zip(&words.ways).filter(|(way, _)| used(*way));
-        let wide: f64 = ways.clone().map(|(_, word)| 38.0 + Pen::size(word).x).sum();
+        let wide = way::legend_width(ways.clone());
         // Below the drawing or, where that is too narrow for all words, more to the left.
         let left = (self.frame.size.x - 52.0 - wide).min(self.frame.inner.min.x + 10.0).max(16.0);
         let corner = DVec2::new(left, self.frame.size.y - 9.0);
         let letter = |axis: Along| self.subject.shot.letter(axis);
         let [right, up] = axes(self.view);
-        for (end, axis) in [(DVec2::new(22.0, 0.0), right), (DVec2::new(0.0, -22.0), up)] {
-            self.pen.line("a", &[corner, corner + end]);
-            self.pen.arrow("aa", corner + end, end);
-            let off = end.normalize() * 8.0;
-            self.pen.text("l", &letter(axis).to_string(), corner + end + off);
-        }
-        let mut x = corner.x + 52.0;
-        let mut y = corner.y - 3.0;
+        let arms = [(DVec2::new(22.0, 0.0), letter(right)), (DVec2::new(0.0, -22.0), letter(up))];
+        way::axes(&mut self.pen, corner, &arms);
         if self.subject.width < 300.0 {
             // The figures of a row stand below one that explains the lines.
             return;
         }
-        for (way, word) in ways {
-            let size = Pen::size(word);
-            if x + 34.0 + size.x > self.frame.size.x {
-                (x, y) = (corner.x + 52.0, y - 16.0);
-            }
-            let (from, to) = (DVec2::new(x, y), DVec2::new(x + 26.0, y));
-            self.pen.line(["r", "f", "p"][way as usize], &[from, to]);
-            let tip = (from + to) / 2.0 + DVec2::new(ARROW / 2.0, 0.0);
-            match way {
-                Way::Rapid => self.pen.chevron("ra", tip, DVec2::X),
-                Way::Feed => self.pen.arrow("fa", tip, DVec2::X),
-                Way::Probe => self.pen.arrow("pa", tip, DVec2::X),
-            }
-            self.pen.text("l", word, DVec2::new(x + 30.0 + size.x / 2.0, y));
-            x += 38.0 + size.x;
-        }
+        let right = self.frame.size.x;
+        way::legend(&mut self.pen, corner + DVec2::new(52.0, -3.0), right, ways);
     }
-}
-
-/// Where the arrowhead of a way is: beyond the middle of its longest straight piece.
-fn arrow_place(points: &[DVec2]) -> Option<(DVec2, DVec2)> {
-    let total: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum();
-    if total < 14.0 {
-        return None;
-    }
-    let mut left = total / 2.0 + ARROW / 2.0;
-    for pair in points.windows(2) {
-        let way = pair[1] - pair[0];
-        if way.length() >= left {
-            return Some((pair[0] + way.normalize() * left, way));
-        }
-        left -= way.length();
-    }
-    None
-}
-
-/// The part of a line inside a rectangle: what leaves it ends there.
-fn clip_line(points: &[DVec2], rect: &Rect) -> Vec<DVec2> {
-    let mut kept: Vec<DVec2> = Vec::new();
-    for pair in points.windows(2) {
-        let Some((a, b)) = clip_pair(pair[0], pair[1], rect) else { continue };
-        if kept.last() != Some(&a) {
-            kept.push(a);
-        }
-        kept.push(b);
-    }
-    kept
-}
-
-fn clip_pair(a: DVec2, b: DVec2, rect: &Rect) -> Option<(DVec2, DVec2)> {
-    let way = b - a;
-    let (mut begin, mut end) = (0.0_f64, 1.0_f64);
-    for axis in 0..2 {
-        for (gap, speed) in [(rect.min[axis] - a[axis], way[axis]), (a[axis] - rect.max[axis], -way[axis])] {
-            if speed == 0.0 {
-                if gap > 0.0 {
-                    return None;
-                }
-            } else if speed > 0.0 {
-                begin = begin.max(gap / speed);
-            } else {
-                end = end.min(gap / speed);
-            }
-        }
-    }
-    (begin <= end).then(|| (a + way * begin, a + way * end))
 }

@@ -12,7 +12,7 @@ use super::setter::Setter;
 use super::stroke::{Stroke, Turning, Way};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Value, parse};
-use crate::engine::geometry::{Axis, WorkingPlane};
+use crate::engine::geometry::{Axis, Frame, WorkingPlane};
 use crate::engine::machine::Tool;
 use crate::engine::plan::{self, Watch};
 use crate::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Noted};
@@ -273,7 +273,7 @@ pub(super) fn take(
         let reason = outcome.fault.as_ref().map_or_else(|| outcome.status.as_str().to_owned(), |f| f.code.to_string());
         return Err(vec![wrong("figure-moment-never", &figure.place).arg("reason", reason)]);
     };
-    let mut film = Film::new(&scene, runner, figure.whole);
+    let mut film = Film::new(&scene, Some(runner), figure.whole);
     film.table = (figure.view == FigureView::Rotary).then(|| Table::new(&scene));
     let end = if figure.whole { events.len() } else { moment.events.min(events.len()) };
     let (before, after) = events.split_at(end);
@@ -352,8 +352,9 @@ impl Shot {
 }
 
 /// The part of a run that is seen so far.
-struct Film<'f> {
-    cycle: &'f Cycle,
+pub(super) struct Film<'f> {
+    /// Whose run is filmed; without one, all of the program.
+    cycle: Option<&'f Cycle>,
     /// From program to machine coordinates now.
     system: DAffine3,
     /// The same when the cycle began.
@@ -387,7 +388,7 @@ fn affine(rows: [[f64; 4]; 3]) -> DAffine3 {
 }
 
 impl<'f> Film<'f> {
-    fn new(scene: &Scene, cycle: &'f Cycle, whole: bool) -> Self {
+    fn new(scene: &Scene, cycle: Option<&'f Cycle>, whole: bool) -> Self {
         let system = affine(scene.frame.rows());
         Self {
             cycle,
@@ -410,8 +411,23 @@ impl<'f> Film<'f> {
         }
     }
 
-    fn see(&mut self, event: &Event) {
-        if self.first.is_none() && event.at.cycle.as_ref().is_some_and(|(key, _)| *key == self.cycle.key) {
+    /// The film of a whole program, in the coordinates of a frame with that tool axis.
+    pub(super) fn of_program(scene: &Scene, frame: &Frame, axis: Axis) -> Self {
+        let first = Some(affine(frame.rows()));
+        Self { first, plane: WorkingPlane::of_tool_axis(axis), ..Self::new(scene, None, true) }
+    }
+
+    /// The ways of a whole program and the points that it touched, as they lie in the frame.
+    pub(super) fn developed(mut self, scene: &Scene, axis: Axis) -> (Vec<Stroke>, Vec<DVec3>) {
+        // The working plane of the last tool is not always that of the drawing.
+        self.plane = WorkingPlane::of_tool_axis(axis);
+        let shot = self.end(scene);
+        (shot.strokes, shot.contacts)
+    }
+
+    pub(super) fn see(&mut self, event: &Event) {
+        let began = |key: &CycleKey| self.cycle.is_some_and(|cycle| cycle.key == *key);
+        if self.first.is_none() && event.at.cycle.as_ref().is_some_and(|(key, _)| began(key)) {
             self.first = Some(self.system);
             self.first_angles = Some(self.angles + self.angle_datum);
         }
@@ -464,7 +480,14 @@ impl<'f> Film<'f> {
     }
 
     fn add(&mut self, way: Way, (points, up): (Vec<DVec3>, Vec<DVec3>)) {
-        if self.first.is_some() {
+        if let (None, Some(last)) = (self.cycle, self.strokes.last_mut())
+            && way != Way::Probe
+            && last.way == way
+            && last.points.last() == points.first()
+        {
+            // All of a program is one line as long as nothing changes: programs are long.
+            last.points.extend(points.into_iter().skip(1));
+        } else if self.first.is_some() {
             self.strokes.push(Stroke {
                 way,
                 points,
@@ -485,7 +508,7 @@ impl<'f> Film<'f> {
         };
         let ball = self.tool.and_then(|tool| tool.probe).and(scene.probe.as_ref()).map(|probe| probe.ball_radius);
         // Moves are those of the tip; a probe is drawn by the centre of its ball, as it is when it touches.
-        let centre = |tip: DVec3| own(tip) + DVec3::Z * ball.unwrap_or(0.0);
+        let ball_of = |tool: &Tool| tool.probe.and(scene.probe.as_ref()).map_or(0.0, |probe| probe.ball_radius);
         let first = |tool: &Tool| {
             let known = scene.true_tools.iter().find(|(number, _)| *number == tool.number);
             known.map_or(0.0, |(_, known)| known.first)
@@ -496,9 +519,8 @@ impl<'f> Film<'f> {
                 (stroke.points, stroke.up) = table.lying(&stroke.points, &stroke.up);
                 stroke.up = stroke.up.into_iter().map(|up| own(up) - own(DVec3::ZERO)).collect();
             }
-            let points = stroke.points.into_iter();
-            let points =
-                if stroke.way == Way::Probe { points.map(own).collect() } else { points.map(centre).collect() };
+            let lift = if stroke.way == Way::Probe { 0.0 } else { ball_of(&stroke.tool) };
+            let points = stroke.points.into_iter().map(|p| own(p) + DVec3::Z * lift).collect();
             Stroke { points, ..stroke }
         };
         let rotary = self.first_angles.filter(|_| !self.turns.is_empty()).map(|angles| {
@@ -518,7 +540,7 @@ impl<'f> Film<'f> {
             later,
             contacts: self.contacts.into_iter().map(own).collect(),
             centres: self.centres.into_iter().map(own).collect(),
-            tool: self.tool.zip(self.here.map(centre)),
+            tool: self.tool.zip(self.here).map(|(tool, here)| (tool, own(here) + DVec3::Z * ball_of(&tool))),
             datum: (datum.length() > 1e-9).then_some(datum),
             axes,
             turning: self.turning,

@@ -3,8 +3,7 @@
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
-use super::Site;
-use super::search;
+use super::{Site, search, state};
 use super::section::{OVERVIEW, Section};
 use super::view::{ChoiceRow, Invitation, PageView, SwitchView};
 use crate::base::diag::Diagnostic;
@@ -33,11 +32,12 @@ pub(super) fn page(site: &Site) -> Result<String, Vec<Diagnostic>> {
     // The control and its software are in the table.
     edition.drain(..edition.len().saturating_sub(2));
     let view = context! {
-        page => Value::from(Serde(&frame(site, own, title, ""))),
+        page => Value::from(Serde(&PageView { canonical: site.address(""), ..of(site, own, title) })),
         words => own.words.clone(),
         rows => Value::from(Serde(&rows)),
         search => own.path(search::PAGE),
         edition => edition,
+        texts => site.is_served.then(|| format!("{}/index.html", state::FOLDER)),
         invitations => Value::from(Serde(&invitations(site)?)),
     };
     site.render("index.html", view)
@@ -48,9 +48,9 @@ pub(super) fn missing(site: &Site) -> Result<String, Vec<Diagnostic>> {
     let own = source_section(site)?;
     // A server shows it at any address, so its links are whole where the address of the site is known.
     let title = MISSING.trim_end_matches(".html").to_owned();
-    let root = site.base_url.clone().unwrap_or_default();
+    let root = if site.is_served { "/".to_owned() } else { site.base_url.clone().unwrap_or_default() };
     let view = context! {
-        page => Value::from(Serde(&PageView { root, canonical: None, ..frame(site, own, title, MISSING) })),
+        page => Value::from(Serde(&PageView { root, ..of(site, own, title) })),
         words => own.words.clone(),
         invitations => Value::from(Serde(&invitations(site)?)),
     };
@@ -96,14 +96,19 @@ fn invitations(site: &Site) -> Result<Vec<Invitation>, Vec<Diagnostic>> {
     Ok(invitations)
 }
 
-fn frame(site: &Site, own: &Section, title: String, path: &str) -> PageView {
+fn of(site: &Site, own: &Section, title: String) -> PageView {
+    PageView { lang: own.language.tag().to_owned(), ..frame(site, title) }
+}
+
+/// The frame of a page that belongs to no control and no language.
+pub(super) fn frame(site: &Site, title: String) -> PageView {
     PageView {
         book: false,
         draft: site.is_draft,
-        lang: own.language.tag().to_owned(),
+        lang: String::new(),
         title,
         root: String::new(),
-        canonical: site.address(path),
+        canonical: None,
         control: String::new(),
         edition: Vec::new(),
         sheet: None,

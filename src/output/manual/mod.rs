@@ -23,6 +23,7 @@ mod programs;
 pub mod search;
 mod section;
 mod site;
+mod state;
 mod stem;
 mod topic;
 mod view;
@@ -158,6 +159,7 @@ impl<'a> Site<'a> {
             figures: Figures::new(request.catalogue.controls.values(), request.files),
             is_book: false,
             is_draft: false,
+            is_served: false,
         })
     }
 

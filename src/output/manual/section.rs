@@ -78,7 +78,10 @@ impl<'a> Section<'a> {
         all: &BTreeMap<&str, &str>,
     ) -> Result<Self, Vec<Diagnostic>> {
         let mut faults = Vec::new();
-        let words = words(language, source, &mut faults);
+        let words = words(language, source).unwrap_or_else(|more| {
+            faults.extend(more);
+            BTreeMap::new()
+        });
         let mut entries = Vec::new();
         for cycle in on.cycles.values() {
             let scope = Scope::new(cycle.name(), on.id());
@@ -186,9 +189,12 @@ fn of_cycle(error: LocaleError, cycle: &Cycle) -> Diagnostic {
 
 /// All words, by their ids as templates write them: `site-by-name` is `words.by_name`, and
 /// `caption-unit` is `words.caption_unit`. Every language must have those of the source language.
-fn words(language: &Language, source: Option<&Language>, faults: &mut Vec<Diagnostic>) -> BTreeMap<String, String> {
+pub(super) fn words(
+    language: &Language,
+    source: Option<&Language>,
+) -> Result<BTreeMap<String, String>, Vec<Diagnostic>> {
     let ids = source.unwrap_or(language).ids().filter(|id| WORDS.iter().any(|prefix| id.starts_with(prefix)));
-    let mut words = BTreeMap::new();
+    let (mut words, mut faults) = (BTreeMap::new(), Vec::new());
     for id in ids {
         match language.plain(id, &Scope::NONE) {
             Ok(word) => {
@@ -197,7 +203,7 @@ fn words(language: &Language, source: Option<&Language>, faults: &mut Vec<Diagno
             Err(error) => faults.push(error.into()),
         }
     }
-    words
+    if faults.is_empty() { Ok(words) } else { Err(faults) }
 }
 
 /// The path of the page of a cycle on a control in a language, below the site.

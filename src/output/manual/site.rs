@@ -82,6 +82,8 @@ pub struct Site<'a> {
     pub(super) is_book: bool,
     /// Whether texts may be missing.
     pub(super) is_draft: bool,
+    /// Whether a server shows it to those who work on it.
+    pub(super) is_served: bool,
 }
 
 impl Site<'_> {

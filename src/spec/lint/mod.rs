@@ -33,6 +33,7 @@ pub fn lint(catalogue: &Catalogue) -> Vec<Diagnostic> {
     habit::habits(catalogue, &mut found);
     reference::topics(catalogue, &mut found);
     reference::pages(catalogue, &mut found);
+    parameter::limits(catalogue, &mut found);
     unused(catalogue, &mut found);
     dedupe(&mut found);
     found

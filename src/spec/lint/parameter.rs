@@ -1,5 +1,5 @@
 //! Parameters and old-style lines: numbers, ranges, choices and examples agree with each other.
-use super::super::catalogue::{Cycle, OnControl, Param};
+use super::super::catalogue::{Catalogue, Cycle, OnControl, Param};
 use super::super::value::refusal;
 use super::super::vocabulary::{ParameterKind, Shape};
 use crate::base::diag::Diagnostic;
@@ -35,6 +35,17 @@ pub(super) fn parameters(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
     }
     if !cycle.file.parameters.is_empty() && !cycle.file.forms.is_empty() {
         found.push(Diagnostic::error("spec-both-forms", cycle.file.name.place.clone()));
+    }
+}
+
+/// Words of blocks for which no number is left.
+pub(super) fn limits(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
+    for limit in catalogue.blocks.iter().flat_map(|block| &block.limits) {
+        if let (Some(min), Some(max)) = (limit.min, limit.max)
+            && min >= max
+        {
+            found.push(Diagnostic::error("spec-empty-range", limit.place.clone()).arg("min", min).arg("max", max));
+        }
     }
 }
 

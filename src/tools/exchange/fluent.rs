@@ -354,6 +354,15 @@ fn select(file: &str, inside: Range<usize>) -> Option<Select> {
     Some(Select { selector: selector.to_owned(), variants: variants.collect() })
 }
 
+/// Words and codes as one text, codes between `‹` and `›`.
+pub(super) fn flat(pieces: &[Piece]) -> String {
+    let part = |piece: &Piece| match piece {
+        Piece::Text(words) => words.clone(),
+        Piece::Code(code) => format!("‹{code}›"),
+    };
+    pieces.iter().map(part).collect()
+}
+
 /// Neighbouring stretches of text as one.
 pub(super) fn merged(pieces: Vec<Piece>) -> Vec<Piece> {
     let mut all: Vec<Piece> = Vec::new();

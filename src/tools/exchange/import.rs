@@ -3,13 +3,13 @@
 //! Invariant: only bytes of texts that are taken over change; what is refused is named with the reason.
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use super::fluent::{Pattern, Piece, merged, written};
+use super::fluent::{Pattern, Piece, flat, merged, written};
 use super::outcome::{Imported, Refusal, Why};
 use super::prose;
-use super::received::{Received, code_length};
+use super::received::{Received, code_length, has_hidden};
 use super::unit::{self, Text, Unit};
 use crate::base::diag::{Arg, Diagnostic};
-use crate::language::consistency;
+use crate::language::consistency::{self, Negation};
 use crate::language::label;
 use crate::language::locale::{LocaleError, Locales};
 use crate::spec::Catalogue;
@@ -51,10 +51,11 @@ pub fn import(
     let texts = unit::texts(&locales, tag)?;
     let mut imported = Imported::default();
     let (of_pages, received) = received.into_iter().partition(|unit| unit.id.starts_with(prose::TOPICS));
-    let mut edits = sift(&texts, tag, received, &mut imported);
+    let negation = Negation::of(&locales, tag);
+    let mut edits = sift(&texts, tag, received, negation.as_ref(), &mut imported);
     drop_incomplete(&texts, tag, &mut edits, &mut imported);
     settled(catalogue, files, tag, (&locales, before), &texts, edits, &mut imported);
-    prose::import(files, &prose::pages(&locales, tag), of_pages, &mut imported);
+    prose::import(files, &prose::pages(&locales, tag), of_pages, negation.as_ref(), &mut imported);
     imported.refused.sort_by_key(|refusal| refusal.at);
     Ok(imported)
 }
@@ -72,6 +73,7 @@ pub(super) fn settled(
     // What is found today matters only where something changes.
     let before = if edits.is_empty() { Vec::new() } else { findings(catalogue, locales, tag, before) };
     let known: BTreeSet<String> = before.iter().map(signature).collect();
+    drop_swapped(texts, &before, &mut edits, imported);
     let new = |edits: &Edits| {
         let changed = applied(files, texts, tag, edits);
         let own: HashMap<&str, &str> = changed.iter().map(|(path, text)| (path.as_str(), text.as_str())).collect();
@@ -122,7 +124,13 @@ fn key_of(id: &str) -> &str {
 }
 
 /// Final units that are sound by themselves and differ from what is there.
-fn sift(texts: &[Text], tag: &str, received: Vec<Received>, imported: &mut Imported) -> Edits {
+fn sift(
+    texts: &[Text],
+    tag: &str,
+    received: Vec<Received>,
+    negation: Option<&Negation>,
+    imported: &mut Imported,
+) -> Edits {
     let mut known: HashMap<String, (usize, Unit)> = HashMap::new();
     for (index, text) in texts.iter().enumerate() {
         known.extend(unit::units_of(text, tag).into_iter().map(|(unit, _)| (unit.id.clone(), (index, unit))));
@@ -142,7 +150,7 @@ fn sift(texts: &[Text], tag: &str, received: Vec<Received>, imported: &mut Impor
         match known
             .get(&unit.id)
             .ok_or(Why::Unknown)
-            .and_then(|(text, own)| Ok((*text, own, sound(own, &unit, is_twice)?)))
+            .and_then(|(text, own)| Ok((*text, own, sound(own, unit.clone(), negation, is_twice)?)))
         {
             Err(why) => imported.refused.push(Refusal { id: unit.id, at, why }),
             Ok((_, own, None)) => {
@@ -160,21 +168,30 @@ fn sift(texts: &[Text], tag: &str, received: Vec<Received>, imported: &mut Impor
 }
 
 /// The new pieces of a unit; nothing if they are those that are there.
-fn sound(own: &Unit, unit: &Received, is_twice: bool) -> Result<Option<Vec<Piece>>, Why> {
+fn sound(
+    own: &Unit,
+    unit: Received,
+    negation: Option<&Negation>,
+    is_twice: bool,
+) -> Result<Option<Vec<Piece>>, Why> {
     if is_twice {
         return Err(Why::Twice);
     }
+    let unit = unit.as_laid_out(&merged(own.source.clone()), &own.target);
     if unit.source.as_ref() != Some(&merged(own.source.clone())) {
         return Err(Why::SourceChanged);
     }
     let pieces = trimmed(unit.target.clone().ok_or(Why::NotRead)?);
-    if pieces.is_empty() {
+    if pieces.is_empty() || has_hidden(&pieces) {
         return Err(Why::NotRead);
     }
     if pieces == trimmed(merged(own.target.clone())) {
         return Ok(None);
     }
     check_codes(own, &pieces)?;
+    if negation.is_some_and(|words| words.is_lost(&flat(&own.source), &flat(&own.target), &flat(&pieces))) {
+        return Err(Why::Negation);
+    }
     Ok(Some(pieces))
 }
 
@@ -250,6 +267,45 @@ fn exchanged(old: &[Piece], new: &[Piece]) -> bool {
         all
     };
     words(old) == words(new) && sorted(old) == sorted(new) && !codes(old).eq(codes(new))
+}
+
+/// What the identifiers of texts begin with that are chosen from, so that each has the others beside it.
+const CHOSEN: [&str; 2] = ["choice-", "result-"];
+
+/// Two choices, or two results, that have got the words of each other, unless the checks found them exchanged before.
+fn drop_swapped(texts: &[Text], before: &[Diagnostic], edits: &mut Edits, imported: &mut Imported) {
+    let old = |edit: &Edit| {
+        let text = texts.get(edit.text)?;
+        let is_one = CHOSEN.iter().any(|head| text.pair.id.starts_with(head)) && edit.path.is_empty();
+        let (target, place) = (text.target.as_ref()?, text.pair.target.as_ref()?);
+        is_one.then(|| (trimmed(merged(target.pieces(place.source.text()))), text.pair.key.clone()))
+    };
+    let known: Vec<(&String, Vec<Piece>, String)> =
+        edits.iter().filter_map(|(id, edit)| old(edit).map(|(pieces, key)| (id, pieces, key))).collect();
+    let by_words: HashMap<String, &(&String, Vec<Piece>, String)> =
+        known.iter().map(|own| (flat(&own.1), own)).collect();
+    let said = |found: &Diagnostic, name, key: &str| matches!(found.get(name), Some(Arg::Text(text)) if text == key);
+    let is_found = |one: &str, other: &str| {
+        before.iter().any(|found| {
+            found.code == consistency::SWAPPED
+                && (said(found, "key", one) && said(found, "other", other)
+                    || said(found, "key", other) && said(found, "other", one))
+        })
+    };
+    let mut swapped = Vec::new();
+    for (id, words, key) in &known {
+        let Some(edit) = edits.get(*id) else { continue };
+        let Some((other_id, other_words, other_key)) = by_words.get(&flat(&edit.pieces)) else { continue };
+        let is_back = edits.get(*other_id).is_some_and(|other| other.pieces == *words);
+        if is_back && edit.pieces == *other_words && !is_found(key, other_key) {
+            swapped.push(((*id).clone(), other_key.clone()));
+        }
+    }
+    for (id, other) in swapped {
+        if let Some(edit) = edits.remove(&id) {
+            imported.refused.push(Refusal { id, at: edit.at, why: Why::Swapped { other } });
+        }
+    }
 }
 
 /// Texts that the language does not have yet need all of their units.

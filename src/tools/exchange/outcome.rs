@@ -21,6 +21,13 @@ pub enum Why {
     },
     /// Codes have changed places among the same words.
     Exchanged,
+    /// The translation that was there has changed places with that of another text.
+    Swapped {
+        /// The key of the other text.
+        other: String,
+    },
+    /// A word that denies was taken out of the translation that was there.
+    Negation,
     /// A page of prose would have other marks or blocks.
     Markup,
     /// Numbers, or words with digits, of a page of prose differ from those of its source.

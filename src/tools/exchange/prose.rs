@@ -6,13 +6,13 @@
 //! Invariant: bytes outside of segments that are taken over stay.
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use super::fluent::{Piece, merged};
+use super::fluent::{Piece, flat, merged};
 use super::markdown::{self, Segment};
 use super::outcome::{Imported, Refusal, Why};
-use super::received::Received;
+use super::received::{Received, has_hidden};
 use super::unit::Unit;
-use crate::language::consistency;
-use crate::language::locale::Locales;
+use crate::language::consistency::{self, Negation};
+use crate::language::locale::{Locales, SOURCE_LANGUAGE};
 
 /// What the keys of pages begin with.
 pub(super) const TOPICS: &str = "topics/";
@@ -83,6 +83,11 @@ impl Page {
             notes: Vec::new(),
             most: None,
         })
+    }
+
+    /// The tag of the language of the translation.
+    fn language(&self) -> &str {
+        self.path.split('/').nth(1).unwrap_or_default()
     }
 
     /// The page as it is, or its source where there is no translation to begin with.
@@ -162,7 +167,13 @@ pub(super) fn gaps(locales: &Locales, tag: &str, marks: (&str, &str)) -> Vec<(St
 }
 
 /// Takes over the final units of pages: what is refused is added to the report, as are the files that change.
-pub(super) fn import(files: &[(String, String)], pages: &[Page], received: Vec<Received>, imported: &mut Imported) {
+pub(super) fn import(
+    files: &[(String, String)],
+    pages: &[Page],
+    received: Vec<Received>,
+    negation: Option<&Negation>,
+    imported: &mut Imported,
+) {
     let by_id: HashMap<&str, (&Page, usize)> = pages
         .iter()
         .flat_map(|page| page.ids.iter().enumerate().map(move |(at, id)| (id.as_str(), (page, at))))
@@ -178,7 +189,7 @@ pub(super) fn import(files: &[(String, String)], pages: &[Page], received: Vec<R
         }
         let is_twice = times.get(unit.id.as_str()).is_some_and(|times| *times > 1);
         let found = by_id.get(unit.id.as_str()).ok_or(Why::Unknown);
-        match found.and_then(|(page, at)| Ok((*page, *at, checked(page, *at, unit, is_twice)?))) {
+        match found.and_then(|(page, at)| Ok((*page, *at, checked(page, *at, unit, negation, is_twice)?))) {
             Err(why) => imported.refused.push(Refusal { id: unit.id.clone(), at: unit.at, why }),
             Ok((page, at, None)) => {
                 imported.unchanged += 1;
@@ -217,26 +228,38 @@ pub(super) fn import(files: &[(String, String)], pages: &[Page], received: Vec<R
 }
 
 /// The new words of a unit as the file has them; nothing if they are those that are there.
-fn checked(page: &Page, at: usize, unit: &Received, is_twice: bool) -> Result<Option<String>, Why> {
+fn checked(
+    page: &Page,
+    at: usize,
+    unit: &Received,
+    negation: Option<&Negation>,
+    is_twice: bool,
+) -> Result<Option<String>, Why> {
     if is_twice {
         return Err(Why::Twice);
     }
     let own = page.segments.get(at).ok_or(Why::Unknown)?;
+    let old = page.translated.get(at).map(|segment| segment.pieces.as_slice());
+    let unit = unit.clone().as_laid_out(&own.pieces, old.unwrap_or_default());
     if unit.source.as_ref() != Some(&own.pieces) {
         return Err(Why::SourceChanged);
     }
     let pieces = unit.target.clone().ok_or(Why::NotRead)?;
     let pieces = if own.kind == markdown::CODE { pieces } else { in_one_line(pieces) };
-    if pieces.is_empty() {
+    if pieces.is_empty() || has_hidden(&pieces) {
         return Err(Why::NotRead);
     }
-    let old = page.translated.get(at).map(|segment| segment.pieces.as_slice());
     if old == Some(pieces.as_slice()) {
         return Ok(None);
     }
     same_codes(&own.pieces, old, &pieces)?;
-    same_numbers(&own.pieces, old, &pieces)?;
+    same_numbers((&own.pieces, SOURCE_LANGUAGE), old, (&pieces, page.language()))?;
     same_references(&own.pieces, old, &pieces)?;
+    if let (Some(words), Some(old)) = (negation, old)
+        && words.is_lost(&flat(&own.pieces), &flat(old), &flat(&pieces))
+    {
+        return Err(Why::Negation);
+    }
     page.put(at, &pieces).map(Some).ok_or(Why::Markup)
 }
 
@@ -270,9 +293,9 @@ fn same_codes(source: &[Piece], old: Option<&[Piece]>, new: &[Piece]) -> Result<
 }
 
 /// The words with digits are those of the source, or those that the translation has already.
-fn same_numbers(source: &[Piece], old: Option<&[Piece]>, new: &[Piece]) -> Result<(), Why> {
-    let (wanted, own) = (numbers(source), numbers(new));
-    if own == wanted || old.is_some_and(|old| numbers(old) == own) {
+fn same_numbers(source: (&[Piece], &str), old: Option<&[Piece]>, (new, language): (&[Piece], &str)) -> Result<(), Why> {
+    let (wanted, own) = (numbers(source.0, source.1), numbers(new, language));
+    if own == wanted || old.is_some_and(|old| numbers(old, language) == own) {
         return Ok(());
     }
     let (missing, foreign) = difference(
@@ -299,7 +322,7 @@ fn difference(wanted: &[&str], own: &[&str]) -> (String, String) {
 }
 
 /// Words with digits, whatever the decimal sign, with the minus before and the unit after them, in the order of the alphabet.
-fn numbers(pieces: &[Piece]) -> Vec<String> {
+fn numbers(pieces: &[Piece], language: &str) -> Vec<String> {
     let mut all = Vec::new();
     for piece in pieces {
         let Piece::Text(words) = piece else { continue };
@@ -319,9 +342,10 @@ fn numbers(pieces: &[Piece]) -> Vec<String> {
             let is_negative = rest.is_some_and(|rest| !rest.ends_with(char::is_alphanumeric));
             let unit = consistency::UNITS.iter().find(|unit| {
                 let rest = after.trim_start_matches([' ', '\u{a0}', '\u{202f}']).strip_prefix(**unit);
-                // A degree sign right after a number may be an ordinal.
-                let ends = rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric));
-                begins_with_digit && ends && **unit != "°"
+                let ends = rest.filter(|rest| !rest.starts_with(char::is_alphanumeric));
+                let value = word.parse().unwrap_or_default();
+                let is_ordinal = |rest| **unit == "°" && after.starts_with('°') && consistency::is_ordinal(value, rest, language);
+                begins_with_digit && ends.is_some_and(|rest| !is_ordinal(rest))
             });
             let minus = if is_negative { "\u{2212}" } else { "" };
             all.push(format!("{minus}{word}{}", unit.map_or_else(String::new, |unit| format!(" {unit}"))));

@@ -1,5 +1,5 @@
 //! Files of translators as they come back, whatever their form.
-use super::fluent::Piece;
+use super::fluent::{Piece, merged};
 pub use crate::base::xml::Unreadable;
 
 /// A form of files for translators.
@@ -26,6 +26,46 @@ pub struct Received {
     pub source: Option<Vec<Piece>>,
     /// Its translation; nothing if there is none, or if it cannot be understood.
     pub target: Option<Vec<Piece>>,
+}
+
+impl Received {
+    /// The same unit without the line breaks and blanks with which a tool has laid out its elements. Only where the source
+    /// is then that of today, and neither text has lines of its own, is that certain.
+    pub(super) fn as_laid_out(self, source: &[Piece], target: &[Piece]) -> Self {
+        let has_lines = |pieces: &[Piece]| pieces.iter().any(|piece| matches!(piece, Piece::Text(words) if words.contains('\n')));
+        if self.source.as_deref() == Some(source) || has_lines(source) || has_lines(target) {
+            return self;
+        }
+        let own = self.source.as_deref().map(without_layout);
+        if own.as_deref() != Some(source) {
+            return self;
+        }
+        Self { source: own, target: self.target.as_deref().map(without_layout), ..self }
+    }
+}
+
+/// Whether there is a sign in the words that nobody sees: a control character, or one that turns the direction of what follows.
+pub(super) fn has_hidden(pieces: &[Piece]) -> bool {
+    let is_hidden = |c: char| match c {
+        '\n' | '\t' | '\r' => false,
+        '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => true,
+        c => c.is_control(),
+    };
+    pieces.iter().any(|piece| matches!(piece, Piece::Text(words) if words.contains(is_hidden)))
+}
+
+/// Words without line breaks and the blanks after them.
+fn without_layout(pieces: &[Piece]) -> Vec<Piece> {
+    let words = |words: &str| {
+        let mut lines = words.split('\n');
+        let first = lines.next().unwrap_or_default().to_owned();
+        lines.fold(first, |all, line| all + line.trim_start_matches([' ', '\t', '\r']))
+    };
+    let piece = |piece: &Piece| match piece {
+        Piece::Text(text) => Piece::Text(words(text)),
+        Piece::Code(code) => Piece::Code(code.clone()),
+    };
+    merged(pieces.iter().map(piece).collect())
 }
 
 /// A file from a translator.

@@ -3,10 +3,10 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use serde::Serialize;
 
-use crate::base::diag::Place;
-use crate::language::label;
+use crate::base::diag::{Arg, Place};
+use crate::language::{consistency, label};
 use crate::language::locale::{Finding, LocaleError, Locales, Meanings, SourceText};
-use crate::spec::{self, Catalogue};
+use crate::spec::{self, Catalogue, Cycle, OnControl};
 
 /// What a code of a finding begins with where a label is longer than a control takes.
 const TOO_LONG: &str = "label-too-long";
@@ -95,6 +95,8 @@ pub struct LanguageStatus {
     pub files: BTreeMap<String, Count>,
     /// The texts of the cycles of a control.
     pub controls: BTreeMap<String, Count>,
+    /// The texts of the cycles of a group, on any control.
+    pub groups: BTreeMap<String, Count>,
     /// What is open, in the order of files and lines.
     pub open: Vec<Open>,
 }
@@ -111,6 +113,7 @@ pub fn status(
 ) -> Result<LanguageStatus, LocaleError> {
     let audit = locales.audit_with(tag, meanings)?;
     let sources = locales.sources()?;
+    let lacking = lacking(locales, tag, &audit.missing);
     let of = |sources: &SourceText| file(&sources.place);
     let by_key: HashMap<&str, &SourceText> = sources.iter().map(|text| (text.key.as_str(), text)).collect();
     let by_id: HashMap<&str, &SourceText> = sources.iter().rev().map(|text| (text.id.as_str(), text)).collect();
@@ -121,6 +124,7 @@ pub fn status(
     let mut open = Vec::new();
     let lists = [
         (State::Missing, &audit.missing),
+        (State::Missing, &lacking),
         (State::Stale, &audit.stale),
         (State::Unaccepted, &audit.unrecorded),
         (State::SameAsSource, &audit.same),
@@ -134,12 +138,9 @@ pub fn status(
         }
     }
     open.sort_by(|a, b| (&a.file, a.line, &a.key, a.state).cmp(&(&b.file, b.line, &b.key, b.state)));
-    let labels = label::check(catalogue, locales);
-    let prefix = format!("locales/{tag}/");
-    for place in labels.iter().filter(|found| found.code == TOO_LONG).filter_map(|found| found.place.as_ref()) {
-        if place.source.name().starts_with(&prefix) {
-            files.entry(file(place)).or_default().over_long += 1;
-        }
+    let long = TooLong::of(catalogue, locales, tag);
+    for (file, _) in &long.places {
+        files.entry(file.clone()).or_default().over_long += 1;
     }
     let total = files.values().fold(Count::default(), |sum, count| Count {
         texts: sum.texts + count.texts,
@@ -151,29 +152,85 @@ pub fn status(
         over_long: sum.over_long + count.over_long,
         words_to_do: sum.words_to_do + count.words_to_do,
     });
-    let controls = by_control(catalogue, &sources, &open);
+    let (mut controls, mut groups) = (by_control(catalogue, &sources, &open), by_group(catalogue, &sources, &open));
+    for (control, ..) in &long.controls {
+        controls.entry(control.clone()).or_default().over_long += 1;
+    }
+    for (group, ..) in &long.groups {
+        groups.entry(group.clone()).or_default().over_long += 1;
+    }
     let files = files.into_iter().map(|(file, count)| (file, count.settle())).collect();
-    Ok(LanguageStatus { language: tag.to_owned(), total: total.settle(), files, controls, open })
+    Ok(LanguageStatus { language: tag.to_owned(), total: total.settle(), files, controls, groups, open })
+}
+
+/// The labels that are longer than a control takes, each once: by its place, for each control and for each group.
+#[derive(Default)]
+struct TooLong {
+    places: BTreeSet<(String, usize)>,
+    controls: BTreeSet<(String, String, usize)>,
+    groups: BTreeSet<(String, String, usize)>,
+}
+
+impl TooLong {
+    fn of(catalogue: &Catalogue, locales: &Locales, tag: &str) -> Self {
+        let mut all = Self::default();
+        let prefix = format!("locales/{tag}/");
+        for found in label::check(catalogue, locales).iter().filter(|found| found.code == TOO_LONG) {
+            let Some(place) = found.place.as_ref().filter(|place| place.source.name().starts_with(&prefix)) else {
+                continue;
+            };
+            let (file, at) = (file(place), place.span.start);
+            all.places.insert((file.clone(), at));
+            let Some(Arg::Text(control)) = found.get("control") else { continue };
+            all.controls.insert((control.clone(), file.clone(), at));
+            let cycles = catalogue.controls.get(control).into_iter().flat_map(|on| on.cycles.values());
+            let is_own = |cycle: &&Cycle| matches!(found.get("cycle"), Some(Arg::Text(key)) if *key == cycle.key.to_string());
+            let groups = cycles.filter(is_own).map(|cycle| cycle.file.group.as_str().to_owned());
+            all.groups.extend(groups.map(|group| (group, file.clone(), at)));
+        }
+        all
+    }
+}
+
+/// Variants of source texts for which the language has only a text with other facts.
+fn lacking(locales: &Locales, tag: &str, missing: &[Finding]) -> Vec<Finding> {
+    let known: BTreeSet<&str> = missing.iter().map(|finding| finding.key.as_str()).collect();
+    let lacks = consistency::lacking(locales, tag).into_iter().filter(|(key, ..)| !known.contains(key.as_str()));
+    lacks.map(|(key, _, place)| Finding { key, place: Some(place), argument: None, change: None }).collect()
 }
 
 /// The texts that the cycles of each control need.
 fn by_control(catalogue: &Catalogue, sources: &[SourceText], open: &[Open]) -> BTreeMap<String, Count> {
-    let mut controls = BTreeMap::new();
-    for (name, on) in catalogue.controls.iter() {
-        let texts = on.cycles.values().flat_map(|cycle| spec::texts(cycle, on));
-        let used: BTreeSet<String> = texts.map(|text| text.id).collect();
-        let mut count = Count::default();
-        let mut words_of = HashMap::new();
-        for text in sources.iter().filter(|text| used.contains(&text.id)) {
-            count.texts += 1;
-            words_of.insert(text.key.as_str(), words(Some(&text)));
+    let used = |on: &OnControl| -> BTreeSet<String> {
+        on.cycles.values().flat_map(|cycle| spec::texts(cycle, on)).map(|text| text.id).collect()
+    };
+    catalogue.controls.iter().map(|(name, on)| (name.clone(), of_used(&used(on), sources, open))).collect()
+}
+
+/// The texts that the cycles of each group need.
+fn by_group(catalogue: &Catalogue, sources: &[SourceText], open: &[Open]) -> BTreeMap<String, Count> {
+    let mut used: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for on in catalogue.controls.values() {
+        for cycle in on.cycles.values() {
+            let own = used.entry(cycle.file.group.as_str().to_owned()).or_default();
+            own.extend(spec::texts(cycle, on).into_iter().map(|text| text.id));
         }
-        for text in open.iter().filter(|text| used.contains(base(&text.key))) {
-            count.add(text.state, words_of.get(text.key.as_str()).copied().unwrap_or_default());
-        }
-        controls.insert(name.clone(), count.settle());
     }
-    controls
+    used.into_iter().map(|(group, used)| (group, of_used(&used, sources, open))).collect()
+}
+
+/// The counts of the messages that are used.
+fn of_used(used: &BTreeSet<String>, sources: &[SourceText], open: &[Open]) -> Count {
+    let mut count = Count::default();
+    let mut words_of = HashMap::new();
+    for text in sources.iter().filter(|text| used.contains(&text.id)) {
+        count.texts += 1;
+        words_of.insert(text.key.as_str(), words(Some(&text)));
+    }
+    for text in open.iter().filter(|text| used.contains(base(&text.key))) {
+        count.add(text.state, words_of.get(text.key.as_str()).copied().unwrap_or_default());
+    }
+    count.settle()
 }
 
 fn entry(state: State, finding: &Finding, file: String) -> Open {

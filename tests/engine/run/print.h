@@ -13,6 +13,9 @@ FN 16: F-PRINT SHORT.A / SECOND.TXT ; [the file was closed: it begins anew]
 QS3 = "SHORT.A"
 FN 16: F-PRINT :'QS3' / SCREEN:
 FN 16: F-PRINT SHORT.A / SCLR: ; [nothing is written]
+FN 16: F-PRINT MONTH.A / MONTH.TXT
+FN 16: F-PRINT MONTH.A / MONTH.TXT ; [it has less than 1 KB]
+FN 16: F-PRINT FULL.A / MONTH.TXT ; [there is no room for more: nothing is written]
 FN 15: PRINT Q31
 FN 17: SYSWRITE ID990 NR6 = 1
 END PGM PRINT MM

@@ -22,26 +22,26 @@ const MOST_SELECTIONS: usize = 8;
 
 /// An element of an outline: an arc has a centre and a signed angle in radians.
 #[derive(Clone, Copy, Debug)]
-struct Real {
-    from: DVec2,
-    to: DVec2,
-    arc: Option<(DVec2, f64)>,
+pub(super) struct Real {
+    pub(super) from: DVec2,
+    pub(super) to: DVec2,
+    pub(super) arc: Option<(DVec2, f64)>,
 }
 
 /// What is drawn.
 #[derive(Clone, Debug)]
-struct Drawn {
+pub(super) struct Drawn {
     /// Of each corner: its angle and radius about the origin.
-    corners: Vec<(f64, f64)>,
+    pub(super) corners: Vec<(f64, f64)>,
     /// Of each edge: the angle of its arc in degrees, 0 for a line.
     edges: Vec<f64>,
     /// Of each corner: the share of the room that its rounding takes, if it is rounded.
     rounded: Vec<Option<f64>>,
     /// Which data are given.
-    given: Vec<u8>,
+    pub(super) given: Vec<u8>,
 }
 
-fn drawn() -> impl Strategy<Value = Drawn> {
+pub(super) fn drawn() -> impl Strategy<Value = Drawn> {
     let edge = prop_oneof![3 => Just(0.0), 1 => 20.0..150.0_f64, 1 => -150.0..-20.0_f64];
     let round = prop_oneof![1 => Just(None), 1 => (0.2..0.9_f64).prop_map(Some)];
     (3_usize..8).prop_flat_map(move |n| {
@@ -66,49 +66,49 @@ fn unit(degrees: f64) -> DVec2 {
     DVec2::new(c, s)
 }
 
-fn angle(v: DVec2) -> f64 {
+pub(super) fn angle(v: DVec2) -> f64 {
     v.y.atan2(v.x).to_degrees()
 }
 
 impl Real {
-    fn heading(&self) -> DVec2 {
+    pub(super) fn heading(&self) -> DVec2 {
         match self.arc {
             None => (self.to - self.from).normalize(),
             Some((centre, sweep)) => (self.from - centre).perp().normalize() * sweep.signum(),
         }
     }
 
-    fn heading_at_end(&self) -> DVec2 {
+    pub(super) fn heading_at_end(&self) -> DVec2 {
         match self.arc {
             None => self.heading(),
             Some((centre, sweep)) => (self.to - centre).perp().normalize() * sweep.signum(),
         }
     }
 
-    fn length(&self) -> f64 {
+    pub(super) fn length(&self) -> f64 {
         self.from.distance(self.to)
     }
 
-    fn radius(&self) -> f64 {
+    pub(super) fn radius(&self) -> f64 {
         self.arc.map_or(0.0, |(centre, _)| centre.distance(self.from))
     }
 
-    fn turn(&self) -> String {
+    pub(super) fn turn(&self) -> String {
         let sweep = self.arc.map_or(0.0, |(_, sweep)| sweep);
         format!("DR{}", if sweep > 0.0 { '+' } else { '-' })
     }
 
-    fn sweep(&self) -> f64 {
+    pub(super) fn sweep(&self) -> f64 {
         self.arc.map_or(0.0, |(_, sweep)| sweep.to_degrees().abs())
     }
 
-    fn centre(&self) -> DVec2 {
+    pub(super) fn centre(&self) -> DVec2 {
         self.arc.map_or(DVec2::ZERO, |(centre, _)| centre)
     }
 }
 
 /// The outline in groups: one element, or the two lines of a rounded corner with its arc.
-fn outline(drawn: &Drawn) -> Vec<Vec<Real>> {
+pub(super) fn outline(drawn: &Drawn) -> Vec<Vec<Real>> {
     let n = drawn.corners.len();
     let corner = |i: usize| {
         let (degrees, radius) = drawn.corners[i % n];
@@ -148,8 +148,8 @@ fn outline(drawn: &Drawn) -> Vec<Vec<Real>> {
 
 /// The blocks of a program; each element is one, with its number in the outline.
 #[derive(Clone, Debug, Default)]
-struct Text {
-    blocks: Vec<(String, Option<usize>)>,
+pub(super) struct Text {
+    pub(super) blocks: Vec<(String, Option<usize>)>,
     /// Where the first element ends.
     first: DVec2,
 }
@@ -163,7 +163,7 @@ fn one(p: DVec2, along: DVec2) -> String {
     if along.x.abs() > along.y.abs() { format!("X{:+}", p.x) } else { format!("Y{:+}", p.y) }
 }
 
-fn an(v: DVec2) -> String {
+pub(super) fn an(v: DVec2) -> String {
     format!("AN{:+}", angle(v))
 }
 
@@ -174,7 +174,7 @@ fn beside(real: &Real) -> String {
 }
 
 impl Text {
-    fn element(&mut self, name: &str, words: String) {
+    pub(super) fn element(&mut self, name: &str, words: String) {
         let number = self.blocks.iter().filter(|(_, own)| own.is_some()).count();
         self.blocks.push((format!("{name} {words}"), Some(number)));
     }
@@ -324,7 +324,7 @@ impl Text {
     }
 
     /// The program, with selections after blocks.
-    fn program(&self, start: DVec2, selected: &[(usize, usize)]) -> String {
+    pub(super) fn program(&self, start: DVec2, selected: &[(usize, usize)]) -> String {
         let mut text = format!("BEGIN PGM LAW MM\nTOOL CALL 1 Z S1000 F500\n99 L {} R0 FMAX\n", xy(start));
         let last = self.blocks.iter().rposition(|(_, own)| own.is_some());
         for (index, (block, own)) in self.blocks.iter().enumerate() {
@@ -383,13 +383,13 @@ impl Text {
 }
 
 /// How a run ended: the code of its fault, its line, and the elements.
-struct Ran {
-    code: String,
+pub(super) struct Ran {
+    pub(super) code: String,
     line: Option<usize>,
     elements: Vec<Real>,
 }
 
-fn run(program: &str) -> Ran {
+pub(super) fn run(program: &str) -> Ran {
     let Built { files, catalogue, .. } = built();
     let scene = "scene: 1\ntools: [{T: 1, L: 100, R: 5}]\nstart: [0, 0, 100]\n";
     let scene = Scene::parse(&Source::new("scene.yaml", scene), files).expect("a scene");
@@ -434,7 +434,7 @@ fn same(found: &[Real], wanted: &[Real]) -> Result<(), String> {
 }
 
 /// How many selections give the outline; what else came out.
-fn solutions(
+pub(super) fn solutions(
     text: &Text,
     wanted: &[Real],
     selected: &mut Vec<(usize, usize)>,

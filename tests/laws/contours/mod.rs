@@ -11,3 +11,4 @@ mod free;
 mod leads;
 mod outline;
 mod path;
+mod withheld;

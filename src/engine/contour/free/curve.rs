@@ -109,14 +109,27 @@ impl Curve {
 
     /// Whether both are one.
     pub(super) fn is(&self, other: &Self) -> bool {
+        self.is_within(other, 1e-7)
+    }
+
+    /// Whether both are one within a length, mm, and a hundredth of that as an angle.
+    pub(super) fn is_within(&self, other: &Self, near: f64) -> bool {
         match (*self, *other) {
             (Self::Line { point, along }, Self::Line { point: q, along: v }) => {
-                length(along - v) < 1e-9 && along.perp_dot(q - point).abs() < 1e-7
+                length(along - v) < near / 100.0 && along.perp_dot(q - point).abs() < near
             }
             (Self::Circle { centre, radius }, Self::Circle { centre: n, radius: s }) => {
-                length(centre - n) < 1e-7 && (radius - s).abs() < 1e-7
+                length(centre - n) < near && (radius - s).abs() < near
             }
             _ => false,
+        }
+    }
+
+    /// The radius of a circle, mm; a line has none.
+    pub(super) const fn size(&self) -> f64 {
+        match *self {
+            Self::Line { .. } => 0.0,
+            Self::Circle { radius, .. } => radius.abs(),
         }
     }
 }

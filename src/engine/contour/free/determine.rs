@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use super::curve::{AGREE, Circles, Contact, Curve, Locus, line_along, lines};
 use super::state::{Choice, Joint, Known, State};
+use super::system::Solution;
 use super::{Given, MOST_SOLUTIONS};
 use crate::base::expr::{cosd, sind};
 use crate::engine::contour::element::turn_between;
@@ -22,6 +23,8 @@ enum Determined {
     Curve(usize, Curve),
     /// Points from one on.
     Points(usize, Vec<DVec2>),
+    /// What several open elements determine together.
+    System(Solution),
 }
 
 /// In which ways the data of an element leave signs open.
@@ -76,7 +79,8 @@ impl State {
     fn settle(mut self, given: &[Given], since: usize, found: &mut Vec<Self>) {
         loop {
             while self.learn(given) {}
-            match self.determined(given).as_deref() {
+            let next = self.determined(given).or_else(|| self.determined_together(given));
+            match next.as_deref() {
                 None => break,
                 Some([only]) => {
                     if !self.takes(given, only) {
@@ -113,7 +117,16 @@ impl State {
                 let last = (first + points.len()).min(self.elements.len());
                 (first.saturating_sub(1)..last).all(|i| self.holds(given, i))
             }
+            Determined::System(solution) => {
+                *self = self.with_solution(solution);
+                (self.first..self.elements.len()).all(|i| self.holds(given, i))
+            }
         }
+    }
+
+    /// What open elements determine together where none is determined by itself.
+    fn determined_together(&self, given: &[Given]) -> Option<Vec<Determined>> {
+        Some(self.system(given)?.into_iter().map(Determined::System).collect())
     }
 
     /// The next thing that data determine, in each of its solutions.

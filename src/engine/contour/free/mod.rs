@@ -6,11 +6,14 @@
 //!
 //! Elements are taken in one after the other, and with each one everything is calculated that can be: lines and circles
 //! from what is given of them, from points, directions and neighbours that they touch, and ends from both elements that
-//! meet there. What a later element determines is calculated when it comes. Where a condition has several solutions
+//! meet there. What a later element determines is calculated when it comes. Where nothing follows by itself any more, what
+//! the open elements determine together is calculated as one system (`system`). Where a condition has several solutions
 //! all are kept, in an order that is told in `docs/contours.md`, until data rule them out or one is selected.
 mod curve;
 mod determine;
+mod matrix;
 mod state;
+mod system;
 
 use glam::DVec2;
 
@@ -81,8 +84,8 @@ pub(crate) enum Missing {
 pub(crate) enum Flaw {
     /// Nothing meets the data of that element and of those before it.
     Contradiction { element: usize },
-    /// That element is not determined.
-    Open { element: usize, missing: Missing },
+    /// That element is not determined; so many values are missing until all are.
+    Open { element: usize, missing: Missing, values: usize },
     /// Since that element there are several solutions.
     Several { element: usize, solutions: usize },
     /// There are not so many solutions.

@@ -346,11 +346,13 @@ impl State {
         let mut elements = Vec::with_capacity(given.len());
         for (element, own) in given.iter().enumerate() {
             let missing = if own.is_arc { Missing::Arc } else { Missing::Line };
-            let Some(curve) = self.curve(element) else { return Err(Flaw::Open { element, missing }) };
-            let Some(from) = self.at(element) else {
-                return Err(Flaw::Open { element: element.saturating_sub(1), missing: Missing::End });
+            let open = |element: usize, missing: Missing| {
+                let values = self.missing_values(given);
+                Flaw::Open { element, missing, values }
             };
-            let Some(to) = self.at(element + 1) else { return Err(Flaw::Open { element, missing: Missing::End }) };
+            let curve = self.curve(element).ok_or_else(|| open(element, missing))?;
+            let from = self.at(element).ok_or_else(|| open(element.saturating_sub(1), Missing::End))?;
+            let to = self.at(element + 1).ok_or_else(|| open(element, Missing::End))?;
             elements.push(match curve {
                 Curve::Line { .. } => Element::line(from, to),
                 Curve::Circle { centre, .. } => {

@@ -1,0 +1,109 @@
+//! Free contours of which data are withheld until just enough is left, wherever that may be: most of their elements are
+//! open then, and only all of them together say what they are.
+//!
+//! The contour must come out as it was for one selection of the solutions, and each other one must have the data and the
+//! tangents that were given: the run proves its own data, the law the ends.
+use glam::DVec2;
+use proptest::prelude::*;
+
+use super::free::{Real, Text, an, outline, run, solutions};
+use super::path::config;
+
+/// What is said of an element, one word after the other.
+type Words = Vec<String>;
+
+#[derive(Clone, Debug)]
+struct Withheld {
+    drawn: super::free::Drawn,
+    /// In which order data are added.
+    order: Vec<u16>,
+}
+
+fn withheld() -> impl Strategy<Value = Withheld> {
+    let drawn = super::free::drawn().prop_filter("few corners", |drawn| drawn.corners.len() <= 4);
+    (drawn, prop::collection::vec(any::<u16>(), 60)).prop_map(|(drawn, order)| Withheld { drawn, order })
+}
+
+/// Whether an element goes on in the direction in which the one before it ends.
+fn is_tangential(before: Option<&Real>, real: &Real) -> bool {
+    before.is_some_and(|before| before.heading_at_end().distance(real.heading()) < 1e-9)
+}
+
+/// All that can be said of an element, each datum by itself.
+fn data(real: &Real, is_last: bool) -> Vec<Words> {
+    let mut all: Vec<Words> = Vec::new();
+    let end = |p: DVec2| [format!("X{:+}", p.x), format!("Y{:+}", p.y)];
+    if !is_last {
+        all.extend(end(real.to).into_iter().map(|word| vec![word]));
+    }
+    if real.arc.is_some() {
+        let centre = real.centre();
+        all.push(vec![format!("R{}", real.radius())]);
+        all.push(vec![format!("CCA{}", real.sweep())]);
+        all.push(vec![format!("CCX{:+}", centre.x)]);
+        all.push(vec![format!("CCY{:+}", centre.y)]);
+    } else {
+        let on = real.from + real.heading() * 23.0;
+        all.push(vec![an(real.heading())]);
+        all.push(vec![format!("LEN{}", real.length())]);
+        all.push(vec![format!("P1X{:+}", on.x), format!("P1Y{:+}", on.y)]);
+    }
+    all
+}
+
+/// The program with the data that are given of each element.
+fn text(reals: &[Real], given: &[Vec<Words>]) -> Text {
+    let mut text = Text::default();
+    for (i, real) in reals.iter().enumerate() {
+        let before = i.checked_sub(1).map(|before| &reals[before]);
+        let name = match (real.arc.is_some(), is_tangential(before, real)) {
+            (false, false) => "FL",
+            (false, true) => "FLT",
+            (true, false) => "FC",
+            (true, true) => "FCT",
+        };
+        let turn = if real.arc.is_some() { real.turn() } else { String::new() };
+        text.element(name, format!("{turn} {}", given[i].concat().join(" ")));
+    }
+    text
+}
+
+laws! {
+    #![proptest_config(config(10))]
+
+    #[test]
+    fn contours_come_out_of_just_enough_data(withheld in withheld()) {
+        let reals: Vec<Real> = outline(&withheld.drawn).into_iter().flatten().collect();
+        let mut left: Vec<(usize, Words)> = Vec::new();
+        for (i, real) in reals.iter().enumerate() {
+            left.extend(data(real, i + 1 == reals.len()).into_iter().map(|words| (i, words)));
+        }
+        let tangents = (1..reals.len()).filter(|i| is_tangential(Some(&reals[i - 1]), &reals[*i])).count();
+        let unknown: usize = reals.iter().map(|real| if real.arc.is_some() { 3 } else { 2 }).sum();
+        // The end of the last element is known.
+        let needed = unknown - 2 - tangents;
+        let mut given: Vec<Vec<Words>> = vec![Vec::new(); reals.len()];
+        let mut order = withheld.order.iter();
+        let mut next = |given: &mut Vec<Vec<Words>>| {
+            let pick = order.next().map_or(0, |pick| usize::from(*pick));
+            if left.is_empty() {
+                return false;
+            }
+            let (i, words) = left.swap_remove(pick % left.len());
+            given[i].push(words);
+            true
+        };
+        for _ in 0..needed {
+            next(&mut given);
+        }
+        // Data that depend on each other leave something open: one more then.
+        let start = reals[0].from;
+        while run(&text(&reals, &given).program(start, &[])).code == "free-contour-open" {
+            prop_assert!(next(&mut given), "all data leave something open");
+        }
+        let text = text(&reals, &given);
+        let mut others = Vec::new();
+        let found = solutions(&text, &reals, &mut Vec::new(), &mut others);
+        prop_assert_eq!(found, Ok(1), "{:?}\n{}", others, text.program(start, &[]));
+    }
+}
