@@ -59,9 +59,9 @@ fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure>
     }
     let view = View::by_word(matches.get_one::<String>("view").map_or("isometric", String::as_str));
     let word = |id: &str| session.ui.text(id, &Args::new());
-    let title = Path::new(&arguments::text(matches, "file")).file_name().map(|name| name.to_string_lossy().into_owned());
-    let legend =
-        Legend { title: title.unwrap_or_default(), ways: ["way-rapid", "way-feed", "way-probing"].map(word) };
+    let title =
+        Path::new(&arguments::text(matches, "file")).file_name().map(|name| name.to_string_lossy().into_owned());
+    let legend = Legend { title: title.unwrap_or_default(), ways: ["way-rapid", "way-feed", "way-probing"].map(word) };
     let drawing = drawing.draw(part.as_ref(), view.unwrap_or(View::Isometric), &legend);
     let out = arguments::text(matches, "out");
     system::write(Path::new(&out), drawing.as_bytes())?;

@@ -76,10 +76,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
             if now != state {
                 state = now;
                 session.forget();
-                made = make(session, matches).unwrap_or_else(|failure| Made {
-                    faults: Some(faults(session, failure)),
-                    ..Made::default()
-                });
+                made = make(session, matches)
+                    .unwrap_or_else(|failure| Made { faults: Some(faults(session, failure)), ..Made::default() });
                 let count = if made.faults.is_none() { made.pages.len() } else { 0 };
                 let line = session.ui.text("cli-serve-anew", &Args::new().number("files", count as f64));
                 session.output.remark(&line);

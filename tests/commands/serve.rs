@@ -73,7 +73,8 @@ fn copy() -> tempfile::TempDir {
 
 /// The row of a table with this name, its cells separated by blanks.
 fn row(page: &str, name: &str) -> String {
-    let row = page.split("<tr").find(|row| row.contains(&format!(">{name}<"))).unwrap_or_else(|| panic!("{name}: {page}"));
+    let row =
+        page.split("<tr").find(|row| row.contains(&format!(">{name}<"))).unwrap_or_else(|| panic!("{name}: {page}"));
     let cells = row.split("<td>").skip(1).map(|cell| cell.split('<').next().unwrap());
     cells.collect::<Vec<_>>().join(" ")
 }
@@ -97,7 +98,8 @@ fn the_manual_and_the_state_of_the_translations_are_served() {
     assert!(head_only.starts_with("HTTP/1.1 200 ") && head_only.ends_with("\r\n\r\n"), "{head_only}");
 
     // What is not a page is nothing, whatever file of the machine it may name.
-    for path in ["/nothing", "/../../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/tnc640/en/", "/locales/en/site.ftl"] {
+    for path in ["/nothing", "/../../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/tnc640/en/", "/locales/en/site.ftl"]
+    {
         let (head, page) = serving.get(path);
         assert!(head.starts_with("HTTP/1.1 404 ") && page.contains("href=\"/assets/ciklo.css\""), "{path}: {head}");
     }

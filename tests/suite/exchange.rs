@@ -288,7 +288,11 @@ fn a_denial_is_not_taken_out() {
             "{refused:?}"
         );
         // Where the source denies nothing, where a word was there twice, or where it is said in other words.
-        for (old, new) in [("Se ei ei pyöri", "Se ei pyöri"), ("Se ei ei pyöri", "Se pyörii"), ("Se ei saa pyöriä", "Älä pyöritä sitä")] {
+        for (old, new) in [
+            ("Se ei ei pyöri", "Se ei pyöri"),
+            ("Se ei ei pyöri", "Se pyörii"),
+            ("Se ei saa pyöriä", "Älä pyöritä sitä"),
+        ] {
             let imported = import(&files, "fi", &text.replace(old, new));
             assert!(imported.refused.is_empty() && !imported.files.is_empty(), "{new}: {imported:?}");
         }

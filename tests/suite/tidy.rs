@@ -15,7 +15,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("base::xml", &[]),
     ("base::expr", &["base::diag"]),
     ("spec", &["base::data", "base::demand", "base::diag", "base::expr"]),
-    ("language::locale", &["base::data", "base::demand", "base::diag"]),
+    ("language::locale", &["base::data", "base::demand", "base::diag", "base::parallel"]),
     ("language::text", &["base::diag", "base::expr", "spec", "language::locale"]),
     ("language::label", &["base::diag", "base::expr", "spec", "language::locale", "language::text"]),
     ("language::consistency", &["base::diag", "spec", "language::locale", "language::text"]),

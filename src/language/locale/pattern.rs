@@ -86,11 +86,7 @@ fn sketch_with(pattern: &Pattern<&str>, term: &dyn Fn(&str) -> Option<String>, c
     pattern.elements.iter().map(|element| sketch_element(element, term, chosen)).collect()
 }
 
-fn sketch_element(
-    element: &PatternElement<&str>,
-    term: &dyn Fn(&str) -> Option<String>,
-    chosen: &Chosen,
-) -> String {
+fn sketch_element(element: &PatternElement<&str>, term: &dyn Fn(&str) -> Option<String>, chosen: &Chosen) -> String {
     let inline = match element {
         PatternElement::TextElement { value } => return (*value).to_owned(),
         PatternElement::Placeable { expression: Expression::Inline(inline) } => inline,

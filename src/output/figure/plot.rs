@@ -96,7 +96,8 @@ impl<'s> Plot<'s> {
     /// The drawing as SVG, with what is left of the blank; without one, with the parts of the scene.
     pub fn draw(self, stock: Option<&Stock>, view: View, words: &Legend) -> String {
         let (strokes, contacts) = self.film.developed(self.scene, self.axis);
-        let parts = if stock.is_none() { Blank::of_parts(self.scene).and_then(|parts| parts.uncut().ok()) } else { None };
+        let parts =
+            if stock.is_none() { Blank::of_parts(self.scene).and_then(|parts| parts.uncut().ok()) } else { None };
         let plane = WorkingPlane::of_tool_axis(self.axis);
         let letters = [plane.main, plane.secondary, plane.tool].map(|axis| axis.letter());
         let sheet = Sheet::new(view, &strokes, &contacts, stock.or(parts.as_ref()), letters);
@@ -127,13 +128,7 @@ fn within(p: DVec3, [low, high]: [DVec3; 2]) -> bool {
 }
 
 impl<'s> Sheet<'s> {
-    fn new(
-        view: View,
-        strokes: &[Stroke],
-        contacts: &[DVec3],
-        stock: Option<&'s Stock>,
-        letters: [char; 3],
-    ) -> Self {
+    fn new(view: View, strokes: &[Stroke], contacts: &[DVec3], stock: Option<&'s Stock>, letters: [char; 3]) -> Self {
         let directions = view.directions();
         let flat = |p: DVec3| DVec2::new(p.dot(directions[0]), p.dot(directions[1]));
         let mut window = Window::EMPTY;
@@ -264,20 +259,27 @@ impl<'s> Sheet<'s> {
             for pair in stroke.points.windows(2) {
                 let [a, b] = [self.at(pair[0]), self.at(pair[1])];
                 let Some((from, to)) = way::clip_pair(a, b, &frame) else { continue };
-                breaks.extend([(from, a), (to, b)].iter().filter(|(cut, end)| cut.distance(*end) > 1.0).map(
-                    |(cut, _)| (stroke.way, *cut, (b - a).normalize_or_zero()),
-                ));
+                breaks.extend(
+                    [(from, a), (to, b)]
+                        .iter()
+                        .filter(|(cut, end)| cut.distance(*end) > 1.0)
+                        .map(|(cut, _)| (stroke.way, *cut, (b - a).normalize_or_zero())),
+                );
                 let count = if self.stock.is_some() { (pair[0].distance(pair[1]) / step).ceil().max(1.0) } else { 1.0 };
                 let mut run: Option<(bool, DVec3)> = None;
                 for n in 0..count as usize {
                     let share = |n: f64| pair[0].lerp(pair[1], n / count);
-                    let hidden = self
-                        .stock
-                        .is_some_and(|stock| relief::hides(stock, share(n as f64 + 0.5), self.directions[2]));
+                    let hidden =
+                        self.stock.is_some_and(|stock| relief::hides(stock, share(n as f64 + 0.5), self.directions[2]));
                     match run {
                         Some((known, _)) if known == hidden => {}
                         Some((known, begin)) => {
-                            self.add(&mut data[stroke.way as usize][usize::from(known)], begin, share(n as f64), &frame);
+                            self.add(
+                                &mut data[stroke.way as usize][usize::from(known)],
+                                begin,
+                                share(n as f64),
+                                &frame,
+                            );
                             run = Some((hidden, share(n as f64)));
                         }
                         None => run = Some((hidden, pair[0])),

@@ -3,9 +3,9 @@
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
-use super::{Site, search, state};
 use super::section::{OVERVIEW, Section};
 use super::view::{ChoiceRow, Invitation, PageView, SwitchView};
+use super::{Site, search, state};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::{Args, SOURCE_LANGUAGE};
 

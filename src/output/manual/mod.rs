@@ -8,6 +8,7 @@ mod book;
 mod compare;
 pub mod cut;
 mod cycle;
+mod defined;
 mod escape;
 pub mod highlight;
 mod index;

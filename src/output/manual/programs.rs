@@ -1,21 +1,18 @@
 //! Worked programs: the page that shows all of a control, and those that a page of a cycle shows.
 //!
 //! Invariant: a program is shown as it is executed; only its names, labels and comments are those of the language.
-use std::collections::BTreeSet;
-
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
 use super::page::{Here, link};
 use super::section::Section;
 use super::view::{FigureView, WorkedView};
-use super::{Site, highlight};
-use crate::base::diag::{Diagnostic, Source};
+use super::{Site, defined, highlight};
+use crate::base::diag::Diagnostic;
 use crate::language::locale::Args;
 use crate::language::text::{CycleText, Vocabulary};
 use crate::output::figure::Medium;
-use crate::program::syntax::{self, BlockKind, CycleKeyword};
-use crate::spec::{CycleKey, Keyword, Worked};
+use crate::spec::{CycleKey, Worked};
 
 /// The file of the worked programs.
 pub(super) const PAGE: &str = "programs.html";
@@ -58,21 +55,6 @@ fn href(worked: &Worked) -> String {
     format!("{PAGE}#{}", worked.name())
 }
 
-/// The cycles that a program defines.
-pub(super) fn cycles(worked: &Worked) -> BTreeSet<CycleKey> {
-    let program = syntax::parse(&Source::new("program", worked.text().to_owned()));
-    let key = |keyword: CycleKeyword, number| match keyword {
-        CycleKeyword::CyclDef => CycleKey::new(Keyword::CyclDef, number),
-        CycleKeyword::TchProbe => CycleKey::new(Keyword::TchProbe, number),
-    };
-    let defined = program.blocks().iter().filter_map(|block| match &block.kind {
-        BlockKind::CycleDef(cycle) => Some(key(cycle.keyword, cycle.number)),
-        BlockKind::OldCycleLine(line) => Some(key(line.keyword, line.number)),
-        _ => None,
-    });
-    defined.collect()
-}
-
 fn view(site: &Site, section: &Section, worked: &Worked) -> Result<WorkedView, Vec<Diagnostic>> {
     let text = |id: String| section.text(&id, &Args::new()).map(|text| text.into_owned());
     let mut faults = Vec::new();
@@ -85,7 +67,7 @@ fn view(site: &Site, section: &Section, worked: &Worked) -> Result<WorkedView, V
     let lines: Vec<String> = worked.text().lines().map(str::to_owned).collect();
     let relabelled = site.relabelled(section, &lines);
     let program = Worked::with_comments(&relabelled, &|id| text(format!("comment-{id}")).unwrap_or_default());
-    let entries = cycles(worked).into_iter().filter_map(|key| section.entry(key));
+    let entries = defined::cycles(worked).into_iter().filter_map(|key| section.entry(key));
     Ok(WorkedView {
         id: worked.name().to_owned(),
         href: href(worked),

@@ -7,7 +7,7 @@ use minijinja::Value;
 use minijinja::value::Serde;
 
 use super::links::Targets;
-use super::{cut, programs};
+use super::{cut, defined};
 use crate::base::diag::{Diagnostic, Place};
 use crate::language::locale::{Args, Language, LocaleError, Scope};
 use crate::spec::{Cycle, CycleKey, Group, Keyword, Name, OnControl, Topic};
@@ -134,7 +134,7 @@ impl<'a> Section<'a> {
 
     /// The cycles that each worked program defines, in the order of the programs.
     pub(super) fn cycles_of_programs(&self) -> &[BTreeSet<CycleKey>] {
-        self.programs.get_or_init(|| self.on.worked.iter().map(programs::cycles).collect())
+        self.programs.get_or_init(|| self.on.worked.iter().map(defined::cycles).collect())
     }
 
     /// The title of a group.

@@ -149,7 +149,8 @@ impl Words<'_, '_> {
 
     /// The name of a language in itself, its tag where it has none yet.
     fn name_of(&self, tag: &str) -> String {
-        let name = self.site.locales.language(tag).ok().and_then(|own| own.plain("site-language-name", &Scope::NONE).ok());
+        let name =
+            self.site.locales.language(tag).ok().and_then(|own| own.plain("site-language-name", &Scope::NONE).ok());
         name.map_or_else(|| tag.to_owned(), |name| name.into_owned())
     }
 }

@@ -168,12 +168,7 @@ fn sift(
 }
 
 /// The new pieces of a unit; nothing if they are those that are there.
-fn sound(
-    own: &Unit,
-    unit: Received,
-    negation: Option<&Negation>,
-    is_twice: bool,
-) -> Result<Option<Vec<Piece>>, Why> {
+fn sound(own: &Unit, unit: Received, negation: Option<&Negation>, is_twice: bool) -> Result<Option<Vec<Piece>>, Why> {
     if is_twice {
         return Err(Why::Twice);
     }

@@ -344,7 +344,8 @@ fn numbers(pieces: &[Piece], language: &str) -> Vec<String> {
                 let rest = after.trim_start_matches([' ', '\u{a0}', '\u{202f}']).strip_prefix(**unit);
                 let ends = rest.filter(|rest| !rest.starts_with(char::is_alphanumeric));
                 let value = word.parse().unwrap_or_default();
-                let is_ordinal = |rest| **unit == "°" && after.starts_with('°') && consistency::is_ordinal(value, rest, language);
+                let is_ordinal =
+                    |rest| **unit == "°" && after.starts_with('°') && consistency::is_ordinal(value, rest, language);
                 begins_with_digit && ends.is_some_and(|rest| !is_ordinal(rest))
             });
             let minus = if is_negative { "\u{2212}" } else { "" };

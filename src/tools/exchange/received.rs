@@ -32,7 +32,8 @@ impl Received {
     /// The same unit without the line breaks and blanks with which a tool has laid out its elements. Only where the source
     /// is then that of today, and neither text has lines of its own, is that certain.
     pub(super) fn as_laid_out(self, source: &[Piece], target: &[Piece]) -> Self {
-        let has_lines = |pieces: &[Piece]| pieces.iter().any(|piece| matches!(piece, Piece::Text(words) if words.contains('\n')));
+        let has_lines =
+            |pieces: &[Piece]| pieces.iter().any(|piece| matches!(piece, Piece::Text(words) if words.contains('\n')));
         if self.source.as_deref() == Some(source) || has_lines(source) || has_lines(target) {
             return self;
         }

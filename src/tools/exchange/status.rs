@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use serde::Serialize;
 
 use crate::base::diag::{Arg, Place};
-use crate::language::{consistency, label};
 use crate::language::locale::{Finding, LocaleError, Locales, Meanings, SourceText};
+use crate::language::{consistency, label};
 use crate::spec::{self, Catalogue, Cycle, OnControl};
 
 /// What a code of a finding begins with where a label is longer than a control takes.
@@ -184,7 +184,8 @@ impl TooLong {
             let Some(Arg::Text(control)) = found.get("control") else { continue };
             all.controls.insert((control.clone(), file.clone(), at));
             let cycles = catalogue.controls.get(control).into_iter().flat_map(|on| on.cycles.values());
-            let is_own = |cycle: &&Cycle| matches!(found.get("cycle"), Some(Arg::Text(key)) if *key == cycle.key.to_string());
+            let is_own =
+                |cycle: &&Cycle| matches!(found.get("cycle"), Some(Arg::Text(key)) if *key == cycle.key.to_string());
             let groups = cycles.filter(is_own).map(|cycle| cycle.file.group.as_str().to_owned());
             all.groups.extend(groups.map(|group| (group, file.clone(), at)));
         }
