@@ -19,8 +19,10 @@ use inch::{INCH, in_inches, with_lengths};
 use crate::built;
 use built::built;
 
+/// How far the angles of arcs may lie apart, in degrees: those of short arcs follow from ends that are the same to less.
+const SAME_ANGLE: f64 = 1e-6;
 /// How far coordinates in mm and feeds may lie apart, in parts of themselves where they are greater than 1.
-const SAME: f64 = 1e-8;
+const SAME: f64 = 1e-9;
 /// The same in turning, where an insert that fits to a hair is eased by the decimals that a program loses.
 const SAME_IN_TURNING: f64 = 2e-6;
 
@@ -40,6 +42,7 @@ fn apart(mm: &Value, inch: &Value, path: &str, same: f64) -> Option<String> {
     match (mm, inch) {
         (Value::Number(a), Value::Number(b)) => {
             let (a, b) = (a.as_f64()?, b.as_f64()?);
+            let same = if path.ends_with(".angle") { SAME_ANGLE.max(same) } else { same };
             ((a - b).abs() > same * (1.0 + b.abs())).then(|| format!("{path}: {a} in mm, {b} in inches"))
         }
         (Value::Object(a), Value::Object(b)) if a.len() == b.len() => a
