@@ -135,7 +135,10 @@ def drawn(units, language, count, rng):
                     chosen.append(mutant)
                     break
     chosen = chosen[:count]
-    plain = [unit for unit in by_id.values() if unit.id not in used and unit.target.endswith(".") and unit.id.startswith(SENTENCES)]
+    # A refusal may be about the message as a whole, so no variant of an altered one is edited.
+    message = lambda id: re.split(r"__|[.#]", id)[0]
+    altered = {message(id) for id in used}
+    plain = [unit for unit in by_id.values() if message(unit.id) not in altered and unit.target.endswith(".") and unit.id.startswith(SENTENCES)]
     for unit in rng.sample(plain, HARMLESS):
         chosen.append(("harmless", {unit.id: unit.with_target(unit.target[:-1])}, unit.id))
     return chosen
@@ -173,7 +176,7 @@ def main():
                 sys.exit(run.stderr)
             refused = set()
             for line in run.stdout.splitlines():
-                refused |= set(re.findall("unit “([^”]*)”", json.loads(line)["message"]))
+                refused |= set(re.findall("units? “([^”]*)”", json.loads(line)["message"]))
             for kind, wholes, what in chosen:
                 total[kind] += 1
                 is_refused = bool(refused & set(wholes))
