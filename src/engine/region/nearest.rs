@@ -2,6 +2,8 @@
 //!
 //! Invariant: the answers are those that a look at every segment would give; of points that are equally near, but for
 //! rounding, the one farthest to the left, then the lowest.
+use std::ops::Range;
+
 use cavalier_contours::polyline::{
     PlineSegIntr, PlineSource, PlineVertex, Polyline, pline_seg_intr, seg_closest_point, seg_fast_approx_bounding_box,
 };
@@ -11,9 +13,15 @@ use glam::DVec2;
 use super::boundary::{EQUAL, earliest, point, vector};
 use super::{NEAR, Region};
 
+/// So many segments of a line that follow each other have one box: a line that is passed over is passed over in a few
+/// boxes, however short its segments are.
+const RUN: usize = 16;
+
 /// An index of closed lines, which are counted from 0.
 pub struct Nearest {
     segments: Vec<(PlineVertex, PlineVertex, usize)>,
+    /// The number of the line and the segments of each box.
+    runs: Vec<(usize, Range<usize>)>,
     /// Nothing where there are no segments.
     index: Option<StaticAABB2DIndex<f64>>,
 }
@@ -47,16 +55,31 @@ impl Nearest {
 
     fn of_lines<'a>(lines: impl Iterator<Item = &'a Polyline>) -> Self {
         let mut segments = Vec::new();
+        let mut runs = Vec::new();
         for (number, line) in lines.enumerate() {
+            let begin = segments.len();
             segments.extend(line.iter_segments().map(|(from, to)| (from, to, number)));
+            let end = segments.len();
+            runs.extend((begin..end).step_by(RUN).map(|from| (number, from..(from + RUN).min(end))));
         }
-        let mut boxes = StaticAABB2DIndexBuilder::new(segments.len());
-        for (from, to, _) in &segments {
-            let own = seg_fast_approx_bounding_box(*from, *to);
-            boxes.add(own.min_x, own.min_y, own.max_x, own.max_y);
+        let mut boxes = StaticAABB2DIndexBuilder::new(runs.len());
+        for (_, run) in &runs {
+            let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+            for (from, to, _) in &segments[run.clone()] {
+                let own = seg_fast_approx_bounding_box(*from, *to);
+                low = low.min(DVec2::new(own.min_x, own.min_y));
+                high = high.max(DVec2::new(own.max_x, own.max_y));
+            }
+            boxes.add(low.x, low.y, high.x, high.y);
         }
-        let index = boxes.build().ok().filter(|_| !segments.is_empty());
-        Self { segments, index }
+        let index = boxes.build().ok().filter(|_| !runs.is_empty());
+        Self { segments, runs, index }
+    }
+
+    /// The segments of a box.
+    fn run(&self, number: usize) -> impl Iterator<Item = &(PlineVertex, PlineVertex, usize)> {
+        let run = self.runs.get(number).map_or(0..0, |(_, run)| run.clone());
+        self.segments.get(run).into_iter().flatten()
     }
 
     /// The point that is nearest to a point, with its distance.
@@ -78,7 +101,10 @@ impl Nearest {
             if libm::sqrt(square) > least + 2.0 * EQUAL {
                 return Control::Break(());
             }
-            if let Some((from, end, line)) = self.segments.get(number).filter(|(.., line)| wanted(*line)) {
+            if !self.runs.get(number).is_some_and(|(line, _)| wanted(*line)) {
+                return Control::Continue;
+            }
+            for (from, end, line) in self.run(number) {
                 let near = point(seg_closest_point(*from, *end, vector(to), NEAR));
                 if near.distance(to) <= least + EQUAL {
                     least = least.min(near.distance(to));
@@ -153,16 +179,17 @@ impl Nearest {
         let (low, high) = (from.min(to) - NEAR, from.max(to) + NEAR);
         let way = (PlineVertex::new(from.x, from.y, 0.0), PlineVertex::new(to.x, to.y, 0.0));
         let mut visit = |number: usize| {
-            let Some((a, b, _)) = self.segments.get(number) else { return };
             let mut cut = |at| cuts.push(point(at).distance(from) / length);
-            match pline_seg_intr(*a, *b, way.0, way.1, NEAR) {
-                PlineSegIntr::NoIntersect => {}
-                PlineSegIntr::TangentIntersect { point } | PlineSegIntr::OneIntersect { point } => cut(point),
-                PlineSegIntr::TwoIntersects { point1, point2 }
-                | PlineSegIntr::OverlappingLines { point1, point2 }
-                | PlineSegIntr::OverlappingArcs { point1, point2 } => {
-                    cut(point1);
-                    cut(point2);
+            for (a, b, _) in self.run(number) {
+                match pline_seg_intr(*a, *b, way.0, way.1, NEAR) {
+                    PlineSegIntr::NoIntersect => {}
+                    PlineSegIntr::TangentIntersect { point } | PlineSegIntr::OneIntersect { point } => cut(point),
+                    PlineSegIntr::TwoIntersects { point1, point2 }
+                    | PlineSegIntr::OverlappingLines { point1, point2 }
+                    | PlineSegIntr::OverlappingArcs { point1, point2 } => {
+                        cut(point1);
+                        cut(point2);
+                    }
                 }
             }
         };
