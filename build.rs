@@ -44,12 +44,19 @@ fn main() -> io::Result<()> {
     names.sort();
     let read = |name: String| fs::read_to_string(root.join(&name)).map(|text| (name, text));
     let files: Files = names.into_iter().map(read).collect::<Result<_, _>>()?;
-    let mut out = String::from("pub(super) static DATA: super::Prepared = super::Prepared {\n    files: &[\n");
+    // All paths in one piece: a search for one of them does not touch the pages of the texts between them.
+    let mut paths = String::new();
+    let mut out = String::new();
+    out.push_str("static PATHS: &str = include_str!(concat!(env!(\"OUT_DIR\"), \"/paths.txt\"));\n");
+    out.push_str("pub(super) static DATA: super::Prepared = super::Prepared {\n    files: &[\n");
     for (name, _) in &files {
         // Beneath the manifest as the compiler finds it: a folder that is moved together with its build stays whole.
-        let beneath = format!("/{name}");
-        let _ = writeln!(out, "        ({name:?}, include_str!(concat!(env!(\"CARGO_MANIFEST_DIR\"), {beneath:?}))),");
+        let (start, beneath) = (paths.len(), format!("/{name}"));
+        let path = format!("PATHS.split_at({start}).1.split_at({}).0", name.len());
+        let _ = writeln!(out, "        ({path}, include_str!(concat!(env!(\"CARGO_MANIFEST_DIR\"), {beneath:?}))),");
+        paths.push_str(name);
     }
+    fs::write(target.join("paths.txt"), paths)?;
     out.push_str("    ],\n");
     let sound = specifications(&files, &target, &mut out)?;
     messages(&files, &target, &mut out)?;

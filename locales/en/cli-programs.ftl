@@ -29,6 +29,7 @@ cli-check-config = File with settings (default: ciklo.toml in the folder of each
 cli-check-table = Tool, preset or datum table whose rows the programs use
 cli-check-fix = Correct what can be corrected without changing what a program does: labels and doubled signs
 cli-check-no-cache = Check every program again, even those that have not changed since the last time
+cli-check-no-execution = Do not execute programs whose tools are all known; only read them
 cli-check-format = Form of the output: text (default), json, sarif, github
 cli-checking = Programs
 cli-checked =

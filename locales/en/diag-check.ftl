@@ -279,6 +279,7 @@ diag-program-end-missing =
     }.
 diag-programs-call-in-circle = The program { $name } calls this one back, directly or through others.
 diag-rapid-into-blank = The tool moves into the blank at rapid traverse here: it goes to Z { $value }, and the top of the blank is at { $top }.
+diag-rapid-through-material = The tool moves through up to { $value } mm of material at rapid traverse here.
 diag-repeat-count-wrong = The number of repeats must be a whole number from 0 to 65534.
 diag-repeat-of-later-label = The label { $label } must come before the repeat, not after it.
 diag-repeated-infeed =

@@ -30,6 +30,7 @@ cli-check-config = Asetustiedosto (oletus: ciklo.toml kunkin ohjelman hakemistos
 cli-check-table = Työkalu-, peruspiste- tai nollapistetaulukko, jonka rivejä ohjelmat käyttävät
 cli-check-fix = Korjaa, minkä voi korjata muuttamatta ohjelman toimintaa: NC-tekstit ja kaksinkertaiset merkit
 cli-check-no-cache = Tarkasta jokainen ohjelma uudelleen, myös ne, jotka eivät ole muuttuneet viime kerran jälkeen
+cli-check-no-execution = Älä suorita ohjelmia, joiden kaikki työkalut tunnetaan, vaan lue ne vain
 cli-check-format = Tulosteen muoto: text (oletus), json, sarif, github
 cli-checking = Ohjelmia
 cli-checked = Tarkastettuja ohjelmia: { $files }, { $wrong ->

@@ -279,6 +279,7 @@ diag-program-end-missing =
     }.
 diag-programs-call-in-circle = Ohjelma { $name } kutsuu tätä ohjelmaa takaisin, suoraan tai muiden kautta.
 diag-rapid-into-blank = Työkalu ajaa tässä pikaliikkeellä aihioon: Z menee asemaan { $value }, ja aihion yläpinta on asemassa { $top }.
+diag-rapid-through-material = Työkalu ajaa tässä pikaliikkeellä enimmillään { $value }{"\u00A0"}mm:n vahvuisen materiaalin läpi.
 diag-repeat-count-wrong = Toistojen määrän on oltava kokonaisluku 0–65534.
 diag-repeat-of-later-label = Labelin { $label } on oltava ennen toistoa, ei sen jäljessä.
 diag-repeated-infeed =

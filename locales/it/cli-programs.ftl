@@ -29,6 +29,7 @@ cli-check-config = File con le impostazioni (predefinito: ciklo.toml nella carte
 cli-check-table = Tabella di utensili, preset o origini di cui i programmi usano le righe
 cli-check-fix = Corregge ciò che si può correggere senza cambiare quel che fa un programma: etichette e segni doppi
 cli-check-no-cache = Verifica di nuovo ogni programma, anche quelli che dall’ultima volta non sono cambiati
+cli-check-no-execution = Non eseguire i programmi di cui sono noti tutti gli utensili, ma leggerli soltanto
 cli-check-format = Forma dell’uscita: text (predefinita), json, sarif, github
 cli-checking = Programmi
 cli-checked = Programmi verificati: { $files }, { $wrong ->

@@ -279,6 +279,7 @@ diag-program-end-missing =
     }.
 diag-programs-call-in-circle = Il programma { $name } richiama a sua volta questo, direttamente o tramite altri.
 diag-rapid-into-blank = Qui l’utensile entra nel pezzo grezzo in rapido: va a Z { $value }, e il bordo superiore del grezzo è a { $top }.
+diag-rapid-through-material = Qui l’utensile attraversa in rapido fino a { $value }{"\u00A0"}mm di materiale.
 diag-repeat-count-wrong = Il numero di ripetizioni deve essere un numero intero da 0 a 65534.
 diag-repeat-of-later-label = Il label { $label } deve trovarsi prima della ripetizione, non dopo.
 diag-repeated-infeed =

@@ -29,6 +29,7 @@ cli-check-config = Ficheiro com definições (predefinição: ciklo.toml na past
 cli-check-table = Tabela de ferramentas, de pontos de referência ou de pontos zero cujas linhas os programas usam
 cli-check-fix = Corrige o que se pode corrigir sem mudar o que o programa faz: designações e sinais duplicados
 cli-check-no-cache = Verifica de novo todos os programas, também os que não mudaram desde a última vez
+cli-check-no-execution = Não executar os programas de que se conhecem todas as ferramentas, apenas lê-los
 cli-check-format = Forma da saída: text (predefinição), json, sarif, github
 cli-checking = Programas
 cli-checked = Programas verificados: { $files }, { $wrong ->

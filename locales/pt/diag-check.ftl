@@ -279,6 +279,7 @@ diag-program-end-missing =
     }.
 diag-programs-call-in-circle = O programa { $name } chama este de volta, diretamente ou através de outros.
 diag-rapid-into-blank = A ferramenta entra aqui no bloco em avanço rápido: vai para Z { $value }, e o topo do bloco está em { $top }.
+diag-rapid-through-material = A ferramenta atravessa aqui até { $value }{"\u00A0"}mm de material em avanço rápido.
 diag-repeat-count-wrong = O número de repetições tem de ser um número inteiro de 0 a 65534.
 diag-repeat-of-later-label = O label { $label } tem de vir antes da repetição, não depois dela.
 diag-repeated-infeed =

@@ -33,6 +33,7 @@ cli-check-config = Datoteka z nastavitvami (privzeto: ciklo.toml v mapi vsakega 
 cli-check-table = Preglednica orodij, prednastavitev ali ničelnih točk, katere vrstice uporabljajo programi
 cli-check-fix = Popravi, kar je mogoče popraviti, ne da bi se spremenilo delovanje programa: oznake in podvojene predznake
 cli-check-no-cache = Znova preveri vsak program, tudi tiste, ki se od zadnjič niso spremenili
+cli-check-no-execution = Programov, katerih orodja so vsa znana, ne izvedi, temveč jih samo preberi
 cli-check-format = Oblika izpisa: text (privzeto), json, sarif, github
 cli-checking = Programi
 cli-checked = Preverjeni programi: { $files }, { $wrong ->

@@ -283,6 +283,7 @@ diag-program-end-missing =
     }.
 diag-programs-call-in-circle = Program { $name } neposredno ali prek drugih znova prikliče ta program.
 diag-rapid-into-blank = Orodje se tu v hitrem teku premakne v surovec: gre na Z { $value }, zgornji rob surovca pa je pri { $top }.
+diag-rapid-through-material = Orodje gre tu v hitrem teku skozi do { $value }{"\u00A0"}mm materiala.
 diag-repeat-count-wrong = Število ponovitev mora biti celo število od 0 do 65534.
 diag-repeat-of-later-label = Oznaka LBL { $label } mora stati pred ponovitvijo, ne za njo.
 diag-repeated-infeed =

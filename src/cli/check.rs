@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use clap::ArgMatches;
 
 use super::cache::{self, Cache};
+use super::dry_run::DryRun;
 use super::jobs::{Job, Jobs, jobs};
 use super::progress::Progress;
 use super::project::{CheckedProgram, Library, Tables};
@@ -21,7 +22,7 @@ use crate::system;
 pub(super) const COMMAND: Command = Command {
     name: "check",
     usage: "PATH… [--control CONTROL] [--lang LANG] [--config FILE] [--table FILE]… [--fail-on LEVEL] [--fix] \
-            [--no-cache] [--format FORMAT]",
+            [--no-cache] [--no-execution] [--format FORMAT]",
     arguments: own,
     run,
 };
@@ -36,6 +37,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::fail_on(ui),
         arguments::switch(ui, "fix", "cli-check-fix"),
         arguments::switch(ui, "no-cache", "cli-check-no-cache"),
+        arguments::switch(ui, "no-execution", "cli-check-no-execution"),
         arguments::format(ui, &["text", "json", "sarif", "github"]).help(ui.text("cli-check-format", &Args::new())),
     ]
 }
@@ -56,6 +58,8 @@ struct Shared<'s> {
     cache: Option<&'s Cache>,
     fix: bool,
     fail_on: Option<Severity>,
+    /// How programs are executed, unless they shall not be.
+    dry_run: Option<DryRun<'s>>,
 }
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
@@ -70,7 +74,10 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let library = Library::new(jobs.iter().map(|job| job.path.clone()).collect());
     let tables = tables(matches, &jobs, &named)?;
     let fail_on = arguments::chosen_fail_on(matches);
-    let shared = Shared { library: &library, tables: &tables, cache: cache.as_ref(), fix, fail_on };
+    // Without tables nothing is executed, and the files of machines are not needed.
+    let files = if tables.is_empty() || matches.get_flag("no-execution") { None } else { Some(session.engine_files()?) };
+    let dry_run = files.as_deref().map(|files| DryRun { files, locales: &locales });
+    let shared = Shared { library: &library, tables: &tables, cache: cache.as_ref(), fix, fail_on, dry_run };
     let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), jobs.len());
     let results = all(&jobs, &progress, |job, books| {
         let labels = books.entry(job.on.id().to_owned()).or_insert_with(|| LabelBook::new(job.on, &locales));
@@ -181,7 +188,10 @@ impl Shared<'_> {
             return Ok(found);
         }
         let file = program::understood_bytes(&job.path, bytes, against.catalogue);
-        let found = file.findings(check::check_in(&file.program, against, program));
+        let mut found = file.findings(check::check_in(&file.program, against, program));
+        if let Some(dry_run) = &self.dry_run {
+            dry_run.check(&file, &job.path, program, &mut found);
+        }
         // What depends on other files is not remembered.
         if let Some((cache, key)) = known.filter(|_| !program.asked()) {
             cache.keep(key, &found);

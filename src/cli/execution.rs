@@ -118,22 +118,7 @@ impl<'c> Execution<'c> {
 
     /// What the program lets guess of a scene.
     pub(super) fn guess(&self, table: Option<&Table>) -> Result<Guess, Failure> {
-        let nothing = Scene::parse(&Source::new("scene", NOTHING), &self.files).map_err(Failure::Data)?;
-        let blank = Blank::find(&self.file.program, &nothing).ok().map(|blank| blank.bounds);
-        let mut programs: Vec<&Program> = vec![&self.file.program];
-        let mut seen = BTreeSet::new();
-        let mut next = 0;
-        while let Some(program) = programs.get(next).copied() {
-            for block in program.blocks() {
-                let BlockKind::CallPgm(name) = &block.kind else { continue };
-                let key = program_key(program.slice(*name));
-                if seen.insert(key.clone()) {
-                    programs.extend(self.neighbours.program(&key));
-                }
-            }
-            next += 1;
-        }
-        Ok(Guess::of(self.on, &programs, blank, table, &self.files))
+        guess(self.on, &self.file.program, &self.neighbours, &self.files, table)
     }
 
     /// The scene of a program that has none. What is assumed is reported, once.
@@ -153,6 +138,32 @@ impl<'c> Execution<'c> {
         session.output.complain(&diagnostic.arg("assumed", parts.join("; ")), &ui);
         Ok(scene)
     }
+}
+
+/// What a program and those that it calls let guess of a scene.
+pub(super) fn guess(
+    on: &OnControl,
+    program: &Program,
+    neighbours: &Neighbours<'_>,
+    files: &Files,
+    table: Option<&Table>,
+) -> Result<Guess, Failure> {
+    let nothing = Scene::parse(&Source::new("scene", NOTHING), files).map_err(Failure::Data)?;
+    let blank = Blank::find(program, &nothing).ok().map(|blank| blank.bounds);
+    let mut programs: Vec<&Program> = vec![program];
+    let mut seen = BTreeSet::new();
+    let mut next = 0;
+    while let Some(program) = programs.get(next).copied() {
+        for block in program.blocks() {
+            let BlockKind::CallPgm(name) = &block.kind else { continue };
+            let key = program_key(program.slice(*name));
+            if seen.insert(key.clone()) {
+                programs.extend(neighbours.program(&key));
+            }
+        }
+        next += 1;
+    }
+    Ok(Guess::of(on, &programs, blank, table, files))
 }
 
 /// What the specification says of an error with which a cycle ends itself.
@@ -215,7 +226,7 @@ fn table(path: &Path, kind: TableKind) -> Result<Table, Failure> {
 }
 
 /// Adds the tables next to the program that the scene does not have, if the program selects any.
-fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
+pub(super) fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
     let bytes = text.as_bytes();
     // Long programs are not copied for this.
     let selects = |what: &str| {

@@ -22,6 +22,7 @@ mod coverage;
 mod cycle;
 mod dialect;
 mod dialog;
+mod dry_run;
 mod envelope;
 mod execution;
 mod explain;

@@ -306,6 +306,11 @@ impl Tables {
         Ok(tables)
     }
 
+    /// Whether no tables are named for any program.
+    pub(super) fn is_empty(&self) -> bool {
+        self.tables.is_empty()
+    }
+
     /// Reads tables that were not read yet.
     pub(super) fn add(&mut self, names: &[String]) -> Result<(), Failure> {
         for name in names {
@@ -352,6 +357,11 @@ impl<'s> CheckedProgram<'s> {
         }
     }
 
+    /// The tables that were named for it.
+    pub(super) fn named_tables(&self) -> &[&'s Table] {
+        &self.tables
+    }
+
     pub(super) const fn against(&self) -> &Against<'s> {
         self.against
     }
@@ -361,7 +371,6 @@ impl<'s> CheckedProgram<'s> {
         self.asked.load(Ordering::Relaxed)
     }
 
-    /// Whether there are tables to ask.
     /// Whether what is found depends on more than the program: on tables, or on what the machine can do.
     pub(super) fn has_more(&self) -> bool {
         self.has_tables() || self.machine.is_known()

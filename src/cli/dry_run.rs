@@ -1,0 +1,139 @@
+//! What the execution of a checked program shows that reading it does not: rapid traverse through material, cuts above
+//! the cutting edges, shapes that a cycle cannot machine.
+//!
+//! A program is executed if everything is known that its paths depend on: it has a blank and no errors, and each of its
+//! tools is in a table that was named or in a TOOL DEF.
+//! Invariant: what depends on the machine, which is assumed, is not reported; nor is what the engine cannot do.
+use std::path::Path;
+
+use super::execution;
+use super::neighbours::Neighbours;
+use super::program::Understood;
+use super::project::CheckedProgram;
+use crate::base::data::Files;
+use crate::base::diag::{Arg, Diagnostic, Place, Severity, Source};
+use crate::engine::run::FindingKind;
+use crate::engine::run::{Engine, Limits, Status};
+use crate::engine::scene::Scene;
+use crate::engine::scene::guess::Origin;
+use crate::engine::stock::{Finding, Machining, Watch};
+use crate::language::locale::Locales;
+use crate::program::table::TableKind;
+use crate::tools::conform::LogTexts;
+
+/// Less material than this is not reported, mm: columns of the stock end at its own walls.
+const LEAST: f64 = 0.1;
+/// How much of a program is executed: what most programs need, in a second or two.
+const LIMITS: Limits = Limits { blocks: 1_000_000, jumps: 100_000, depth: 19, members: 10_000, moves: 200_000 };
+/// Errors that follow from the program alone, whatever the machine.
+const OF_PROGRAM: [&str; 14] = [
+    "compensation-too-large",
+    "contour-empty",
+    "elements-overlap",
+    "end-off-circle",
+    "free-contour-contradicts",
+    "infeeds-never-reach-depth",
+    "insert-direction",
+    "pattern-too-long",
+    "radius-too-small",
+    "recess-impossible",
+    "rounding-impossible",
+    "shape-impossible",
+    "tangent-missing",
+    "undercut-impossible",
+];
+
+/// What the data give to the execution of any program.
+pub(super) struct DryRun<'d> {
+    /// The files of machines and logs.
+    pub(super) files: &'d Files,
+    pub(super) locales: &'d Locales,
+}
+
+impl DryRun<'_> {
+    /// Adds what is found when the program is executed.
+    pub(super) fn check(&self, file: &Understood, path: &Path, program: &CheckedProgram<'_>, found: &mut Vec<Diagnostic>) {
+        if found.iter().any(|known| known.severity == Severity::Error) {
+            return;
+        }
+        let Some(new) = self.findings(file, path, program) else { return };
+        for finding in new {
+            // What was found by reading is not said a second time.
+            let again = |known: &Diagnostic| known.code == finding.code || is_rapid(known.code) && is_rapid(finding.code);
+            if !found.iter().any(again) {
+                found.push(finding);
+            }
+        }
+    }
+
+    fn findings(&self, file: &Understood, path: &Path, program: &CheckedProgram<'_>) -> Option<Vec<Diagnostic>> {
+        let (against, tables) = (program.against(), program.named_tables());
+        let of_kind = |kind: TableKind| tables.iter().copied().find(|table| table.kind() == kind);
+        let tools = of_kind(TableKind::Tool);
+        if tools.is_none() && of_kind(TableKind::Turning).is_none() {
+            return None;
+        }
+        let neighbours = Neighbours::new(path, against.catalogue);
+        let guess = execution::guess(against.on, &file.program, &neighbours, self.files, tools).ok()?;
+        guess.blank?;
+        if guess.tools.iter().any(|tool| tool.origin == Origin::Assumed && !tool.probes) {
+            return None;
+        }
+        let text = guess.to_yaml(&|_| String::new());
+        let mut scene = Scene::parse(&Source::new("scene", text), self.files).ok()?;
+        for table in tables {
+            match table.kind() {
+                TableKind::Tool => scene.tools = (*table).clone(),
+                TableKind::Turning => scene.turning_tools = (*table).clone(),
+                _ => {}
+            }
+        }
+        execution::selected(path, file.program.source().text(), &mut scene).ok()?;
+        let texts = LogTexts::new(self.locales.source()?, against.on.id(), self.files);
+        let engine = Engine::new(&file.program, against.on, &scene, &texts).with_limits(LIMITS);
+        let engine = engine.with_catalogue(against.catalogue).with_programs(&neighbours);
+        let mut watch = Watch::new(Machining::new(&file.program, &scene, None).ok()?);
+        let outcome = engine.run(&mut |event| watch.see(event, &mut drop));
+        let mut found = of_material(&watch.finish().1.findings, file);
+        let fault = outcome.diagnostic.filter(|_| outcome.status == Status::Error);
+        if let Some(fault) = fault.filter(|fault| OF_PROGRAM.contains(&fault.code)) {
+            found.push(fault);
+        }
+        Some(found.into_iter().map(|finding| file.at_home(finding)).collect())
+    }
+}
+
+fn is_rapid(code: &str) -> bool {
+    matches!(code, "rapid-into-blank" | "rapid-through-material")
+}
+
+/// What was found in the material, the first of each kind.
+fn of_material(all: &[Finding], file: &Understood) -> Vec<Diagnostic> {
+    let source = file.program.source();
+    // Where the spindle is stationary in material, as when a boring bar retracts, the stock does not know the shape of the
+    // tool well enough.
+    let stationary = |finding: &Finding| {
+        let same = |other: &Finding| other.kind == FindingKind::SpindleStopped && other.line == finding.line;
+        all.iter().any(same)
+    };
+    let first = |kind, code| {
+        let mut same = all.iter().filter(|finding| finding.kind == kind && *finding.program == *source.name());
+        let finding = same.find(|finding| finding.amount > LEAST && !stationary(finding))?;
+        let place = Place::new(source, line(source.text(), finding.line)?);
+        Some(Diagnostic::warning(code, place).arg("value", Arg::Number(finding.amount)))
+    };
+    [
+        first(FindingKind::Rapid, "rapid-through-material"),
+        first(FindingKind::EdgesTooShort, "milling-deeper-than-edges"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// The stretch of a line, from 1, without its end.
+fn line(text: &str, number: usize) -> Option<std::ops::Range<usize>> {
+    let own = text.split('\n').nth(number.checked_sub(1)?)?;
+    let start = own.as_ptr() as usize - text.as_ptr() as usize;
+    Some(start..start + own.trim_end().len())
+}
