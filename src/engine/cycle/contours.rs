@@ -338,7 +338,13 @@ impl<'e> Run<'_, 'e> {
         let here = self.drives.world.machine;
         self.drives.world.stand_aside(reading != Reading::Turned);
         self.drives.traced = Some(Vec::new());
+        // Local parameters that a subprogram of a contour uses it must set itself (TNC 640 manual, line 4367).
+        let is_label = matches!(of, Of::Label(_));
+        let locals = if is_label { self.params.take_locals() } else { None };
         (self.blocks)(self, depth + 1)?;
+        if is_label {
+            self.params.return_locals(locals);
+        }
         let side = self.contour.side();
         self.end_contour()?;
         self.enter_program();
