@@ -26,6 +26,7 @@ diag-fit-collinear = Kosketuspisteet ({ NUMBER($points) }) ovat samalla suoralla
 diag-fit-failed = Kosketuspisteisiin ({ NUMBER($points) }) ei voi sovittaa ympyrää.
 diag-fit-too-few = Kosketuspisteitä on liian vähän ympyrää varten: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Asetusliikkeet eivät koskaan saavuta syvyyttä { NUMBER($depth) }{"\u00A0"}mm: ensimmäinen on { NUMBER($first) }{"\u00A0"}mm, kukin seuraava on { NUMBER($less) }{"\u00A0"}mm pienempi, pienin on { NUMBER($least) }{"\u00A0"}mm; ne päättyvät syvyyteen { NUMBER($reached) }{"\u00A0"}mm.
+diag-insert-askew = Sorvaustyökiertoja ei voi simuloida, kun työkalu on kallistettu ja M144, M128 tai FUNCTION TCPM on voimassa.
 diag-insert-direction = Työkalun { $tool } teräpala ei osoita kappaletta eikä lastujen suuntaan: sen suunta (TO) on { $orientation }.
 diag-jump-limit = Suoritus päättyy: hyppyjä, toistoja ja kutsuja on suoritettu yli { NUMBER($limit) }.
 diag-jump-target-missing = Labelia { $label } ei ole.
@@ -89,6 +90,9 @@ diag-scaling-factor-zero = Mittakertoimen on oltava suurempi kuin nolla, ei { NU
 diag-shaft-collision = Kosketusvarren varsiosa osuu työkappaleeseen kohdassa X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Tämä työkalu ei voi koneistaa muotoa: tarvitaan vähintään { NUMBER($least) }{"\u00A0"}mm, käytettävissä on { NUMBER($found) }{"\u00A0"}mm.
 diag-cutting-width-missing = Työkalu { $tool } ei ole pistotyökalu: terän leveyden (CUTWIDTH) on oltava suurempi kuin 0 ja vähintään kaksi kertaa teräsäde (RS).
+diag-m144-together = M144 ei voi olla voimassa yhdessä toiminnon { $word } kanssa.
+diag-spline-start = Spline alkaa { NUMBER($distance, maximumFractionDigits: 4) }{"\u00A0"}mm tai astetta hetkellisasemasta; sallittu ero on 0,001.
+diag-tool-direction-unreachable = Koneen kiertoakselit eivät voi kääntää työkalua tässä lauseessa annettuun suuntaan.
 diag-tilting-unreachable = Koneen kiertoakselit eivät voi asettaa työkalua kohtisuoraan tätä tasoa vastaan.
 diag-pattern-missing =
     { $name ->

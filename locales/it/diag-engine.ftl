@@ -26,6 +26,7 @@ diag-fit-collinear = I { NUMBER($points) } punti di tastatura sono su una retta:
 diag-fit-failed = Nessun cerchio approssima i { NUMBER($points) } punti di tastatura.
 diag-fit-too-few = I punti di tastatura sono troppo pochi per un cerchio: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Gli incrementi non raggiungono mai la profondità di { NUMBER($depth) } mm: il primo è di { NUMBER($first) } mm, ciascuno è minore di { NUMBER($less) } mm, il minimo è di { NUMBER($least) } mm; finiscono a { NUMBER($reached) } mm.
+diag-insert-askew = I cicli di tornitura non si possono simulare mentre l’utensile è inclinato ed è attiva M144, M128 o FUNCTION TCPM.
 diag-insert-direction = L’inserto dell’utensile { $tool } non è rivolto verso il pezzo o nella direzione dei tagli: il suo orientamento (TO) è { $orientation }.
 diag-jump-limit = L’esecuzione è stata terminata: sono stati eseguiti più di { NUMBER($limit) } salti, ripetizioni e chiamate.
 diag-jump-target-missing = Manca il label { $label }.
@@ -89,6 +90,9 @@ diag-value-not-bound = Una formula della specifica legge un valore che non esist
 diag-word-not-offered = La parola { $word } qui non è ammessa.
 diag-arc-scaled-unequally = Gli assi del piano hanno fattori di scala diversi: un arco diventerebbe un’ellisse.
 diag-scaling-factor-zero = Un fattore di scala deve essere maggiore di zero, non { NUMBER($found) }.
+diag-m144-together = M144 non può essere attiva insieme a { $word }.
+diag-spline-start = La spline inizia a { NUMBER($distance, maximumFractionDigits: 4) } mm o gradi dalla posizione attuale; è ammesso 0.001.
+diag-tool-direction-unreachable = Gli assi rotativi della macchina non possono portare l’utensile nella direzione indicata da questo blocco.
 diag-tilting-unreachable = Gli assi rotativi della macchina non possono posizionare l’utensile perpendicolare a questo piano.
 diag-pattern-missing = { $name ->
     [none] Per la chiamata del ciclo non è definita alcuna sagoma né tabella punti.

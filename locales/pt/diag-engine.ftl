@@ -26,6 +26,7 @@ diag-fit-collinear = Os { NUMBER($points) } pontos de apalpação estão em linh
 diag-fit-failed = Nenhum círculo se ajusta aos { NUMBER($points) } pontos de apalpação.
 diag-fit-too-few = Os pontos de apalpação são demasiado poucos para um círculo: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Os passos nunca atingem a profundidade de { NUMBER($depth) } mm: o primeiro é de { NUMBER($first) } mm, cada um é { NUMBER($less) } mm menor, o mínimo é de { NUMBER($least) } mm; terminam em { NUMBER($reached) } mm.
+diag-insert-askew = Os ciclos de torneamento não podem ser simulados enquanto a ferramenta está inclinada e M144, M128 ou FUNCTION TCPM está ativa.
 diag-insert-direction = A pastilha da ferramenta { $tool } não aponta para a peça ou para a direção dos cortes: a sua orientação (TO) é { $orientation }.
 diag-jump-limit = A execução foi terminada: foram executados mais de { NUMBER($limit) } saltos, repetições e chamadas.
 diag-jump-target-missing = Não existe o label { $label }.
@@ -89,6 +90,9 @@ diag-scaling-factor-zero = Um fator de escala tem de ser maior do que zero, e n�
 diag-shaft-collision = A haste de apalpação, e não a esfera, toca na peça em X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Esta ferramenta não consegue maquinar a forma: são necessários pelo menos { NUMBER($least) } mm, há { NUMBER($found) } mm.
 diag-cutting-width-missing = A ferramenta { $tool } não é uma ferramenta de ranhurar: a largura de corte (CUTWIDTH) tem de ser superior a 0 e, no mínimo, o dobro do raio de corte (RS).
+diag-m144-together = M144 não pode estar ativa juntamente com { $word }.
+diag-spline-start = A spline começa a { NUMBER($distance, maximumFractionDigits: 4) } mm ou graus da posição atual; é permitido 0.001.
+diag-tool-direction-unreachable = Os eixos rotativos da máquina não conseguem levar a ferramenta à direção que esta frase indica.
 diag-tilting-unreachable = Os eixos rotativos da máquina não conseguem posicionar a ferramenta perpendicular a este plano.
 diag-pattern-missing = { $name ->
         [none] Não está definida nenhuma figura nem tabela de pontos para a chamada do ciclo.

@@ -142,7 +142,12 @@ impl Tables for OfRun<'_, '_, '_, '_> {
     }
 
     fn insert(&self) -> Result<TurningInsert, Fault> {
-        Ok(self.run.drives.world.turning_insert()?)
+        let world = &self.run.drives.world;
+        if world.system.knows_tool() && world.is_askew() {
+            // Its angles and where its tip is are those of an upright tool.
+            return Err(Fault::unsupported("insert-askew"));
+        }
+        Ok(world.turning_insert()?)
     }
 }
 

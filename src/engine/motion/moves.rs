@@ -77,7 +77,7 @@ impl Drives<'_, '_> {
             return self.trace(to, machine, path);
         }
         let (kind, feed) = match speed? {
-            Speed::Rapid => (MoveKind::Rapid, self.world.scene.machine.rapid_feed(machine - self.world.machine)),
+            Speed::Rapid => (MoveKind::Rapid, self.world.rapid_feed(machine - self.world.machine)),
             Speed::Feed(feed) => (MoveKind::Feed, self.per_minute(feed, &path)?),
         };
         self.go(kind, feed, to, machine, &path)
@@ -161,7 +161,7 @@ impl Drives<'_, '_> {
         self.count_move()?;
         if self.beside_contour {
             let word = self.report.at().cycle.as_ref().map_or_else(String::new, |(key, _)| key.to_string());
-            self.not_beside_contour(word)?;
+            self.not_compensated(word)?;
         }
         self.no_unexecuted()?;
         self.has_axes_to(machine)?;
