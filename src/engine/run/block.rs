@@ -103,7 +103,11 @@ impl<'e> Run<'_, 'e> {
             BlockKind::Statement(statement) if statement.kind == StatementKind::Fselect => self.selection()?,
             BlockKind::Statement(statement) if self.is_form_element(statement) => self.form_element(statement)?,
             BlockKind::Statement(statement) if self.drives.beside_contour => {
-                self.drives.not_beside_contour(self.slice(statement.head).trim())?;
+                let head = self.slice(statement.head).trim();
+                match statement.kind {
+                    StatementKind::Plane => self.drives.not_compensated(head)?,
+                    _ => self.drives.not_beside_contour(head)?,
+                }
             }
             BlockKind::Statement(_) if self.switches_mode(block)? => {}
             BlockKind::Statement(statement) if statement.kind == StatementKind::Function => {

@@ -272,8 +272,7 @@ impl System {
 
     /// Ends everything that programs change on top of the preset. Whether there was anything.
     pub(crate) fn end_changes(&mut self) -> bool {
-        let any =
-            !self.changes.is_empty() || self.angle_shift != DVec3::ZERO || self.tip_held || self.axes_counted;
+        let any = !self.changes.is_empty() || self.angle_shift != DVec3::ZERO || self.tip_held || self.axes_counted;
         self.changes.clear();
         (self.tip_held, self.axes_counted) = (false, false);
         self.angle_shift = DVec3::ZERO;

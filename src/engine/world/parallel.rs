@@ -128,7 +128,8 @@ impl Parallels {
         }
         let rest = self.driving.iter().fold(way, |rest, own| own.axis.with(rest, 0.0));
         let length = way.length();
-        let others = if rest == DVec3::ZERO { f64::INFINITY } else { machine.rapid_feed(rest) / rest.length() * length };
+        let others =
+            if rest == DVec3::ZERO { f64::INFINITY } else { machine.rapid_feed(rest) / rest.length() * length };
         let own = self.driving.iter().filter_map(|own| {
             let part = own.axis.of(way).abs();
             (part > 0.0).then_some(machine.parallel(own.letter)?.rapid / part * length)

@@ -110,7 +110,8 @@ impl State {
         let whole = System::new(self, given, Layout::of(self, given, None)?);
         let part = System::new(self, given, whole.determined_part()?);
         // One that is too large may fall into several that share nothing but what is known: the first of them.
-        let system = if part.layout.count <= MOST_UNKNOWNS { part } else { System::new(self, given, part.first_part()?) };
+        let system =
+            if part.layout.count <= MOST_UNKNOWNS { part } else { System::new(self, given, part.first_part()?) };
         let mut solutions = system.solutions()?;
         solutions.sort_by(|a, b| self.before(given, a, b));
         Some(solutions)
@@ -426,7 +427,8 @@ impl<'a> System<'a> {
                 columns.for_each(|(column, _)| join(first, column));
             }
         }
-        let curves = self.layout.curves.iter().enumerate().map(|(i, place)| (place, if is_arc(self.given, i) { 3 } else { 2 }));
+        let curves =
+            self.layout.curves.iter().enumerate().map(|(i, place)| (place, if is_arc(self.given, i) { 3 } else { 2 }));
         let points = self.layout.points.iter().map(|place| (place, 2));
         for (place, size) in curves.chain(points) {
             if let Place::Unknown(first) = *place {
