@@ -319,6 +319,8 @@ pub(super) struct Level<'c> {
     pub range: &'c Range,
     /// Whether the material is on the right of the way of the stylus.
     pub clockwise: bool,
+    /// A place that is so near to the first one is there, mm.
+    pub accuracy: f64,
 }
 
 impl Level<'_> {
@@ -349,10 +351,16 @@ impl Level<'_> {
     /// All places from the first one around the part and back to it, at most that far from each other.
     pub(super) fn trace(&self, first: Sample, spacing: f64) -> Result<Vec<Sample>, Fault> {
         let mut all = vec![first];
+        let (mut has_left, mut in_corner) = (false, false);
         while all.len() < MOST {
             let Some(now) = all.last().copied() else { break };
             let back = (now.at - first.at).length();
-            if all.len() > 2 && back <= spacing + SAME && self.is_next(&now, &first, back)? {
+            if has_left && back <= self.accuracy {
+                return Ok(all);
+            }
+            has_left |= back > self.accuracy.max(spacing);
+            let near = all.len() > 2 && back <= spacing + SAME;
+            if near && self.is_next(&now, &first, back)? {
                 all.extend(self.inside_corner(&now, &first, spacing)?);
                 all.push(first);
                 return Ok(all);
@@ -360,16 +368,26 @@ impl Level<'_> {
             let mut step = spacing;
             let next = loop {
                 match self.next(&now, step)? {
+                    // Not over a gap to what is beside: on into it.
+                    Some(next) if step > LEAST && !in_corner && self.leaps(&now, &next, spacing)? => step /= 2.0,
                     Some(next) => break next,
                     None if step > LEAST => step /= 2.0,
                     None => return Err(lost(self.control, now.at)),
                 }
             };
+            // Where surfaces only just touch each other the way may end a little beside the first place.
+            if near && has_left && is_between(&first, &now, &next) {
+                all.push(first);
+                return Ok(all);
+            }
             let axes = self.control.axes(next.at);
             if (self.range.least - axes).max_element() > SAME || (axes - self.range.greatest).max_element() > SAME {
                 return Err(beyond(self.control, next.at));
             }
-            all.push(self.inside_corner(&now, &next, spacing)?.unwrap_or(next));
+            // Out of a corner leads one step: between curved surfaces a further corner would be found nearer and nearer.
+            let corner = if in_corner { None } else { self.inside_corner(&now, &next, spacing)? };
+            in_corner = corner.is_some();
+            all.push(corner.unwrap_or(next));
         }
         Err(too_long())
     }
@@ -380,6 +398,21 @@ impl Level<'_> {
             return Ok(true);
         }
         Ok(self.next(now, distance)?.is_some_and(|next| (next.at - first.at).length() < TOUCHES))
+    }
+
+    /// Whether the material turns inwards between two places, and they are not the sides of one corner.
+    fn leaps(&self, a: &Sample, b: &Sample, spacing: f64) -> Result<bool, Fault> {
+        if a.away.truncate().perp_dot(b.away.truncate()) * -self.sign() < sind(CORNER) {
+            return Ok(false);
+        }
+        let Some(corner) = self.inside_corner(a, b, spacing)? else { return Ok(true) };
+        for away in [a.away, b.away] {
+            let off = away * LEAST;
+            if feel(self.control, corner.at + off, corner.at - off)?.is_none() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// The place in an inside corner between two others.
@@ -401,6 +434,13 @@ impl Level<'_> {
         let fits = |sample: &Sample| (sample.at - a.at).length().max((sample.at - b.at).length()) <= spacing;
         Ok(found.filter(fits).map(|sample| Sample { away: bisector, ..sample }))
     }
+}
+
+/// Whether a place is passed on the way from one to the next, on the same side of the part.
+fn is_between(place: &Sample, now: &Sample, next: &Sample) -> bool {
+    let (way, there) = (next.at - now.at, place.at - now.at);
+    let along = there.dot(way);
+    along >= 0.0 && along <= way.length_squared() && place.away.dot(next.away) > 0.0
 }
 
 /// Of places close together those that are stored: no farther from each other than the spacing, and as few as the way
