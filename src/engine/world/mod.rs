@@ -5,5 +5,6 @@
 pub(crate) mod coordinates;
 pub(crate) mod insert;
 pub(crate) mod setter;
+pub(crate) mod setter_leaning;
 pub(crate) mod state;
 pub(crate) mod stylus;
