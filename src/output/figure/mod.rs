@@ -18,6 +18,7 @@ mod relief;
 mod rotary;
 mod scan;
 mod setter;
+mod setter_turned;
 mod sheet;
 mod shot;
 mod slabs;
