@@ -30,6 +30,7 @@ guard-pattern-goes-round-again = Number and stepping angle make more than a full
 guard-pattern-points-identical = Several points are to be machined with a distance of 0: they all lie in the same place.
 guard-pitch-of-another-tap = The pitch is not that of the tap in the tool table (PITCH).
 guard-plane-still-tilted = The working plane is tilted. Reset it before the kinematics are measured.
+guard-tcpm-still-active = M128 or FUNCTION TCPM is active. Switch it off before the kinematics are measured.
 guard-points-along-measuring-axis = The two points differ in the measuring axis only: the line through them runs along the axis in which they are probed.
 guard-points-identical = Two of the points are the same: no direction or intersection follows from them.
 guard-pre-drilled-too-wide = The pre-drilled diameter is not less than the nominal diameter: nothing is left to be milled.

@@ -30,6 +30,7 @@ guard-pattern-goes-round-again = Lukumäärä ja kulma-askel tekevät yli täyde
 guard-pattern-points-identical = Useita pisteitä koneistetaan etäisyydellä 0: ne kaikki ovat samassa paikassa.
 guard-pitch-of-another-tap = Nousu ei ole työkalutaulukossa olevan kierretapin nousu (PITCH).
 guard-plane-still-tilted = Koneistustaso on käännetty. Peruuta kääntö ennen kinematiikan mittausta.
+guard-tcpm-still-active = M128 tai FUNCTION TCPM on voimassa. Kytke se pois ennen kinematiikan mittausta.
 guard-points-along-measuring-axis = Pisteet eroavat toisistaan vain mittausakselilla: niiden kautta kulkeva suora on sen akselin suuntainen, jolla niitä kosketetaan.
 guard-points-identical = Kaksi pisteistä on sama piste: niistä ei saada suuntaa eikä leikkauspistettä.
 guard-pre-drilled-too-wide = Esiporatun reiän halkaisija ei ole pienempi kuin asetushalkaisija: jyrsittävää ei jää.

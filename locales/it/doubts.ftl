@@ -30,6 +30,7 @@ guard-pattern-goes-round-again = Numero e angolo incrementale superano un cerchi
 guard-pattern-points-identical = Più punti sono da lavorare a distanza 0: coincidono tutti.
 guard-pitch-of-another-tap = Il passo non è quello del maschio nella tabella utensili (PITCH).
 guard-plane-still-tilted = Il piano di lavoro è ruotato. Va resettato prima di misurare la cinematica.
+guard-tcpm-still-active = M128 o FUNCTION TCPM è attiva. Va disattivata prima di misurare la cinematica.
 guard-points-along-measuring-axis = I due punti differiscono solo nell’asse di misura: la retta che li unisce corre lungo l’asse in cui vengono tastati.
 guard-points-identical = Due dei punti coincidono: non ne risulta né una direzione né un’intersezione.
 guard-pre-drilled-too-wide = Il diametro preforato non è inferiore al diametro nominale: non rimane nulla da fresare.

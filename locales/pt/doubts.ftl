@@ -30,6 +30,7 @@ guard-pattern-goes-round-again = A quantidade e o passo angular dão mais do que
 guard-pattern-points-identical = Há vários pontos a maquinar à distância 0: ficam todos no mesmo lugar.
 guard-pitch-of-another-tap = O passo de rosca não é o do macho na tabela de ferramentas (PITCH).
 guard-plane-still-tilted = O plano de maquinação está inclinado. Deve ser anulado antes de medir a cinemática.
+guard-tcpm-still-active = M128 ou FUNCTION TCPM está ativa. Deve ser desativada antes de medir a cinemática.
 guard-points-along-measuring-axis = Os dois pontos diferem apenas no eixo de medição: a reta que os une corre ao longo do eixo em que são apalpados.
 guard-points-identical = Dois dos pontos são iguais: deles não resulta nem uma direção nem uma interseção.
 guard-pre-drilled-too-wide = O diâmetro do furo prévio não é inferior ao diâmetro nominal: nada resta para fresar.

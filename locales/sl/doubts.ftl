@@ -30,6 +30,7 @@ guard-pattern-goes-round-again = Število in kotni korak dasta več kot polni kr
 guard-pattern-points-identical = Več točk naj bi se obdelalo v razmaku 0: vse ležijo na istem mestu.
 guard-pitch-of-another-tap = Korak ni korak navojnega svedra v preglednici orodij (PITCH).
 guard-plane-still-tilted = Obdelovalna ravnina je zavrtena. Ponastavite jo pred merjenjem kinematike.
+guard-tcpm-still-active = Funkcija M128 ali FUNCTION TCPM je aktivna. Izklopite jo pred merjenjem kinematike.
 guard-points-along-measuring-axis = Točki se razlikujeta samo na merilni osi: premica skoznju poteka vzdolž osi, v kateri se otipata.
 guard-points-identical = Dve od točk sta enaki: iz njiju ne izhaja ne smer ne presečišče.
 guard-pre-drilled-too-wide = Premer predhodno izvrtane vrtine ni manjši od želenega premera: za rezkanje ne ostane nič.
