@@ -2,7 +2,6 @@
 
 diag-angle-missing = The circle needs its angle PA.
 diag-axis-limit = { $axis } would go to { NUMBER($found) } { $unit }, beyond the limits { NUMBER($min) } to { NUMBER($max) } { $unit } of the machine.
-diag-blank-form-update = Blank form update with TURNDATA BLANK cannot be simulated: the manual does not say how cycles change with the blank.
 diag-block-limit = The run was ended: more than { NUMBER($limit) } blocks have been executed.
 diag-block-unreadable = The block cannot be read: { $found }
 diag-call-depth-limit = Calls are nested deeper than { NUMBER($limit) } levels.
@@ -87,6 +86,7 @@ diag-text-too-long = A string parameter would exceed { NUMBER($limit) } characte
 diag-tool-locked = Tool { $tool } is locked.
 diag-tool-not-in-table = Tool { $tool } is not in the tool table.
 diag-turn-limit = The run was ended: one movement has more than { NUMBER($limit) } turns.
+diag-undercut-form = UDC { $form } cannot be simulated: no manual describes its shape.
 diag-undercut-impossible = There is no room for the undercut, a size is missing, or it is not between a surface along the rotary axis and a face at right angles to it.
 diag-unsupported-axis = The simulated machine has no axis { $axis }.
 diag-unsupported-block = { $word } cannot be simulated.

@@ -2,7 +2,6 @@
 
 diag-angle-missing = Ympyrältä puuttuu kulma PA.
 diag-axis-limit = Akseli { $axis } siirtyisi asemaan { NUMBER($found) }{"\u00A0"}{ $unit }, koneen rajojen { NUMBER($min) } … { NUMBER($max) }{"\u00A0"}{ $unit } ulkopuolelle.
-diag-blank-form-update = Aihion seurantaa (TURNDATA BLANK) ei voi simuloida: käsikirja ei kerro, miten työkierrot muuttuvat aihion mukaan.
 diag-block-limit = Suoritus päättyy: yli { NUMBER($limit) } lausetta on suoritettu.
 diag-block-unreadable = Lausetta ei voi lukea: { $found }
 diag-call-depth-limit = Kutsuja on sisäkkäin yli { NUMBER($limit) } tasoa.
@@ -72,6 +71,7 @@ diag-text-too-long = Merkkijonoparametrissa olisi yli { NUMBER($limit) } merkki�
 diag-tool-locked = Työkalulle { $tool } on asetettu esto.
 diag-tool-not-in-table = Työkalua { $tool } ei ole työkalutaulukossa.
 diag-turn-limit = Suoritus päättyy: yhdessä liikkeessä on yli { NUMBER($limit) } kierrosta.
+diag-undercut-form = Lausetta UDC { $form } ei voi simuloida: mikään käsikirja ei kuvaa sen muotoa.
 diag-undercut-impossible = Vapaasorvaukselle ei ole tilaa, siltä puuttuu mitta, tai se ei ole pyörintäakselin suuntaisen pinnan ja sitä vastaan kohtisuoran otsapinnan välissä.
 diag-unsupported-axis = Simuloidussa koneessa ei ole akselia { $axis }.
 diag-unsupported-block = Lausetta { $word } ei voi simuloida.

@@ -3,6 +3,7 @@
 figure-turning-roughing = Rouhinta
 figure-turning-finishing = Silitys
 figure-turning-inside = Sisäpuoli
+figure-turning-system = Koordinaatisto
 figure-turning-smoothing = Muodon tasoitus
 figure-turning-start-element = Elementti alussa
 figure-turning-end-element = Elementti lopussa

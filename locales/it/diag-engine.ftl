@@ -2,7 +2,6 @@
 
 diag-angle-missing = Al cerchio manca l’angolo PA.
 diag-axis-limit = L’asse { $axis } andrebbe a { NUMBER($found) } { $unit }, oltre i limiti della macchina da { NUMBER($min) } a { NUMBER($max) } { $unit }.
-diag-blank-form-update = L’aggiornamento del pezzo grezzo con TURNDATA BLANK non si può simulare: il manuale non dice come i cicli cambiano in base al grezzo.
 diag-block-limit = L’esecuzione è stata terminata: sono stati eseguiti più di { NUMBER($limit) } blocchi.
 diag-block-unreadable = Il blocco non è leggibile: { $found }
 diag-call-depth-limit = Le chiamate sono annidate per più di { NUMBER($limit) } livelli.
@@ -75,6 +74,7 @@ diag-text-too-long = Un parametro stringa supererebbe { NUMBER($limit) } caratte
 diag-tool-locked = L’utensile { $tool } è bloccato.
 diag-tool-not-in-table = L’utensile { $tool } non è nella tabella utensili.
 diag-turn-limit = L’esecuzione è stata terminata: un movimento ha più di { NUMBER($limit) } giri.
+diag-undercut-form = UDC { $form } non si può simulare: nessun manuale ne descrive la forma.
 diag-undercut-impossible = Non c’è spazio per la gola di scarico, manca una misura, oppure essa non si trova tra una superficie lungo l’asse di rotazione e una faccia ad angolo retto.
 diag-unsupported-axis = La macchina simulata non ha l’asse { $axis }.
 diag-unsupported-block = { $word } non si può simulare.

@@ -2,7 +2,6 @@
 
 diag-angle-missing = Falta o ângulo PA do círculo.
 diag-axis-limit = O eixo { $axis } iria para { NUMBER($found) } { $unit }, para lá dos limites da máquina de { NUMBER($min) } a { NUMBER($max) } { $unit }.
-diag-blank-form-update = O seguimento do bloco com TURNDATA BLANK não pode ser simulado: o manual não diz como os ciclos mudam em função do bloco.
 diag-block-limit = A execução foi terminada: foram executadas mais de { NUMBER($limit) } frases.
 diag-block-unreadable = Não é possível ler a frase: { $found }
 diag-call-depth-limit = As chamadas estão encadeadas em mais de { NUMBER($limit) } níveis.
@@ -72,6 +71,7 @@ diag-text-too-long = Um parâmetro de texto ultrapassaria { NUMBER($limit) } car
 diag-tool-locked = A ferramenta { $tool } está bloqueada.
 diag-tool-not-in-table = A ferramenta { $tool } não está na tabela de ferramentas.
 diag-turn-limit = A execução foi terminada: um movimento tem mais de { NUMBER($limit) } voltas.
+diag-undercut-form = UDC { $form } não pode ser simulado: nenhum manual descreve a sua forma.
 diag-undercut-impossible = Não há espaço para o rebaixo, falta uma medida, ou este não está entre uma superfície ao longo do eixo rotativo e uma face perpendicular a ela.
 diag-unsupported-axis = A máquina simulada não tem um eixo { $axis }.
 diag-unsupported-block = { $word } não pode ser simulado.

@@ -2,7 +2,6 @@
 
 diag-angle-missing = Krožnici manjka kot PA.
 diag-axis-limit = Os { $axis } bi se premaknila na { NUMBER($found) }{"\u00A0"}{ $unit }, zunaj območja stroja od { NUMBER($min) } do { NUMBER($max) }{"\u00A0"}{ $unit }.
-diag-blank-form-update = Sledenja surovca s TURNDATA BLANK ni mogoče simulirati: priročnik ne pove, kako se cikli prilagodijo surovcu.
 diag-block-limit = Izvajanje je bilo prekinjeno: izvedenih je bilo več kot { NUMBER($limit) } stavkov.
 diag-block-unreadable = Stavka ni mogoče prebrati: { $found }
 diag-call-depth-limit = Priklici so ugnezdeni globlje kot { NUMBER($limit) } ravni.
@@ -72,6 +71,7 @@ diag-text-too-long = Besedilni parameter bi presegel { NUMBER($limit) } znakov.
 diag-tool-locked = Orodje { $tool } je blokirano.
 diag-tool-not-in-table = Orodja { $tool } ni v preglednici orodij.
 diag-turn-limit = Izvajanje je bilo prekinjeno: en premik ima več kot { NUMBER($limit) } obratov.
+diag-undercut-form = UDC { $form } ni mogoče simulirati: noben priročnik ne opisuje njegove oblike.
 diag-undercut-impossible = Za spodrez ni prostora, manjka mera ali pa ni med površino vzdolž rotacijske osi in nanjo pravokotno čelno površino.
 diag-unsupported-axis = Simulirani stroj nima osi { $axis }.
 diag-unsupported-block = { $word } ni mogoče simulirati.

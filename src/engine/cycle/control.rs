@@ -297,6 +297,14 @@ impl Kept for OfRun<'_, '_, '_, '_> {
         drives.report.report(EventKind::Left { area, at });
     }
 
+    fn outline_of_blank(&self, seen: &dyn Fn(&Way) -> Way) -> Option<Way> {
+        self.run.drives.outline_of_blank(seen)
+    }
+
+    fn updates_blank(&self) -> bool {
+        self.run.drives.blank.is_some()
+    }
+
     fn keep_groove(&mut self, groove: Groove) {
         self.run.cycles.contours.groove = Some(groove);
     }

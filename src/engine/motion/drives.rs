@@ -3,6 +3,7 @@
 //! Invariant: a position is known both in program and machine coordinates after every movement.
 use glam::DVec3;
 
+use super::blank::TurnedBlank;
 use crate::engine::machine::Insert;
 use crate::engine::report::ending::Done;
 use crate::engine::report::envelope::{Recorder, Touching, Way};
@@ -56,7 +57,9 @@ pub(crate) struct Drives<'r, 'e> {
     /// Spindle and coolant.
     pub(crate) switched: Switched,
     /// The insert as it was reported last, if one was since the tool was called.
-    held: Option<Insert>,
+    pub(super) held: Option<Insert>,
+    /// The blank that turning updates (`FUNCTION TURNDATA BLANK`).
+    pub(crate) blank: Option<TurnedBlank>,
     /// mm in the unit of the program being executed.
     pub(crate) unit: f64,
     /// mm in the unit in which the cycle being executed calculates.
@@ -83,6 +86,7 @@ impl<'r, 'e> Drives<'r, 'e> {
             report,
             switched: Switched::default(),
             held: None,
+            blank: None,
             unit: 1.0,
             cycle_unit: 1.0,
             moves: 0,

@@ -63,6 +63,10 @@ impl Speed {
     }
 }
 
+const fn is_rapid(kind: MoveKind) -> bool {
+    matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. })
+}
+
 impl Drives<'_, '_> {
     /// Moves straight; `machine` gives the target in machine coordinates where that is what is programmed.
     pub(crate) fn straight_to(&mut self, to: DVec3, machine: Option<DVec3>, speed: Result<Speed, Fault>) -> Done {
@@ -179,6 +183,9 @@ impl Drives<'_, '_> {
         self.world.machine = machine;
         let path = self.world.path_of_tip(path);
         let turned = self.on_diameter(to);
+        if self.blank.is_some() && turned.is_some() && !is_rapid(kind) {
+            self.cut_blank(&path);
+        }
         self.report.report_move(kind, from, to, machine, feed, path, turned);
         Ok(())
     }

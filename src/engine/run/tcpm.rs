@@ -34,7 +34,7 @@ impl Run<'_, '_> {
                 }
                 self.drives.hold_tip(true)
             }
-            "TURNDATA" => self.turning_data(statement),
+            "TURNDATA" | "TURNDATABLANK" => self.turning_data(statement),
             // How the feed is kept, and what is displayed: the tool goes the same way.
             "FEED" | "COUNT" | "LIFTOFF" | "AFC" => Ok(self.report_function(block)),
             "PARAXCOMP" if !words.any(|(name, _)| name == "MOVE") => Ok(self.report_function(block)),
