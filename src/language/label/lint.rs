@@ -21,7 +21,8 @@ pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
 }
 
 fn check_control(on: &OnControl, language: &Language, found: &mut Vec<Diagnostic>) {
-    let [cycle_name, prompt] = [&on.control.cycle_name, &on.control.prompt].map(|rules| rules.as_ref().map(|it| it.max_length));
+    let [cycle_name, prompt] =
+        [&on.control.cycle_name, &on.control.prompt].map(|rules| rules.as_ref().map(|it| it.max_length));
     for cycle in on.cycles.values() {
         let vocabulary = Vocabulary::of(on, cycle, language);
         let text = CycleText::new(on, cycle, language, &vocabulary);

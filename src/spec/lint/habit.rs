@@ -138,7 +138,8 @@ fn worded(cycle: &Cycle, formula: &str) -> (String, Vec<(QRef, String)>) {
 /// has the usual one as well.
 fn formulas(on: &OnControl, found: &mut Vec<Diagnostic>) {
     type Uses = BTreeMap<Vec<String>, usize>;
-    let lets = || on.cycles.values().flat_map(|cycle| cycle.file.lets.0.iter().map(move |(name, own)| (cycle, name, own)));
+    let lets =
+        || on.cycles.values().flat_map(|cycle| cycle.file.lets.0.iter().map(move |(name, own)| (cycle, name, own)));
     let words = |means: &[(QRef, String)]| means.iter().map(|(_, is)| is.clone()).collect::<Vec<_>>();
     let mut known: BTreeMap<(String, String), Uses> = BTreeMap::new();
     for (cycle, name, formula) in lets() {

@@ -32,7 +32,8 @@ impl Received {
     /// Takes the unit for final if it has a translation, whatever state it has: some tools keep none. The words of the
     /// source are no translation.
     pub fn settle(&mut self) {
-        let is_translated = self.target.as_ref().is_some_and(|target| !target.is_empty() && Some(target) != self.source.as_ref());
+        let is_translated =
+            self.target.as_ref().is_some_and(|target| !target.is_empty() && Some(target) != self.source.as_ref());
         self.is_final |= is_translated;
     }
 

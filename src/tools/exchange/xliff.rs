@@ -125,10 +125,7 @@ fn inline(pieces: &[Piece], codes: &mut Codes, two: bool) -> String {
                 let reads = escape(readable(code));
                 let code = escape(code);
                 let _ = match two {
-                    true => write!(
-                        text,
-                        "<ph id=\"{id}\" dataRef=\"d{number}\" equiv=\"{reads}\" disp=\"{code}\"/>"
-                    ),
+                    true => write!(text, "<ph id=\"{id}\" dataRef=\"d{number}\" equiv=\"{reads}\" disp=\"{code}\"/>"),
                     false => write!(text, "<ph id=\"{id}\" equiv-text=\"{reads}\">{code}</ph>"),
                 };
             }
