@@ -172,8 +172,11 @@ def omegat_steps(options, root, files):
         restore(root, before)
         texts = lambda po: dict(re.findall(r'msgctxt "(.*)"\n(msgid [\s\S]*?\nmsgstr (?:".*"\n)+)', po + "\n"))
         there, now = texts(whole), texts(again)
-        other = [key for key in there if now.get(key) != there[key]]
-        yield f"omegat xliff of {len(there)} missing texts, by TMX", None if there and not other else f"{other}\n{back.stdout}{back.stderr}"
+        # Codes of a memory are not those that it gives to a file, so it leaves texts with codes to the translator.
+        plain = [key for key in there if "{" not in there[key]]
+        other = [key for key in plain if now.get(key) != there[key]]
+        other += [key for key in there if key not in plain and key in now and not now[key].endswith('msgstr ""\n')]
+        yield f"omegat xliff of {len(plain)} of {len(there)} missing texts, by TMX", None if plain and not other else f"{other}\n{back.stdout}{back.stderr}"
         if not (shutil.which("javac") and os.path.exists(f"{OMEGAT}/OmegaT.jar")):
             return
         project, path = at("project"), at("ciklo.tbx")
