@@ -110,6 +110,7 @@ import java.io.File;
 import org.omegat.core.Core;
 import org.omegat.core.data.*;
 import org.omegat.gui.glossary.*;
+import org.omegat.util.ProjectFileStorage;
 public class Glossary {
     public static void main(String[] names) throws Exception {
         Core.initializeConsole(new java.util.TreeMap<String, String>());
