@@ -194,13 +194,14 @@ impl Figure<'_> {
             _ if measured.is_half() => format!("\u{2300} {}", measured.of),
             _ => measured.of.clone(),
         });
-        let labels = labels.zip(&self.measured).map(|(label, measured)| match &measured.plus {
+        let labels = labels.zip(&self.measured).map(|(label, measured)| {
             // Labels beside the drawing are narrow, those above and below it are low.
-            Some(datum) => {
-                let gap = if frame::direction(measured, self.declared.view) == Some(1) { '\n' } else { ' ' };
-                format!("{}{gap}+ {label}", text.datum(datum))
+            let gap = if frame::direction(measured, self.declared.view) == Some(1) { '\n' } else { ' ' };
+            match (&measured.plus, &measured.reduces) {
+                (Some(datum), _) => format!("{}{gap}+ {label}", text.datum(datum)),
+                (None, Some(whole)) => format!("{whole}{gap}\u{2212} {label}"),
+                (None, None) => label,
             }
-            None => label,
         });
         let links = params.iter().map(|param| param.as_ref().map(|param| param.row.clone()));
         let links: Vec<Option<String>> = links.map(|link| link.filter(|_| medium == Medium::Page)).collect();
