@@ -326,6 +326,8 @@ record! {
         form: Option<Name>,
         /// A whole program instead of the frame.
         program: Option<Name>,
+        /// The programs that are called, by their names.
+        programs: Entries<Name>,
         /// Blocks before the definition.
         before: Vec<String>,
         /// Blocks after the definition or call.
