@@ -232,7 +232,7 @@ impl Figure<'_> {
             params.iter().flatten().map(|param| format!("{}: {}", param.shown, param.name)).collect();
         let [w, h] = [drawn.size.x, drawn.size.y].map(short);
         // Screen readers do not look into an image; links they must find.
-        let role = if words.links.iter().any(Option::is_some) { "group" } else { "img" };
+        let role = if words.links.iter().any(Option::is_some) { "document" } else { "img" };
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ciklo-figure\" role=\"{role}\" viewBox=\"0 0 {w} {h}\" \
              width=\"{w}\" height=\"{h}\">\n<title>{}</title>\n<desc>{}</desc>\n",

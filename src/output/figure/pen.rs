@@ -69,9 +69,12 @@ fn line_width(text: &str) -> f64 {
 
 /// A coordinate with one place, without what is not needed.
 pub(super) fn short(value: f64) -> String {
-    let text = format!("{value:.1}");
-    let text = text.strip_suffix(".0").unwrap_or(&text);
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    tenth(tenths(value))
+}
+
+/// The number of tenths that is nearest.
+fn tenths(value: f64) -> i64 {
+    (value * 10.0).round() as i64
 }
 
 /// A number of tenths, without what is not needed.
@@ -129,8 +132,7 @@ impl Pen {
 
     /// A closed outline by the differences between its places, which is shorter; nothing if they are all the same.
     pub(super) fn outline(points: &[DVec2]) -> String {
-        let tenths = |p: &DVec2| [p.x, p.y].map(|value| (value * 10.0).round() as i64);
-        let mut places = points.iter().map(tenths);
+        let mut places = points.iter().map(|p| [p.x, p.y].map(tenths));
         let Some(first) = places.next() else { return String::new() };
         let (mut data, mut last) = (format!("M{}", pair(first)), first);
         for place in places {
