@@ -22,6 +22,8 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [above] The cycle goes no lower than { $value }, which is above the blank: it removes nothing.
+        [below] The tool cuts at a height of { $value }, far below the blank.
         [over] What is machined at { $value }, { $other } goes over the edge of the blank.
        *[outside] What is machined at { $value }, { $other } is far from the blank.
     }

@@ -115,6 +115,8 @@ diag-doubtful-value =
     { $parameter }={ $value } tuskin on tarkoitus työkierrossa { $cycle }: { $is ->
         [zero] arvo on 0
         [negative] arvo on negatiivinen
+        [small] arvo on paljon tavallista pienempi
+        [large] arvo on paljon tavallista suurempi
        *[positive] arvo on positiivinen ja vie poispäin työkappaleesta
     }.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
@@ -359,6 +361,21 @@ diag-tool-feed-missing = Tässä käytetään työkalukutsun syöttöarvoa, mutt
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään työkalukutsu ei ole määritellyt työkaluakselia.
 diag-tool-not-changed = { $cycle } kutsutaan työkalulla, jolla on jo suoritettu { $before }: se tarvitsee toisen työkalun.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
+diag-turning-start-wrong =
+    Sorvaustyökierto ei ala siitä, missä työkalu on: { $what ->
+        [positive] muoto kulkee positiiviseen Z-suuntaan, poispäin kappaleesta
+        [z] työkalu on muodon lopun takana Z-akselilla
+       *[diameter] työkalu on muodon loppuhalkaisijan takana
+    }.
+diag-uncalculable-contour =
+    Ohjaus ei voi laskea muotoa tässä: { $what ->
+        [open] tämän elementin määräävät tiedot ovat vajaat
+        [contradicts] tämän elementin tiedot ovat ristiriidassa keskenään
+        [several] tietoihin sopii usea elementti, eikä mitään ole valittu
+        [rounding] pyöristys tai viiste ei mahdu elementtiensä väliin
+        [crossing] muoto leikkaa itsensä
+       *[approach] muotoon ei voi ajaa näin
+    }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.

@@ -22,6 +22,8 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [above] Työkierto ei laskeudu alemmas kuin { $value }, joka on aihion yläpuolella: se ei poista mitään.
+        [below] Työkalu lastuaa korkeudella { $value }, kaukana aihion alapuolella.
         [over] Kohdassa { $value }; { $other } koneistus ulottuu aihion reunan yli.
        *[outside] Koneistettava kohta { $value }; { $other } on kaukana aihiosta.
     }

@@ -115,6 +115,8 @@ diag-doubtful-value =
     { $parameter }={ $value } in { $cycle } difficilmente è voluto: { $is ->
         [zero] il valore è 0
         [negative] il valore è negativo
+        [small] il valore è molto più piccolo del solito
+        [large] il valore è molto più grande del solito
        *[positive] il valore è positivo e porta lontano dal pezzo
     }.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
@@ -359,6 +361,21 @@ diag-tool-feed-missing = Qui si usa l’avanzamento della chiamata utensile, ma 
 diag-tool-missing = Qui un ciclo esegue movimenti, ma nessuna chiamata utensile ha indicato l’asse utensile.
 diag-tool-not-changed = { $cycle } viene chiamato con l’utensile già usato per { $before }: richiede un altro utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
+diag-turning-start-wrong =
+    Il ciclo di tornitura non inizia dove si trova l’utensile: { $what ->
+        [positive] il profilo va verso Z positivo, lontano dal pezzo
+        [z] in Z l’utensile è oltre la fine del profilo
+       *[diameter] l’utensile è oltre il diametro finale del profilo
+    }.
+diag-uncalculable-contour =
+    Qui il controllo non può calcolare il profilo: { $what ->
+        [open] mancano dati che determinano questo elemento
+        [contradicts] i dati di questo elemento si contraddicono
+        [several] più elementi corrispondono ai dati e nessuno è selezionato
+        [rounding] il raccordo o lo smusso non trova posto tra i suoi elementi
+        [crossing] il profilo interseca sé stesso
+       *[approach] non è possibile avvicinarsi così al profilo
+    }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.

@@ -22,6 +22,8 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [above] Il ciclo non scende sotto { $value }, cioè resta sopra il pezzo grezzo: non asporta nulla.
+        [below] L’utensile taglia all’altezza { $value }, molto al di sotto del pezzo grezzo.
         [over] Ciò che viene lavorato in { $value }; { $other } oltrepassa il bordo del pezzo grezzo.
        *[outside] Ciò che viene lavorato in { $value }; { $other } è lontano dal pezzo grezzo.
     }

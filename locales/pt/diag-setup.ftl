@@ -22,6 +22,8 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [above] O ciclo não desce abaixo de { $value }, que fica acima do bloco: não remove nada.
+        [below] A ferramenta corta à altura { $value }, muito abaixo do bloco.
         [over] O que é maquinado em { $value }; { $other } ultrapassa a borda do bloco.
        *[outside] O que é maquinado em { $value }; { $other } está longe do bloco.
     }

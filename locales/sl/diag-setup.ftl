@@ -24,6 +24,8 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [above] Cikel ne gre nižje od { $value }, kar je nad surovcem: ničesar ne odstrani.
+        [below] Orodje reže na višini { $value }, daleč pod surovcem.
         [over] Kar se obdeluje na { $value }; { $other }, sega čez rob surovca.
        *[outside] Kar se obdeluje na { $value }; { $other }, je daleč od surovca.
     }

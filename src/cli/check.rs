@@ -11,6 +11,7 @@ use super::progress::Progress;
 use super::project::{CheckedProgram, Library, Tables};
 use super::session::Session;
 use super::{Command, Failure, Outcome, annotations, arguments, mend, program};
+use crate::base::data::Files;
 use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::base::parallel::together;
 use crate::check::{self, Against, LabelBook};
@@ -54,6 +55,8 @@ struct Shared<'s> {
     library: &'s Library,
     tables: &'s Tables,
     cache: Option<&'s Cache>,
+    /// The files of machines.
+    files: &'s Files,
     fix: bool,
     fail_on: Option<Severity>,
 }
@@ -70,7 +73,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let library = Library::new(jobs.iter().map(|job| job.path.clone()).collect());
     let tables = tables(matches, &jobs, &named)?;
     let fail_on = arguments::chosen_fail_on(matches);
-    let shared = Shared { library: &library, tables: &tables, cache: cache.as_ref(), fix, fail_on };
+    let files = session.engine_files()?;
+    let shared = Shared { library: &library, tables: &tables, cache: cache.as_ref(), files: &files, fix, fail_on };
     let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), jobs.len());
     let results = all(&jobs, &progress, |job, books| {
         let labels = books.entry(job.on.id().to_owned()).or_insert_with(|| LabelBook::new(job.on, &locales));
@@ -155,7 +159,7 @@ impl Shared<'_> {
         let (mut found, fixed) = match table(job)? {
             Some(found) => (found, 0),
             None => {
-                let program = CheckedProgram::new(self.library, self.tables, job, against);
+                let program = CheckedProgram::new(self.library, self.tables, job, against, self.files);
                 if self.fix {
                     mend::file(&job.path, against, &program, &job.settings)?
                 } else {

@@ -215,7 +215,7 @@ fn table(path: &Path, kind: TableKind) -> Result<Table, Failure> {
 }
 
 /// Adds the tables next to the program that the scene does not have, if the program selects any.
-fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
+pub(super) fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
     let bytes = text.as_bytes();
     // Long programs are not copied for this.
     let selects = |what: &str| {

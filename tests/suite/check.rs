@@ -11,12 +11,13 @@ use std::{env, fs};
 use ciklo::base::diag::{Diagnostic, Severity, Source};
 use ciklo::base::renamed;
 use ciklo::check::{
-    ALLOW_CODES, Against, Called, Callee, Facts, LabelBook, Machine, Project, RULES, Rows, ToolName, check, check_in,
-    named,
+    ALLOW_CODES, Against, Called, Callee, Facts, LabelBook, Machine, Observed, Project, RULES, Rows, ToolName, check,
+    check_in, named,
 };
 use ciklo::language::locale::{Locales, Ui};
 use ciklo::program::syntax::{Program, parse};
 use ciklo::spec::{Catalogue, OnControl};
+use ciklo::tools::rehearse::Rehearsal;
 use proptest::prelude::*;
 
 use crate::cases;
@@ -177,6 +178,11 @@ impl Project for Beside<'_> {
             (ToolName::Name("OUTSIDE"), "TO") => Some(1.0),
             _ => None,
         }
+    }
+
+    fn observed(&self, program: &Program) -> Vec<Observed> {
+        let Against { on, catalogue, .. } = *self.against;
+        Rehearsal { on, catalogue, files: &crate::built::built().files, tools: None }.observed(program, &|_| {})
     }
 
     fn has_row(&self, rows: Rows<'_>, row: f64) -> Option<bool> {

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use super::call_effect::CallEffect;
 use crate::base::diag::{Severity, Span};
 use crate::check::Against;
+use crate::check::incident::Observed;
 use crate::check::machine::Machine;
 use crate::check::program::{Defined, Definition, Reading, bits, with_meaning};
 use crate::program::syntax::{BlockKind, Program, StatementKind, ValueKind};
@@ -44,6 +45,10 @@ pub trait Project: Sync {
     /// What the machine can do, as far as anything is known of that.
     fn machine(&self) -> Option<&Machine> {
         None
+    }
+    /// What an execution of the program shows; nothing where it is not executed.
+    fn observed(&self, _program: &Program) -> Vec<Observed> {
+        Vec::new()
     }
     /// Whether it is known of any table which rows it has.
     fn knows_rows(&self) -> bool {

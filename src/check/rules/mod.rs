@@ -158,8 +158,10 @@ mod transfer_parameter_overwritten;
 mod transformation_forbidden;
 mod transformation_left_on;
 mod transformation_without_effect;
+mod turning_start_wrong;
 mod turning_system_missing;
 mod two_signs;
+mod uncalculable_contour;
 mod unknown_cycle;
 mod unknown_parameter;
 mod unreachable;
@@ -334,8 +336,10 @@ pub const RULES: &[&Rule] = &[
     &transformation_forbidden::RULE,
     &transformation_left_on::RULE,
     &transformation_without_effect::RULE,
+    &turning_start_wrong::RULE,
     &turning_system_missing::RULE,
     &two_signs::RULE,
+    &uncalculable_contour::RULE,
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,
     &unreachable::RULE,

@@ -1,6 +1,7 @@
 //! A datum or preset of a row that its table lacks.
 //!
-//! Only where the table is named (`--table`, `tables` in `ciklo.toml`); of several datum tables it is the one that SEL
+//! Only where the table is named (`--table`, `tables` in `ciklo.toml`), or is the one that SEL TABLE names and lies beside
+//! the program; of several datum tables it is the one that SEL
 //! TABLE selects before. Rows that parameters choose are only looked at where their value is certain.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::program::number;
