@@ -161,12 +161,12 @@ fn kind<'p>(facts: &Facts<'_>, project: &'p dyn Project, loaded: Loaded) -> Opti
     Some((tool, kind?))
 }
 
-/// What the first word of a name says that a tool is, where its table has no types.
+/// What the first word of a name says that a tool is, where its table has no types. A drill may also serve a contour
+/// cycle that drills before it mills, so it is not judged by its name.
 fn kind_of_name(name: &str) -> Option<&'static str> {
     let first = name.split(|sign: char| !sign.is_ascii_alphabetic()).next()?.to_ascii_uppercase();
     Some(match first.as_str() {
         "TAP" | "MASCHIO" | "MACHO" => TAP,
-        "DRILL" | "PORA" | "SVEDER" | "BROCA" | "BOHRER" => "DRILL",
         "REAMER" | "REAM" => "REAM",
         "ENDMILL" | "EM" => "MILL",
         _ => return None,
