@@ -70,6 +70,9 @@ diag-contour-wrong =
         [many] the cycle machines only the first contour and ignores { $word }
         [corner] no element follows { $word }
         [local] { $word } is read but not assigned in it
+        [same] the contour { $word } is the same one
+        [islands] all of them are islands by their RL and RR, and there is no pocket around them
+        [round] along both axes it is longer than the circumference of the cylinder
        *[open] it does not end where it begins
     }.
 diag-coordinate-out-of-place = { $path } does not take these coordinates.
@@ -136,6 +139,7 @@ diag-free-contour-wrong =
         [solution] FSELECT takes the number of a solution, counted from 1.
         [fpol] The pole of a free contour needs two coordinates.
         [pole] Polar coordinates need a pole (FPOL).
+        [turn] The contour begins and ends on the same circle, but in different directions.
        *[open] The free contour has no solution: too few values of its elements are given.
     }
 diag-function-misspelled = No control accepts { $word } here; perhaps { $meant } is intended.

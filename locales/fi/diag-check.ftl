@@ -70,6 +70,9 @@ diag-contour-wrong =
         [many] työkierto koneistaa vain ensimmäisen muodon eikä välitä muodosta { $word }
         [corner] elementin { $word } jäljessä ei ole muotoelementtiä
         [local] siinä luetaan { $word }, mutta siinä ei anneta sille arvoa
+        [same] muoto { $word } on sama
+        [islands] RL ja RR tekevät niistä kaikista saarekkeita, eikä niiden ympärillä ole taskua
+        [round] se on kummankin akselin suunnassa pitempi kuin lieriön kehä
        *[open] se ei pääty siihen, mistä se alkaa
     }.
 diag-coordinate-out-of-place = Koordinaatit eivät sovi lauseeseen { $path }.
@@ -136,6 +139,7 @@ diag-free-contour-wrong =
         [solution] FSELECT ottaa ratkaisun numeron alkaen luvusta 1.
         [fpol] Vapaan muodon napa tarvitsee kaksi koordinaattia.
         [pole] Napakoordinaatit tarvitsevat navan (FPOL).
+        [turn] Muoto alkaa ja päättyy samalla ympyrällä, mutta eri suuntiin.
        *[open] Vapaalla muodolla ei ole ratkaisua: sen elementeistä on annettu liian vähän arvoja.
     }
 diag-function-misspelled = Mikään ohjaus ei hyväksy tässä sanaa { $word }; ehkä tarkoitetaan sanaa { $meant }.

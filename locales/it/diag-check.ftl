@@ -70,6 +70,9 @@ diag-contour-wrong =
         [many] il ciclo lavora solo il primo profilo e ignora { $word }
         [corner] nessun elemento segue { $word }
         [local] vi si legge { $word }, ma non vi viene assegnato
+        [same] il profilo { $word } è lo stesso
+        [islands] secondo RL e RR sono tutti isole, e non c’è nessuna tasca attorno ad essi
+        [round] in entrambi gli assi è più lungo della circonferenza del cilindro
        *[open] non finisce dove comincia
     }.
 diag-coordinate-out-of-place = { $path } non ammette queste coordinate.
@@ -136,6 +139,7 @@ diag-free-contour-wrong =
         [solution] FSELECT richiede il numero di una soluzione, contato da 1.
         [fpol] Il polo di un profilo libero richiede due coordinate.
         [pole] Le coordinate polari richiedono un polo (FPOL).
+        [turn] Il profilo comincia e finisce sullo stesso cerchio, ma in direzioni diverse.
        *[open] Il profilo libero non ha soluzione: dei suoi elementi sono indicati troppo pochi valori.
     }
 diag-function-misspelled = Nessun controllo accetta qui { $word }; forse si intende { $meant }.

@@ -70,6 +70,9 @@ diag-contour-wrong =
         [many] o ciclo maquina só o primeiro contorno e ignora { $word }
         [corner] nenhum elemento se segue a { $word }
         [local] { $word } é lido nele, mas nele não é atribuído
+        [same] o contorno { $word } é o mesmo
+        [islands] segundo RL e RR todos são ilhas, e não há nenhuma caixa à sua volta
+        [round] em ambos os eixos é mais comprido do que o perímetro do cilindro
        *[open] não acaba onde começa
     }.
 diag-coordinate-out-of-place = { $path } não aceita estas coordenadas.
@@ -136,6 +139,7 @@ diag-free-contour-wrong =
         [solution] FSELECT recebe o número de uma solução, contado a partir de 1.
         [fpol] O polo de um contorno livre precisa de duas coordenadas.
         [pole] As coordenadas polares precisam de um polo (FPOL).
+        [turn] O contorno começa e acaba na mesma circunferência, mas em direções diferentes.
        *[open] O contorno livre não tem solução: indicam-se poucos valores dos seus elementos.
     }
 diag-function-misspelled = Nenhum comando aceita aqui { $word }; talvez se pretenda { $meant }.

@@ -70,6 +70,9 @@ diag-contour-wrong =
         [many] cikel obdela samo prvo konturo in ne upošteva { $word }
         [corner] za { $word } ni elementa konture
         [local] v njej se bere { $word }, ki v njej ne dobi vrednosti
+        [same] kontura { $word } je ista
+        [islands] po RL in RR so vse otoki, žepa okrog njih pa ni
+        [round] v obeh oseh je daljša od obsega valja
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.
@@ -136,6 +139,7 @@ diag-free-contour-wrong =
         [solution] FSELECT sprejme številko rešitve, ki se šteje od 1.
         [fpol] Pol proste konture potrebuje dve koordinati.
         [pole] Polarne koordinate potrebujejo pol (FPOL).
+        [turn] Kontura se začne in konča na isti krožnici, vendar v različnih smereh.
        *[open] Za prosto konturo ni rešitve: vrednosti njenih elementov je premalo.
     }
 diag-function-misspelled = Nobeno krmiljenje tu ne sprejme besede { $word }; morda je mišljeno { $meant }.

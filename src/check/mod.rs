@@ -13,6 +13,7 @@ mod facts;
 mod flow;
 mod guards;
 mod incident;
+mod loops;
 mod machine;
 mod program;
 mod rule;

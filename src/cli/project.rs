@@ -407,6 +407,15 @@ impl Project for CheckedProgram<'_> {
         Called::Is { callee, round }
     }
 
+    fn lacks_file(&self, name: &str) -> Option<Severity> {
+        let (_, extension) = name.rsplit_once('.')?;
+        self.asked.store(true, Ordering::Relaxed);
+        let Found::Missing = self.library.file(&self.path, name) else { return None };
+        let folder = self.library.folder(self.path.parent()?)?;
+        // Where there is no table of that kind, they are kept elsewhere.
+        folder.has_extension(extension).then_some(if self.whole { Severity::Warning } else { Severity::Note })
+    }
+
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {
         let mut tables = self.tables(TableKind::Tool).peekable();
         tables.peek()?;

@@ -124,6 +124,14 @@ impl Project for Beside<'_> {
         Called::Is { callee: Arc::new(Callee::of(&program, self.against, None)), round }
     }
 
+    fn lacks_file(&self, name: &str) -> Option<Severity> {
+        match name {
+            "HOLE.PNT" => Some(Severity::Warning),
+            "ELSEWHERE.D" => Some(Severity::Note),
+            _ => None,
+        }
+    }
+
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {
         Some(matches!(
             tool,
@@ -148,6 +156,7 @@ impl Project for Beside<'_> {
             (ToolName::Number(1.0), "LCUTS") => Some(20.0),
             (ToolName::Number(1.0), "R") => Some(5.0),
             (ToolName::Name("TAP"), "R") => Some(3.0),
+            (ToolName::Name("PROBE"), "R") => Some(2.0),
             (ToolName::Name("CENTRE"), "T-ANGLE") => Some(0.0),
             (ToolName::Name("TWIN"), "T-ANGLE") => Some(90.0),
             _ => None,
@@ -175,6 +184,7 @@ impl Project for Beside<'_> {
         match (tool, column) {
             (ToolName::Name("INSIDE"), "TO") => Some(7.0),
             (ToolName::Name("OUTSIDE"), "TO") => Some(1.0),
+            (ToolName::Name("RECESSER"), "CUTWIDTH") => Some(4.0),
             _ => None,
         }
     }

@@ -49,7 +49,7 @@ const ENGINE: &[(&str, &[&str])] = &[
 /// The rooms of the checker, folders and files, from the ground up: a room uses only those before it.
 const CHECKER: &[&str] = &[
     "cycle", "against", "machine", "program", "flow", "incident", "facts", "speech", "tools", "guards", "blank",
-    "contours", "travel", "rule", "rules", "allow", "config",
+    "contours", "loops", "travel", "rule", "rules", "allow", "config",
 ];
 
 /// The source files as modules.

@@ -13,7 +13,7 @@ use crate::check::guards::{Written, place};
 use crate::check::tools::Tools;
 use crate::check::{Definition, Facts, Pending, Rule};
 use crate::language::text;
-use crate::spec::{Cycle, CycleKey, Outcome};
+use crate::spec::{Cycle, CycleKey, Keyword, Outcome};
 
 pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run };
 
@@ -25,8 +25,13 @@ fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut seen, mut reported) = (BTreeSet::new(), HashSet::new());
     // What the definition writes that was called last.
     let mut last: Option<(u32, Written)> = None;
-    for call in &facts.run.calls {
-        let (Pending::Definition(index), Some(tool)) = (call.modal.pending, tools.get(call.modal.loaded)) else {
+    let calls = facts.run.calls.iter().map(|call| (call.modal.pending, call.modal.loaded));
+    // Cycles that act when they are defined find the tool there.
+    let defined = facts.definitions.iter().zip(0..).filter(|(own, _)| own.key.keyword == Keyword::TchProbe);
+    let defined =
+        defined.filter_map(|(own, index)| Some((Pending::Definition(index), facts.run.before(own.view.first)?.loaded)));
+    for (pending, loaded) in calls.chain(defined) {
+        let (Pending::Definition(index), Some(tool)) = (pending, tools.get(loaded)) else {
             continue;
         };
         // No one here knows what the machine builder has made of a number.
