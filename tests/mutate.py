@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Alters one fact at a time in a text or a specification and counts how many of the mutants `ciklo lint` finds.
 
-    tests/mutate.py [--ciklo PATH] [--count N] [--seed N] [--kind KIND] [--least SHARE] [--show]
+    tests/mutate.py [--ciklo PATH] [--count N] [--seed N] [--kind KIND]... [--batch N] [--least SHARE] [--show]
 
 Works on a copy of cycle-specs, locales and templates. Mutants that touch nothing in common are linted together; one is
 found if a new finding names its text, its parameter, its cycle or its line. Exits with 1 if fewer than --least (0.99) are found.
@@ -9,7 +9,6 @@ found if a new finding names its text, its parameter, its cycle or its line. Exi
 import argparse, collections, json, os, random, re, shutil, subprocess, sys, tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-BATCH = 8
 LANGUAGES = ["en", "fi", "it", "pt", "sl"]
 
 
@@ -198,7 +197,8 @@ def main():
     parser.add_argument("--ciklo", default=os.path.join(ROOT, "target/release/ciklo"))
     parser.add_argument("--count", type=int, default=400)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--kind")
+    parser.add_argument("--kind", action="append", help="only mutants of this kind; may be repeated")
+    parser.add_argument("--batch", type=int, default=8, help="so many mutants that touch nothing in common are linted together")
     parser.add_argument("--least", type=float, default=0.99, help="the share that must be found")
     parser.add_argument("--show", action="store_true", help="list every mutant that is not found")
     options = parser.parse_args()
@@ -218,7 +218,7 @@ def main():
                         members = ["choice-" + one for one in re.findall(r"choice: ([\w-]+)", block)]
                         if len(members) > 1:
                             SETS.append(members)
-        mutants = [mutant for mutant in [*locale_mutants(root, rng), *spec_mutants(root, rng)] if not options.kind or mutant.kind == options.kind]
+        mutants = [mutant for mutant in [*locale_mutants(root, rng), *spec_mutants(root, rng)] if not options.kind or mutant.kind in options.kind]
         by_kind = collections.defaultdict(list)
         for mutant in mutants:
             by_kind[mutant.kind].append(mutant)
@@ -233,7 +233,7 @@ def main():
         while chosen:
             batch, files, marks = [], set(), set()
             for mutant in list(chosen):
-                if mutant.path not in files and not (mutant.marks & marks) and len(batch) < BATCH:
+                if mutant.path not in files and not (mutant.marks & marks) and len(batch) < options.batch:
                     batch.append(mutant)
                     files.add(mutant.path)
                     marks |= mutant.marks

@@ -11,7 +11,9 @@ cli-texts-to = export: the language to translate into; import: the language of t
 cli-texts-stale = export: only texts that are stale or not accepted; with --missing, both
 cli-texts-missing = export: only texts that are missing; with --stale, both
 cli-texts-cycle = export: only the texts of this cycle; may be repeated
+cli-texts-copy-source = export: put the English where a translation is missing; for tools that translate in place
 cli-texts-out = export: file to write (default: standard output)
+cli-texts-any-state = import: take every unit with a translation for final; for tools that keep no states
 cli-texts-dry-run = import: check the file and report, change nothing
 cli-texts-format = Form of the output: text (default), json; of export: xliff (1.2, default), xliff2 (2.0), po, tmx (accepted texts of all languages), tbx and csv (glossary and parameters)
 cli-texts-exported = { $count ->
@@ -96,6 +98,7 @@ cli-texts-note-unit = Unit: { $unit }.
 cli-texts-note-range = Permitted range: { $range } ({ $controls }).
 cli-texts-note-label = At most { $most } characters: capitals, digits, spaces and { $signs }
 cli-texts-note-capitals = Only capitals, digits, spaces and { $signs }
+cli-texts-note-length = At most { $most } characters
 cli-texts-note-cycles = { $more ->
         [none] { $control }: { $cycles }
        *[other] { $control }: { $cycles } and { $more } more

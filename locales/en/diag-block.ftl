@@ -29,3 +29,4 @@ diag-block-no-value = { $cycle } needs a value for { $name }; the manual prints 
 diag-label-character = The label “{ $label }” of { $cycle } ({ $control }, { $language }) contains the character “{ $character }”, which the control cannot show.
 diag-label-lower-case = The label “{ $label }” of { $cycle } ({ $control }, { $language }) contains lower-case letters.
 diag-label-too-long = The label “{ $label }” of { $cycle } ({ $control }, { $language }) has { $length } characters; the control shows { $most }.
+diag-prompt-too-long = The prompt “{ $label }” of { $cycle } ({ $control }, { $language }) has { $length } characters; the control shows { $most }.

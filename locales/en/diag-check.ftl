@@ -70,6 +70,9 @@ diag-contour-wrong =
         [many] the cycle machines only the first contour and ignores { $word }
         [corner] no element follows { $word }
         [local] { $word } is read but not assigned in it
+        [same] the contour { $word } is the same one
+        [islands] all of them are islands by their RL and RR, and there is no pocket around them
+        [round] along both axes it is longer than the circumference of the cylinder
        *[open] it does not end where it begins
     }.
 diag-coordinate-out-of-place = { $path } does not take these coordinates.
@@ -115,6 +118,8 @@ diag-doubtful-value =
     { $parameter }={ $value } is hardly intended in { $cycle }: { $is ->
         [zero] the value is 0
         [negative] the value is negative
+        [small] the value is much smaller than usual
+        [large] the value is much larger than usual
        *[positive] the value is positive and leads away from the workpiece
     }.
 diag-duplicate-parameter = { $parameter } is given twice in { $cycle }.
@@ -136,6 +141,7 @@ diag-free-contour-wrong =
         [solution] FSELECT takes the number of a solution, counted from 1.
         [fpol] The pole of a free contour needs two coordinates.
         [pole] Polar coordinates need a pole (FPOL).
+        [turn] The contour begins and ends on the same circle, but in different directions.
        *[open] The free contour has no solution: too few values of its elements are given.
     }
 diag-function-misspelled = No control accepts { $word } here; perhaps { $meant } is intended.
@@ -361,6 +367,21 @@ diag-tool-feed-missing = The feed rate of the tool call is used here, but the to
 diag-tool-missing = A cycle moves here, but no tool call has set the tool axis.
 diag-tool-not-changed = { $cycle } is called with the tool that has already been used for { $before }: it needs another tool.
 diag-tool-not-listed = The tool table has no tool { $tool }.
+diag-turning-start-wrong =
+    The turning cycle does not begin where the tool is: { $what ->
+        [positive] the contour goes to positive Z, away from the part
+        [z] the tool is beyond the end of the contour in Z
+       *[diameter] the tool is beyond the end diameter of the contour
+    }.
+diag-uncalculable-contour =
+    The control cannot calculate the contour here: { $what ->
+        [open] data are missing that determine this element
+        [contradicts] the data of this element contradict each other
+        [several] several elements fit the data, and none is selected
+        [rounding] the rounding or chamfer does not fit between its elements
+        [crossing] the contour crosses itself
+       *[approach] the contour cannot be approached like this
+    }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } probes here with the tool that has just machined.

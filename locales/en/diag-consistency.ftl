@@ -15,6 +15,7 @@ diag-spec-odd-q = In { $cycle }, { $q } is "{ $name }", which is { $usual } in o
 diag-spec-odd-choice = The choice "{ $name }" has the value { $value } here, but { $usual } in other cycles.
 diag-spec-odd-limit = No other parameter of this quantity has the limit { $value } of { $name }; most have { $usual }.
 diag-spec-odd-condition = The condition "{ $name }" says that { $q } is { $found }, but the choice of that name has the value { $value }.
+diag-spec-odd-formula = The cycle { $cycle } calculates “{ $name }” from { $q }, but other cycles calculate it from { $usual }, which this one has as well.
 diag-spec-example-guarded = The printed example is refused by the check "{ $code }".
 diag-spec-unused-parameter = Nothing in the run, the checks or the sentences of { $cycle } uses { $q }.
 diag-consistency-reference-word = The text { $key } in the language { $language } does not say absolute or incremental as the languages { $others } do: { $found } instead of { $expected }.

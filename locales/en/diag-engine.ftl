@@ -2,7 +2,6 @@
 
 diag-angle-missing = The circle needs its angle PA.
 diag-axis-limit = { $axis } would go to { NUMBER($found) } { $unit }, beyond the limits { NUMBER($min) } to { NUMBER($max) } { $unit } of the machine.
-diag-blank-form-update = Blank form update with TURNDATA BLANK cannot be simulated: the manual does not say how cycles change with the blank.
 diag-block-limit = The run was ended: more than { NUMBER($limit) } blocks have been executed.
 diag-block-unreadable = The block cannot be read: { $found }
 diag-call-depth-limit = Calls are nested deeper than { NUMBER($limit) } levels.
@@ -26,6 +25,7 @@ diag-fit-collinear = The { NUMBER($points) } touch points are on a straight line
 diag-fit-failed = No circle fits the { NUMBER($points) } touch points.
 diag-fit-too-few = { NUMBER($points) } touch points are too few for a circle.
 diag-infeeds-never-reach-depth = The infeeds never reach the depth of { NUMBER($depth) } mm: the first is { NUMBER($first) } mm, each one is { NUMBER($less) } mm smaller, the minimum is { NUMBER($least) } mm; they end at { NUMBER($reached) } mm.
+diag-insert-askew = Turning cycles cannot be simulated while the tool is inclined and M144, M128 or FUNCTION TCPM is active.
 diag-insert-direction = The insert of tool { $tool } does not point to the part, or not in the direction of the cuts: its orientation (TO) is { $orientation }.
 diag-jump-limit = The run was ended: more than { NUMBER($limit) } jumps, repeats and calls have been executed.
 diag-jump-target-missing = There is no label { $label }.
@@ -70,6 +70,9 @@ diag-shape-impossible = This tool cannot machine the shape: at least { NUMBER($l
 diag-cutting-width-missing = Tool { $tool } is no recessing tool: its cutting width (CUTWIDTH) must be greater than 0 and at least twice its cutting radius (RS).
 diag-arc-scaled-unequally = The axes of the plane have different scaling factors: an arc would become an ellipse.
 diag-scaling-factor-zero = A scaling factor must be greater than zero, not { NUMBER($found) }.
+diag-m144-together = M144 cannot be active together with { $word }.
+diag-spline-start = The spline starts { NUMBER($distance, maximumFractionDigits: 4) } mm or degrees from the current position; 0.001 is permitted.
+diag-tool-direction-unreachable = The rotary axes of the machine cannot bring the tool into the direction that this block gives.
 diag-tilting-unreachable = The rotary axes of the machine cannot position the tool perpendicular to this plane.
 diag-pattern-missing = { $name ->
     [none] No pattern or point table is defined for the call of the cycle.
@@ -87,6 +90,7 @@ diag-text-too-long = A string parameter would exceed { NUMBER($limit) } characte
 diag-tool-locked = Tool { $tool } is locked.
 diag-tool-not-in-table = Tool { $tool } is not in the tool table.
 diag-turn-limit = The run was ended: one movement has more than { NUMBER($limit) } turns.
+diag-undercut-form = UDC { $form } cannot be simulated: no manual describes its shape.
 diag-undercut-impossible = There is no room for the undercut, a size is missing, or it is not between a surface along the rotary axis and a face at right angles to it.
 diag-unsupported-axis = The simulated machine has no axis { $axis }.
 diag-unsupported-block = { $word } cannot be simulated.

@@ -15,6 +15,10 @@ diag-kinematics-differs = The kinematics saved as “{ $name }” describe anoth
 explain-kinematics-differs = Saved data can only be restored into an identical kinematics description: the same name and the same rotary axes in the same order. Example: data of a machine with A and C restored on one with B and C. Remedy: choose data of this machine.
 diag-kinematics-memory-full = All { $count } memories for kinematics are in use.
 explain-kinematics-memory-full = The control keeps a limited number of saved kinematics. Example: a seventeenth name on a control with 16 memories. Remedy: delete one that is no longer needed, or save under a name that is in use.
+diag-tool-edges-too-many = Teeth can be measured one by one on tools with up to { $most } teeth; the tool table says { $count }.
+explain-tool-edges-too-many = The manual limits the measurement of single teeth. Example: CUT = 24 in the tool table and Q341=1, where at most 20 teeth can be measured. Remedy: measure the tool rotating (Q341=0), or correct CUT. The tool table stays as it was.
+diag-kinematics-tool-axis = This cycle can be used with the tool axis Z only; the active tool axis is { $axis }.
+explain-kinematics-tool-axis = Kinematics are measured with the touch probe along Z: the manuals allow no other tool axis. Example: TOOL CALL 1 Y before cycle 451. Remedy: call the touch probe with the tool axis Z. The kinematics stay as they were.
 diag-kinematics-undetermined = The measuring positions do not tell where the { $axis } axis is.
 explain-kinematics-undetermined = To correct the place of a rotary axis, its measuring positions must differ clearly from the reference position at 0°. Example: one point at 0.05°, or only a point at 0° that is ignored. Remedy: a larger range between start and end angle, or more measuring points. The kinematics stay as they were.
 diag-sphere-radius-differs = The measured radius of the calibration sphere, { $found } mm, deviates too far from the radius entered, { $entered } mm.

@@ -22,6 +22,8 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [above] The cycle goes no lower than { $value }, which is above the blank: it removes nothing.
+        [below] The tool cuts at a height of { $value }, far below the blank.
         [over] What is machined at { $value }, { $other } goes over the edge of the blank.
        *[outside] What is machined at { $value }, { $other } is far from the blank.
     }
@@ -31,6 +33,7 @@ diag-preset-row-wrong =
     { $what ->
         [again] Preset { $row } is written again here, at another place, and nothing has activated it in between.
         [other] Preset { $other } is activated here, but the probed one is preset { $row }, which is never activated.
+        [datum] Row { $row } of the datum table is written here and never activated: machining goes on with another datum.
        *[unused] Preset { $row } is written here and never activated: machining goes on with another preset.
     }
 diag-repeat-without-effect = A repeat of zero times does nothing.
@@ -61,3 +64,41 @@ diag-translate-encoding-wrong = { $path } is not in { $encoding }: some bytes ha
 diag-translate-unread = { $cycle } has a line that cannot be read, so its name and labels stay as they are.
 related-preset-written-here = written here
 diag-character-unknown = The text has “{ $character }”, which the font does not have.
+diag-allowance-left = The contour of label { $label } is machined with the oversize { $value } with this tool, too: the allowance stays on the part.
+diag-contour-crossed =
+    { $what ->
+        [back] This closed contour goes from a corner straight back to the one before it.
+       *[side] With this radius compensation the tool crosses the closed contour: it comes from the other side of it.
+    }
+diag-error-branch-entered =
+    { $what ->
+        [turned] The jump over the stop is taken where { $parameter } reports a fault.
+       *[entered] The run comes to this branch without its jump, and stops: neither M2 nor M30 ends the program before it.
+    }
+diag-finishing-before-roughing =
+    { $what ->
+        [pilot] { $other } names the tool that drills here; it must name the one that roughs out afterwards.
+       *[order] { $cycle } finishes the contour here, before { $other } roughs it out.
+    }
+diag-label-unused = Nothing calls, repeats or jumps to label { $label } in this subprogram.
+diag-loop-runs-once = This jump back is never taken: its counter fulfils the condition on no pass.
+diag-parameter-unused =
+    { $parameter } is given a value here, and nothing reads it.
+diag-probing-direction-wrong =
+    { $cycle } probes the edge in { $axis } with the direction { $value }: the part is on the side from which the probe comes.
+diag-same-datum-twice =
+    { $what ->
+        [loop] The loop counts, but activates row { $row } on every pass: the same is machined again each time.
+       *[again] Row { $row } is activated again before the same subprogram: the same is machined twice.
+    }
+diag-selected-table-missing = The table { $name } is not in the folder of the program.
+diag-turned-contour-wrong =
+    { $what ->
+        [above] The contour ends at Z { $value }, above the blank, which ends at { $limit }.
+        [narrow] The recess is { $value } wide, the tool { $limit }.
+        [side] The recess goes from the diameter { $limit } to { $value }; elsewhere the same tool recesses in the other direction.
+        [dip] The contour falls to the diameter { $value }, below its first diameter { $limit }, and the cycle machines no undercuts.
+       *[rounding] The rounding { $value } needs more of a line than there is; at most { $limit } is possible.
+    }
+diag-called-program-wants =
+    { $name } reads { $parameter }, and nothing has given it a value before this call.

@@ -3,6 +3,7 @@
 figure-section = Section
 figure-plan = From above
 figure-chip-breaking = Chip breaking
+figure-decreasing-infeeds = Decreasing infeeds
 figure-deepened-start = Deepened starting point
 figure-centring-diameter = Centring to a diameter
 figure-rotation = Angle of rotation
@@ -93,6 +94,7 @@ figure-traverse-direction = Traverse direction
 figure-straight-or-circle = Straight or on a circle
 figure-program = The program from above
 figure-program-turned = The program: half of the part cut open
+figure-program-recess = The program: the recess
 figure-program-side = The program from the side
 figure-program-across = The program, seen along the rotary axis
 figure-program-tilted = The tilted plane of the program

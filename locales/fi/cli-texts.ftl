@@ -11,7 +11,9 @@ cli-texts-to = export: kieli, jolle käännetään; import: tiedoston kieli (ole
 cli-texts-stale = export: vain vanhentuneet tai hyväksymättömät tekstit; valitsimen --missing kanssa molemmat
 cli-texts-missing = export: vain puuttuvat tekstit; valitsimen --stale kanssa molemmat
 cli-texts-cycle = export: vain tämän työkierron tekstit; voidaan toistaa
+cli-texts-copy-source = export: kirjoittaa puuttuvan käännöksen paikalle englanninkielisen tekstin; ohjelmille, jotka kääntävät tekstin paikallaan
 cli-texts-out = export: kirjoitettava tiedosto (oletus: vakiotuloste)
+cli-texts-any-state = import: pitää jokaista käännettyä yksikköä valmiina; ohjelmille, jotka eivät säilytä tiloja
 cli-texts-dry-run = import: tarkistaa tiedoston ja raportoi muuttamatta mitään
 cli-texts-format = Tulosteen muoto: text (oletus), json; export-toiminnossa xliff (1.2, oletus), xliff2 (2.0), po, tmx (kaikkien kielten hyväksytyt tekstit), tbx ja csv (sanasto ja parametrit)
 cli-texts-exported = { $count ->
@@ -96,6 +98,7 @@ cli-texts-note-unit = Yksikkö: { $unit }.
 cli-texts-note-range = Sallittu alue: { $range } ({ $controls }).
 cli-texts-note-label = Enintään { $most } merkkiä: isoja kirjaimia, numeroita, välilyöntejä ja { $signs }
 cli-texts-note-capitals = Vain isoja kirjaimia, numeroita, välilyöntejä ja { $signs }
+cli-texts-note-length = Enintään { $most } merkkiä
 cli-texts-note-cycles = { $more ->
         [none] { $control }: { $cycles }
        *[other] { $control }: { $cycles } ja { $more } muuta

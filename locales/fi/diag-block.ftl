@@ -29,3 +29,4 @@ diag-block-no-value = Työkierto { $cycle } tarvitsee arvon parametrille { $name
 diag-label-character = Työkierron { $cycle } NC-tekstissä ”{ $label }” ({ $control }, { $language }) on merkki ”{ $character }”, jota ohjaus ei voi näyttää.
 diag-label-lower-case = Työkierron { $cycle } NC-tekstissä ”{ $label }” ({ $control }, { $language }) on pieniä kirjaimia.
 diag-label-too-long = Työkierron { $cycle } NC-tekstissä ”{ $label }” ({ $control }, { $language }) on { $length } merkkiä; ohjaus näyttää { $most }.
+diag-prompt-too-long = Työkierron { $cycle } kysymyksessä ”{ $label }” ({ $control }, { $language }) on { $length } merkkiä; ohjaus näyttää { $most }.

@@ -70,6 +70,9 @@ diag-contour-wrong =
         [many] työkierto koneistaa vain ensimmäisen muodon eikä välitä muodosta { $word }
         [corner] elementin { $word } jäljessä ei ole muotoelementtiä
         [local] siinä luetaan { $word }, mutta siinä ei anneta sille arvoa
+        [same] muoto { $word } on sama
+        [islands] RL ja RR tekevät niistä kaikista saarekkeita, eikä niiden ympärillä ole taskua
+        [round] se on kummankin akselin suunnassa pitempi kuin lieriön kehä
        *[open] se ei pääty siihen, mistä se alkaa
     }.
 diag-coordinate-out-of-place = Koordinaatit eivät sovi lauseeseen { $path }.
@@ -115,6 +118,8 @@ diag-doubtful-value =
     { $parameter }={ $value } tuskin on tarkoitus työkierrossa { $cycle }: { $is ->
         [zero] arvo on 0
         [negative] arvo on negatiivinen
+        [small] arvo on paljon tavallista pienempi
+        [large] arvo on paljon tavallista suurempi
        *[positive] arvo on positiivinen ja vie poispäin työkappaleesta
     }.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
@@ -136,6 +141,7 @@ diag-free-contour-wrong =
         [solution] FSELECT ottaa ratkaisun numeron alkaen luvusta 1.
         [fpol] Vapaan muodon napa tarvitsee kaksi koordinaattia.
         [pole] Napakoordinaatit tarvitsevat navan (FPOL).
+        [turn] Muoto alkaa ja päättyy samalla ympyrällä, mutta eri suuntiin.
        *[open] Vapaalla muodolla ei ole ratkaisua: sen elementeistä on annettu liian vähän arvoja.
     }
 diag-function-misspelled = Mikään ohjaus ei hyväksy tässä sanaa { $word }; ehkä tarkoitetaan sanaa { $meant }.
@@ -360,6 +366,21 @@ diag-tool-feed-missing = Tässä käytetään työkalukutsun syöttöarvoa, mutt
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään työkalukutsu ei ole määritellyt työkaluakselia.
 diag-tool-not-changed = { $cycle } kutsutaan työkalulla, jolla on jo suoritettu { $before }: se tarvitsee toisen työkalun.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
+diag-turning-start-wrong =
+    Sorvaustyökierto ei ala siitä, missä työkalu on: { $what ->
+        [positive] muoto kulkee positiiviseen Z-suuntaan, poispäin kappaleesta
+        [z] työkalu on muodon lopun takana Z-akselilla
+       *[diameter] työkalu on muodon loppuhalkaisijan takana
+    }.
+diag-uncalculable-contour =
+    Ohjaus ei voi laskea muotoa tässä: { $what ->
+        [open] tämän elementin määräävät tiedot ovat vajaat
+        [contradicts] tämän elementin tiedot ovat ristiriidassa keskenään
+        [several] tietoihin sopii usea elementti, eikä mitään ole valittu
+        [rounding] pyöristys tai viiste ei mahdu elementtiensä väliin
+        [crossing] muoto leikkaa itsensä
+       *[approach] muotoon ei voi ajaa näin
+    }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.

@@ -15,6 +15,7 @@ diag-spec-odd-q = Työkierrossa { $cycle } parametrin { $q } nimi on ”{ $name 
 diag-spec-odd-choice = Vaihtoehdon ”{ $name }” arvo on tässä { $value } mutta muissa työkierroissa { $usual }.
 diag-spec-odd-limit = Parametrin { $name } rajaa { $value } ei ole millään muulla tämän suureen parametrilla; useimmilla on { $usual }.
 diag-spec-odd-condition = Ehdon ”{ $name }” mukaan { $q } on { $found }, mutta samannimisen vaihtoehdon arvo on { $value }.
+diag-spec-odd-formula = Työkierto { $cycle } laskee arvon ”{ $name }” parametrista { $q }, mutta muut työkierrot laskevat sen parametrista { $usual }, joka tälläkin työkierrolla on.
 diag-spec-example-guarded = Tarkastus ”{ $code }” hylkää painetun esimerkin.
 diag-spec-unused-parameter = Mikään työkierron { $cycle } kulussa, tarkastuksissa tai lauseissa ei käytä parametria { $q }.
 diag-consistency-reference-word = Kielen { $language } teksti { $key } ei mainitse absoluuttista tai inkrementaalista niin kuin kielet { $others }: { $found }, odotettu { $expected }.

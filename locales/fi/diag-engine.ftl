@@ -2,7 +2,6 @@
 
 diag-angle-missing = Ympyrältä puuttuu kulma PA.
 diag-axis-limit = Akseli { $axis } siirtyisi asemaan { NUMBER($found) }{"\u00A0"}{ $unit }, koneen rajojen { NUMBER($min) } … { NUMBER($max) }{"\u00A0"}{ $unit } ulkopuolelle.
-diag-blank-form-update = Aihion seurantaa (TURNDATA BLANK) ei voi simuloida: käsikirja ei kerro, miten työkierrot muuttuvat aihion mukaan.
 diag-block-limit = Suoritus päättyy: yli { NUMBER($limit) } lausetta on suoritettu.
 diag-block-unreadable = Lausetta ei voi lukea: { $found }
 diag-call-depth-limit = Kutsuja on sisäkkäin yli { NUMBER($limit) } tasoa.
@@ -26,6 +25,7 @@ diag-fit-collinear = Kosketuspisteet ({ NUMBER($points) }) ovat samalla suoralla
 diag-fit-failed = Kosketuspisteisiin ({ NUMBER($points) }) ei voi sovittaa ympyrää.
 diag-fit-too-few = Kosketuspisteitä on liian vähän ympyrää varten: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Asetusliikkeet eivät koskaan saavuta syvyyttä { NUMBER($depth) }{"\u00A0"}mm: ensimmäinen on { NUMBER($first) }{"\u00A0"}mm, kukin seuraava on { NUMBER($less) }{"\u00A0"}mm pienempi, pienin on { NUMBER($least) }{"\u00A0"}mm; ne päättyvät syvyyteen { NUMBER($reached) }{"\u00A0"}mm.
+diag-insert-askew = Sorvaustyökiertoja ei voi simuloida, kun työkalu on kallistettu ja M144, M128 tai FUNCTION TCPM on voimassa.
 diag-insert-direction = Työkalun { $tool } teräpala ei osoita kappaletta eikä lastujen suuntaan: sen suunta (TO) on { $orientation }.
 diag-jump-limit = Suoritus päättyy: hyppyjä, toistoja ja kutsuja on suoritettu yli { NUMBER($limit) }.
 diag-jump-target-missing = Labelia { $label } ei ole.
@@ -72,6 +72,7 @@ diag-text-too-long = Merkkijonoparametrissa olisi yli { NUMBER($limit) } merkki�
 diag-tool-locked = Työkalulle { $tool } on asetettu esto.
 diag-tool-not-in-table = Työkalua { $tool } ei ole työkalutaulukossa.
 diag-turn-limit = Suoritus päättyy: yhdessä liikkeessä on yli { NUMBER($limit) } kierrosta.
+diag-undercut-form = Lausetta UDC { $form } ei voi simuloida: mikään käsikirja ei kuvaa sen muotoa.
 diag-undercut-impossible = Vapaasorvaukselle ei ole tilaa, siltä puuttuu mitta, tai se ei ole pyörintäakselin suuntaisen pinnan ja sitä vastaan kohtisuoran otsapinnan välissä.
 diag-unsupported-axis = Simuloidussa koneessa ei ole akselia { $axis }.
 diag-unsupported-block = Lausetta { $word } ei voi simuloida.
@@ -89,6 +90,9 @@ diag-scaling-factor-zero = Mittakertoimen on oltava suurempi kuin nolla, ei { NU
 diag-shaft-collision = Kosketusvarren varsiosa osuu työkappaleeseen kohdassa X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Tämä työkalu ei voi koneistaa muotoa: tarvitaan vähintään { NUMBER($least) }{"\u00A0"}mm, käytettävissä on { NUMBER($found) }{"\u00A0"}mm.
 diag-cutting-width-missing = Työkalu { $tool } ei ole pistotyökalu: terän leveyden (CUTWIDTH) on oltava suurempi kuin 0 ja vähintään kaksi kertaa teräsäde (RS).
+diag-m144-together = M144 ei voi olla voimassa yhdessä toiminnon { $word } kanssa.
+diag-spline-start = Spline alkaa { NUMBER($distance, maximumFractionDigits: 4) }{"\u00A0"}mm tai astetta hetkellisasemasta; sallittu ero on 0,001.
+diag-tool-direction-unreachable = Koneen kiertoakselit eivät voi kääntää työkalua tässä lauseessa annettuun suuntaan.
 diag-tilting-unreachable = Koneen kiertoakselit eivät voi asettaa työkalua kohtisuoraan tätä tasoa vastaan.
 diag-pattern-missing =
     { $name ->

@@ -15,6 +15,10 @@ diag-kinematics-differs = Nimellä ”{ $name }” tallennettu kinematiikka kuva
 explain-kinematics-differs = Tallennetut tiedot voidaan palauttaa vain samanlaiseen kinematiikkakuvaukseen: sama nimi ja samat kiertoakselit samassa järjestyksessä. Esimerkki: A- ja C-akselisen koneen tiedot palautetaan B- ja C-akseliseen koneeseen. Korjaus: valitse tämän koneen tiedot.
 diag-kinematics-memory-full = Kaikki kinematiikan { $count } muistipaikkaa ovat käytössä.
 explain-kinematics-memory-full = Ohjaus säilyttää rajallisen määrän tallennettuja kinematiikkoja. Esimerkki: seitsemästoista nimi ohjauksessa, jossa on 16 muistipaikkaa. Korjaus: poista tarpeeton tai tallenna jo käytössä olevalla nimellä.
+diag-tool-edges-too-many = Terät voidaan mitata yksitellen työkaluista, joissa on enintään { $most } terää; työkalutaulukossa niitä on { $count }.
+explain-tool-edges-too-many = Käsikirja rajoittaa yksittäisten terien mittausta. Esimerkki: työkalutaulukossa CUT = 24 ja Q341=1, kun enintään 20 terää voidaan mitata. Korjaus: mittaa työkalu pyörivänä (Q341=0) tai korjaa CUT. Työkalutaulukko säilyy ennallaan.
+diag-kinematics-tool-axis = Tämä työkierto toimii vain työkaluakselilla Z; voimassa oleva työkaluakseli on { $axis }.
+explain-kinematics-tool-axis = Kinematiikka mitataan kosketusjärjestelmällä Z-akselin suunnassa: käsikirjat eivät salli muuta työkaluakselia. Esimerkki: TOOL CALL 1 Y ennen työkiertoa 451. Korjaus: kutsu kosketusjärjestelmä työkaluakselilla Z. Kinematiikka säilyy ennallaan.
 diag-kinematics-undetermined = Mittausasemista ei voi laskea { $axis }-akselin sijaintia.
 explain-kinematics-undetermined = Kiertoakselin sijainnin korjaamiseksi mittausasemien on erotuttava selvästi vertailuasemasta 0°. Esimerkki: yksi piste kulmassa 0,05° tai vain ohitettava piste kulmassa 0°. Korjaus: suurempi väli aloitus- ja lopetuskulman välillä tai enemmän mittauspisteitä. Kinematiikka säilyy ennallaan.
 diag-sphere-radius-differs = Kalibrointikuulan mitattu säde { $found } mm poikkeaa liikaa annetusta säteestä { $entered } mm.

@@ -22,6 +22,8 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [above] Työkierto ei laskeudu alemmas kuin { $value }, joka on aihion yläpuolella: se ei poista mitään.
+        [below] Työkalu lastuaa korkeudella { $value }, kaukana aihion alapuolella.
         [over] Kohdassa { $value }; { $other } koneistus ulottuu aihion reunan yli.
        *[outside] Koneistettava kohta { $value }; { $other } on kaukana aihiosta.
     }
@@ -31,6 +33,7 @@ diag-preset-row-wrong =
     { $what ->
         [again] Esiasetus { $row } kirjoitetaan tässä uudelleen toisesta paikasta, eikä sitä ole välillä aktivoitu.
         [other] Tässä aktivoidaan esiasetus { $other }, mutta mitattu on esiasetus { $row }, jota ei koskaan aktivoida.
+        [datum] Nollapistetaulukon rivi { $row } kirjoitetaan tässä, mutta sitä ei koskaan aktivoida: koneistus jatkuu toisella nollapisteellä.
        *[unused] Esiasetus { $row } kirjoitetaan tässä, mutta sitä ei koskaan aktivoida: koneistus jatkuu toisella esiasetuksella.
     }
 diag-repeat-without-effect = Nolla toistoa ei tee mitään.
@@ -61,3 +64,40 @@ diag-translate-encoding-wrong = Tiedoston { $path } merkistö ei ole { $encoding
 diag-translate-unread = Työkierron { $cycle } määrittelyssä on rivi, jota ei voi lukea, joten sen nimi ja NC-tekstit jäävät ennalleen.
 related-preset-written-here = kirjoitettu tässä
 diag-character-unknown = Tekstissä on merkki ”{ $character }”, jota kirjasimessa ei ole.
+diag-allowance-left = Labelin { $label } muoto koneistetaan myös tällä työkalulla työvaralla { $value }: työvara jää kappaleeseen.
+diag-contour-crossed =
+    { $what ->
+        [back] Tämä suljettu muoto palaa nurkasta suoraan edelliseen nurkkaan.
+       *[side] Tällä sädekorjauksella työkalu kulkee suljetun muodon poikki: se tulee muodon toiselta puolelta.
+    }
+diag-error-branch-entered =
+    { $what ->
+        [turned] Pysäytyksen yli hypätään silloin, kun { $parameter } ilmoittaa viasta.
+       *[entered] Suoritus tulee tähän haaraan myös ilman hyppyä ja pysähtyy: M2 tai M30 ei päätä ohjelmaa ennen sitä.
+    }
+diag-finishing-before-roughing =
+    { $what ->
+        [pilot] { $other } nimeää porattavan työkalun itsensä; sen pitää nimetä työkalu, joka sen jälkeen rouhii.
+       *[order] { $cycle } viimeistelee muodon tässä, ennen kuin { $other } rouhii sen.
+    }
+diag-label-unused = Mikään ei kutsu tai toista tämän aliohjelman labelia { $label } eikä hyppää siihen.
+diag-loop-runs-once = Tätä hyppyä taaksepäin ei koskaan tehdä: laskuri ei täytä ehtoa millään kierroksella.
+diag-parameter-unused = Parametri { $parameter } saa tässä arvon, eikä mikään lue sitä.
+diag-probing-direction-wrong =
+    { $cycle } koskettaa akselin { $axis } reunaa suunnassa { $value }: kappale on sillä puolella, jolta kosketusjärjestelmä tulee.
+diag-same-datum-twice =
+    { $what ->
+        [loop] Silmukka laskee kierroksia, mutta aktivoi joka kierroksella rivin { $row }: joka kerta koneistetaan sama.
+       *[again] Rivi { $row } aktivoidaan uudelleen ennen samaa aliohjelmaa: sama koneistetaan kahdesti.
+    }
+diag-selected-table-missing = Taulukko { $name } ei ole ohjelman kansiossa.
+diag-turned-contour-wrong =
+    { $what ->
+        [above] Muoto päättyy kohtaan Z { $value } aihion yläpuolelle; aihio päättyy kohtaan { $limit }.
+        [narrow] Uran leveys on { $value }, työkalun { $limit }.
+        [side] Ura ulottuu halkaisijasta { $limit } halkaisijaan { $value }; muualla sama työkalu sorvaa uraa toiseen suuntaan.
+        [dip] Muoto laskee halkaisijaan { $value }, joka on pienempi kuin sen ensimmäinen halkaisija { $limit }, eikä työkierto koneista takaleikkauksia.
+       *[rounding] Pyöristykselle { $value } suora on liian lyhyt; suurin mahdollinen on { $limit }.
+    }
+diag-called-program-wants =
+    { $name } lukee parametrin { $parameter }, eikä mikään ole antanut sille arvoa ennen tätä kutsua.

@@ -3,6 +3,7 @@
 figure-section = Leikkaus
 figure-plan = Ylhäältä
 figure-chip-breaking = Lastunkatko
+figure-decreasing-infeeds = Pienenevät asetussyvyydet
 figure-deepened-start = Syvennetty aloituspiste
 figure-centring-diameter = Keskiöinti halkaisijaan
 figure-rotation = Kiertokulma
@@ -93,6 +94,7 @@ figure-traverse-direction = Liikesuunta
 figure-straight-or-circle = Suoraan tai ympyränkaarella
 figure-program = Ohjelma ylhäältä
 figure-program-turned = Ohjelma: puolet kappaleesta leikattuna
+figure-program-recess = Ohjelma: ura
 figure-program-side = Ohjelma sivulta
 figure-program-across = Ohjelma kiertoakselin suunnassa
 figure-program-tilted = Ohjelman kallistettu taso

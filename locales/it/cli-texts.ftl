@@ -11,7 +11,9 @@ cli-texts-to = export: la lingua in cui tradurre; import: la lingua del file (pr
 cli-texts-stale = export: solo i testi superati o non approvati; con --missing, entrambi
 cli-texts-missing = export: solo i testi mancanti; con --stale, entrambi
 cli-texts-cycle = export: solo i testi di questo ciclo; si può ripetere
+cli-texts-copy-source = export: scrive il testo inglese dove manca la traduzione; per programmi che traducono sul posto
 cli-texts-out = export: file da scrivere (predefinito: uscita standard)
+cli-texts-any-state = import: considera definitiva ogni unità tradotta; per programmi che non conservano gli stati
 cli-texts-dry-run = import: verifica il file e ne riferisce, senza modificare nulla
 cli-texts-format = Forma dell’uscita: text (predefinita), json; per export: xliff (1.2, predefinita), xliff2 (2.0), po, tmx (testi approvati di tutte le lingue), tbx e csv (glossario e parametri)
 cli-texts-exported = { $count ->
@@ -96,6 +98,7 @@ cli-texts-note-unit = Unità: { $unit }.
 cli-texts-note-range = Campo ammesso: { $range } ({ $controls }).
 cli-texts-note-label = Al massimo { $most } caratteri: maiuscole, cifre, spazi e { $signs }
 cli-texts-note-capitals = Solo maiuscole, cifre, spazi e { $signs }
+cli-texts-note-length = Al massimo { $most } caratteri
 cli-texts-note-cycles = { $more ->
         [none] { $control }: { $cycles }
        *[other] { $control }: { $cycles } e altri { $more }

@@ -29,3 +29,4 @@ diag-block-no-value = { $cycle } richiede un valore per { $name }; il manuale no
 diag-label-character = L’etichetta «{ $label }» di { $cycle } ({ $control }, { $language }) contiene il carattere «{ $character }», che il controllo non può visualizzare.
 diag-label-lower-case = L’etichetta «{ $label }» di { $cycle } ({ $control }, { $language }) contiene lettere minuscole.
 diag-label-too-long = L’etichetta «{ $label }» di { $cycle } ({ $control }, { $language }) ha { $length } caratteri; il controllo ne visualizza { $most }.
+diag-prompt-too-long = La domanda «{ $label }» di { $cycle } ({ $control }, { $language }) ha { $length } caratteri; il controllo ne visualizza { $most }.

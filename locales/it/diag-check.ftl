@@ -70,6 +70,9 @@ diag-contour-wrong =
         [many] il ciclo lavora solo il primo profilo e ignora { $word }
         [corner] nessun elemento segue { $word }
         [local] vi si legge { $word }, ma non vi viene assegnato
+        [same] il profilo { $word } è lo stesso
+        [islands] secondo RL e RR sono tutti isole, e non c’è nessuna tasca attorno ad essi
+        [round] in entrambi gli assi è più lungo della circonferenza del cilindro
        *[open] non finisce dove comincia
     }.
 diag-coordinate-out-of-place = { $path } non ammette queste coordinate.
@@ -115,6 +118,8 @@ diag-doubtful-value =
     { $parameter }={ $value } in { $cycle } difficilmente è voluto: { $is ->
         [zero] il valore è 0
         [negative] il valore è negativo
+        [small] il valore è molto più piccolo del solito
+        [large] il valore è molto più grande del solito
        *[positive] il valore è positivo e porta lontano dal pezzo
     }.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
@@ -136,6 +141,7 @@ diag-free-contour-wrong =
         [solution] FSELECT richiede il numero di una soluzione, contato da 1.
         [fpol] Il polo di un profilo libero richiede due coordinate.
         [pole] Le coordinate polari richiedono un polo (FPOL).
+        [turn] Il profilo comincia e finisce sullo stesso cerchio, ma in direzioni diverse.
        *[open] Il profilo libero non ha soluzione: dei suoi elementi sono indicati troppo pochi valori.
     }
 diag-function-misspelled = Nessun controllo accetta qui { $word }; forse si intende { $meant }.
@@ -360,6 +366,21 @@ diag-tool-feed-missing = Qui si usa l’avanzamento della chiamata utensile, ma 
 diag-tool-missing = Qui un ciclo esegue movimenti, ma nessuna chiamata utensile ha indicato l’asse utensile.
 diag-tool-not-changed = { $cycle } viene chiamato con l’utensile già usato per { $before }: richiede un altro utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
+diag-turning-start-wrong =
+    Il ciclo di tornitura non inizia dove si trova l’utensile: { $what ->
+        [positive] il profilo va verso Z positivo, lontano dal pezzo
+        [z] in Z l’utensile è oltre la fine del profilo
+       *[diameter] l’utensile è oltre il diametro finale del profilo
+    }.
+diag-uncalculable-contour =
+    Qui il controllo non può calcolare il profilo: { $what ->
+        [open] mancano dati che determinano questo elemento
+        [contradicts] i dati di questo elemento si contraddicono
+        [several] più elementi corrispondono ai dati e nessuno è selezionato
+        [rounding] il raccordo o lo smusso non trova posto tra i suoi elementi
+        [crossing] il profilo interseca sé stesso
+       *[approach] non è possibile avvicinarsi così al profilo
+    }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.

@@ -15,6 +15,7 @@ diag-spec-odd-q = In { $cycle } { $q } è «{ $name }», che in altri cicli è {
 diag-spec-odd-choice = La scelta «{ $name }» ha qui il valore { $value }, ma in altri cicli { $usual }.
 diag-spec-odd-limit = Nessun altro parametro di questa grandezza ha il limite { $value } di { $name }; i più hanno { $usual }.
 diag-spec-odd-condition = La condizione «{ $name }» indica che { $q } è { $found }, ma la scelta con questo nome ha il valore { $value }.
+diag-spec-odd-formula = Il ciclo { $cycle } calcola «{ $name }» da { $q }, ma altri cicli lo calcolano da { $usual }, che anche questo ciclo possiede.
 diag-spec-example-guarded = L’esempio stampato viene rifiutato dalla verifica «{ $code }».
 diag-spec-unused-parameter = Nulla nell’esecuzione, nelle verifiche o nelle frasi di { $cycle } utilizza { $q }.
 diag-consistency-reference-word = Il testo { $key } nella lingua { $language } non indica assoluto o incrementale come le lingue { $others }: { $found } invece di { $expected }.

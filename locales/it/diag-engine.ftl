@@ -2,7 +2,6 @@
 
 diag-angle-missing = Al cerchio manca l’angolo PA.
 diag-axis-limit = L’asse { $axis } andrebbe a { NUMBER($found) } { $unit }, oltre i limiti della macchina da { NUMBER($min) } a { NUMBER($max) } { $unit }.
-diag-blank-form-update = L’aggiornamento del pezzo grezzo con TURNDATA BLANK non si può simulare: il manuale non dice come i cicli cambiano in base al grezzo.
 diag-block-limit = L’esecuzione è stata terminata: sono stati eseguiti più di { NUMBER($limit) } blocchi.
 diag-block-unreadable = Il blocco non è leggibile: { $found }
 diag-call-depth-limit = Le chiamate sono annidate per più di { NUMBER($limit) } livelli.
@@ -26,6 +25,7 @@ diag-fit-collinear = I { NUMBER($points) } punti di tastatura sono su una retta:
 diag-fit-failed = Nessun cerchio approssima i { NUMBER($points) } punti di tastatura.
 diag-fit-too-few = I punti di tastatura sono troppo pochi per un cerchio: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Gli incrementi non raggiungono mai la profondità di { NUMBER($depth) } mm: il primo è di { NUMBER($first) } mm, ciascuno è minore di { NUMBER($less) } mm, il minimo è di { NUMBER($least) } mm; finiscono a { NUMBER($reached) } mm.
+diag-insert-askew = I cicli di tornitura non si possono simulare mentre l’utensile è inclinato ed è attiva M144, M128 o FUNCTION TCPM.
 diag-insert-direction = L’inserto dell’utensile { $tool } non è rivolto verso il pezzo o nella direzione dei tagli: il suo orientamento (TO) è { $orientation }.
 diag-jump-limit = L’esecuzione è stata terminata: sono stati eseguiti più di { NUMBER($limit) } salti, ripetizioni e chiamate.
 diag-jump-target-missing = Manca il label { $label }.
@@ -75,6 +75,7 @@ diag-text-too-long = Un parametro stringa supererebbe { NUMBER($limit) } caratte
 diag-tool-locked = L’utensile { $tool } è bloccato.
 diag-tool-not-in-table = L’utensile { $tool } non è nella tabella utensili.
 diag-turn-limit = L’esecuzione è stata terminata: un movimento ha più di { NUMBER($limit) } giri.
+diag-undercut-form = UDC { $form } non si può simulare: nessun manuale ne descrive la forma.
 diag-undercut-impossible = Non c’è spazio per la gola di scarico, manca una misura, oppure essa non si trova tra una superficie lungo l’asse di rotazione e una faccia ad angolo retto.
 diag-unsupported-axis = La macchina simulata non ha l’asse { $axis }.
 diag-unsupported-block = { $word } non si può simulare.
@@ -89,6 +90,9 @@ diag-value-not-bound = Una formula della specifica legge un valore che non esist
 diag-word-not-offered = La parola { $word } qui non è ammessa.
 diag-arc-scaled-unequally = Gli assi del piano hanno fattori di scala diversi: un arco diventerebbe un’ellisse.
 diag-scaling-factor-zero = Un fattore di scala deve essere maggiore di zero, non { NUMBER($found) }.
+diag-m144-together = M144 non può essere attiva insieme a { $word }.
+diag-spline-start = La spline inizia a { NUMBER($distance, maximumFractionDigits: 4) } mm o gradi dalla posizione attuale; è ammesso 0.001.
+diag-tool-direction-unreachable = Gli assi rotativi della macchina non possono portare l’utensile nella direzione indicata da questo blocco.
 diag-tilting-unreachable = Gli assi rotativi della macchina non possono posizionare l’utensile perpendicolare a questo piano.
 diag-pattern-missing = { $name ->
     [none] Per la chiamata del ciclo non è definita alcuna sagoma né tabella punti.

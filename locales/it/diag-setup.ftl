@@ -22,6 +22,8 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [above] Il ciclo non scende sotto { $value }, cioè resta sopra il pezzo grezzo: non asporta nulla.
+        [below] L’utensile taglia all’altezza { $value }, molto al di sotto del pezzo grezzo.
         [over] Ciò che viene lavorato in { $value }; { $other } oltrepassa il bordo del pezzo grezzo.
        *[outside] Ciò che viene lavorato in { $value }; { $other } è lontano dal pezzo grezzo.
     }
@@ -31,6 +33,7 @@ diag-preset-row-wrong =
     { $what ->
         [again] Il preset { $row } viene scritto di nuovo qui, in un altro punto, e nel frattempo nulla lo ha attivato.
         [other] Qui viene attivato il preset { $other }, ma quello rilevato è il preset { $row }, che non viene mai attivato.
+        [datum] La riga { $row } della tabella origini viene scritta qui e mai attivata: la lavorazione prosegue con un’altra origine.
        *[unused] Il preset { $row } viene scritto qui e mai attivato: la lavorazione prosegue con un altro preset.
     }
 diag-repeat-without-effect = Una ripetizione di zero volte non ha alcun effetto.
@@ -61,3 +64,41 @@ diag-translate-encoding-wrong = { $path } non è in { $encoding }: alcuni byte n
 diag-translate-unread = { $cycle } ha una riga che non può essere letta, perciò il nome e le etichette restano come sono.
 related-preset-written-here = scritto qui
 diag-character-unknown = Il testo contiene «{ $character }», che il carattere di incisione non possiede.
+diag-allowance-left = Il profilo del label { $label } viene lavorato anche con questo utensile con il sovrametallo { $value }: il sovrametallo rimane sul pezzo.
+diag-contour-crossed =
+    { $what ->
+        [back] Questo profilo chiuso torna da uno spigolo direttamente a quello precedente.
+       *[side] Con questa correzione del raggio l’utensile attraversa il profilo chiuso: arriva dall’altro lato.
+    }
+diag-error-branch-entered =
+    { $what ->
+        [turned] Il salto oltre l’arresto viene eseguito quando { $parameter } segnala un difetto.
+       *[entered] L’esecuzione arriva a questo ramo anche senza il salto e si arresta: né M2 né M30 terminano prima il programma.
+    }
+diag-finishing-before-roughing =
+    { $what ->
+        [pilot] { $other } indica l’utensile che fora qui; deve indicare quello che poi svuota.
+       *[order] { $cycle } finisce il profilo qui, prima che { $other } lo svuoti.
+    }
+diag-label-unused = Nulla chiama o ripete il label { $label } di questo sottoprogramma, e nessun salto vi conduce.
+diag-loop-runs-once = Questo salto all’indietro non viene mai eseguito: il contatore non soddisfa la condizione in nessun passaggio.
+diag-parameter-unused =
+    { $parameter } riceve qui un valore, e nulla lo legge.
+diag-probing-direction-wrong =
+    { $cycle } tasta il bordo in { $axis } con la direzione { $value }: il pezzo è sul lato da cui arriva il sistema di tastatura.
+diag-same-datum-twice =
+    { $what ->
+        [loop] La ripetizione conta, ma attiva la riga { $row } in ogni passaggio: ogni volta viene lavorato lo stesso punto.
+       *[again] La riga { $row } viene attivata di nuovo prima dello stesso sottoprogramma: lo stesso viene lavorato due volte.
+    }
+diag-selected-table-missing = La tabella { $name } non si trova nella directory del programma.
+diag-turned-contour-wrong =
+    { $what ->
+        [above] Il profilo termina a Z { $value }, sopra il pezzo grezzo, che termina a { $limit }.
+        [narrow] La gola è larga { $value }, l’utensile { $limit }.
+        [side] La gola va dal diametro { $limit } a { $value }; altrove lo stesso utensile esegue gole nell’altra direzione.
+        [dip] Il profilo scende al diametro { $value }, sotto il suo primo diametro { $limit }, e il ciclo non lavora sottosquadri.
+       *[rounding] Per l’arrotondamento { $value } la retta è troppo corta; è possibile al massimo { $limit }.
+    }
+diag-called-program-wants =
+    { $name } legge { $parameter }, e nulla gli ha assegnato un valore prima di questa chiamata.

@@ -3,6 +3,7 @@
 figure-section = Sezione
 figure-plan = Vista dall’alto
 figure-chip-breaking = Rottura truciolo
+figure-decreasing-infeeds = Incrementi decrescenti
 figure-deepened-start = Punto di partenza abbassato
 figure-centring-diameter = Centrinatura fino al diametro
 figure-rotation = Angolo di rotazione
@@ -93,6 +94,7 @@ figure-traverse-direction = Direzione di spostamento
 figure-straight-or-circle = In linea retta o su cerchio
 figure-program = Il programma dall’alto
 figure-program-turned = Il programma: metà del pezzo in sezione
+figure-program-recess = Il programma: la gola
 figure-program-side = Il programma di lato
 figure-program-across = Il programma lungo l’asse rotativo
 figure-program-tilted = Il piano ruotato del programma

@@ -11,7 +11,9 @@ cli-texts-to = export: o idioma para o qual se traduz; import: o idioma do fiche
 cli-texts-stale = export: só os textos desatualizados ou por aceitar; com --missing, ambos
 cli-texts-missing = export: só os textos em falta; com --stale, ambos
 cli-texts-cycle = export: só os textos deste ciclo; pode ser repetido
+cli-texts-copy-source = export: escreve o texto inglês onde falta a tradução; para programas que traduzem no próprio lugar
 cli-texts-out = export: ficheiro a escrever (predefinição: saída padrão)
+cli-texts-any-state = import: considera definitivas todas as unidades traduzidas; para programas que não guardam estados
 cli-texts-dry-run = import: verifica o ficheiro e informa, sem alterar nada
 cli-texts-format = Forma da saída: text (predefinição), json; de export: xliff (1.2, predefinição), xliff2 (2.0), po, tmx (textos aceites de todos os idiomas), tbx e csv (glossário e parâmetros)
 cli-texts-exported = { $count ->
@@ -96,6 +98,7 @@ cli-texts-note-unit = Unidade: { $unit }.
 cli-texts-note-range = Gama permitida: { $range } ({ $controls }).
 cli-texts-note-label = No máximo { $most } caracteres: maiúsculas, algarismos, espaços e { $signs }
 cli-texts-note-capitals = Só maiúsculas, algarismos, espaços e { $signs }
+cli-texts-note-length = No máximo { $most } caracteres
 cli-texts-note-cycles = { $more ->
         [none] { $control }: { $cycles }
        *[other] { $control }: { $cycles } e mais { $more }

@@ -29,3 +29,4 @@ diag-block-no-value = { $cycle } precisa de um valor para { $name }; o manual n�
 diag-label-character = A designação «{ $label }» de { $cycle } ({ $control }, { $language }) contém o carácter «{ $character }», que o comando não consegue mostrar.
 diag-label-lower-case = A designação «{ $label }» de { $cycle } ({ $control }, { $language }) contém letras minúsculas.
 diag-label-too-long = A designação «{ $label }» de { $cycle } ({ $control }, { $language }) tem { $length } caracteres; o comando mostra { $most }.
+diag-prompt-too-long = A pergunta «{ $label }» de { $cycle } ({ $control }, { $language }) tem { $length } caracteres; o comando mostra { $most }.

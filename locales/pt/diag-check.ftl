@@ -70,6 +70,9 @@ diag-contour-wrong =
         [many] o ciclo maquina só o primeiro contorno e ignora { $word }
         [corner] nenhum elemento se segue a { $word }
         [local] { $word } é lido nele, mas nele não é atribuído
+        [same] o contorno { $word } é o mesmo
+        [islands] segundo RL e RR todos são ilhas, e não há nenhuma caixa à sua volta
+        [round] em ambos os eixos é mais comprido do que o perímetro do cilindro
        *[open] não acaba onde começa
     }.
 diag-coordinate-out-of-place = { $path } não aceita estas coordenadas.
@@ -115,6 +118,8 @@ diag-doubtful-value =
     { $parameter }={ $value } dificilmente é intencional em { $cycle }: { $is ->
         [zero] o valor é 0
         [negative] o valor é negativo
+        [small] o valor é muito menor do que o habitual
+        [large] o valor é muito maior do que o habitual
        *[positive] o valor é positivo e afasta da peça
     }.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
@@ -136,6 +141,7 @@ diag-free-contour-wrong =
         [solution] FSELECT recebe o número de uma solução, contado a partir de 1.
         [fpol] O polo de um contorno livre precisa de duas coordenadas.
         [pole] As coordenadas polares precisam de um polo (FPOL).
+        [turn] O contorno começa e acaba na mesma circunferência, mas em direções diferentes.
        *[open] O contorno livre não tem solução: indicam-se poucos valores dos seus elementos.
     }
 diag-function-misspelled = Nenhum comando aceita aqui { $word }; talvez se pretenda { $meant }.
@@ -361,6 +367,21 @@ diag-tool-feed-missing = Utiliza-se aqui o avanço da chamada da ferramenta, mas
 diag-tool-missing = Aqui um ciclo faz movimentos, mas nenhuma chamada da ferramenta definiu o eixo da ferramenta.
 diag-tool-not-changed = { $cycle } é chamado com a ferramenta já usada para { $before }: precisa de outra ferramenta.
 diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
+diag-turning-start-wrong =
+    O ciclo de torneamento não começa onde a ferramenta está: { $what ->
+        [positive] o contorno vai para Z positivo, afastando-se da peça
+        [z] em Z, a ferramenta está além do fim do contorno
+       *[diameter] a ferramenta está além do diâmetro final do contorno
+    }.
+diag-uncalculable-contour =
+    O comando não consegue calcular aqui o contorno: { $what ->
+        [open] faltam dados que determinam este elemento
+        [contradicts] os dados deste elemento contradizem-se
+        [several] vários elementos correspondem aos dados e nenhum está selecionado
+        [rounding] o arredondamento ou o chanfre não cabe entre os seus elementos
+        [crossing] o contorno cruza-se a si próprio
+       *[approach] não é possível aproximar-se assim do contorno
+    }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } apalpa aqui com a ferramenta que acabou de maquinar.

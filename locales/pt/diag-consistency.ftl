@@ -16,6 +16,7 @@ diag-spec-odd-q = Em { $cycle }, { $q } é «{ $name }», que noutros ciclos é 
 diag-spec-odd-choice = A opção «{ $name }» tem aqui o valor { $value }, mas { $usual } noutros ciclos.
 diag-spec-odd-limit = Nenhum outro parâmetro desta grandeza tem o limite { $value } de { $name }; a maioria tem { $usual }.
 diag-spec-odd-condition = A condição «{ $name }» diz que { $q } é { $found }, mas a opção com esse nome tem o valor { $value }.
+diag-spec-odd-formula = O ciclo { $cycle } calcula «{ $name }» a partir de { $q }, mas outros ciclos calculam-no a partir de { $usual }, que este ciclo também tem.
 diag-spec-example-guarded = O exemplo impresso é recusado pela verificação «{ $code }».
 diag-spec-unused-parameter = Nada no desenvolvimento, nas verificações ou nas frases de { $cycle } utiliza { $q }.
 diag-consistency-reference-word = O texto { $key } no idioma { $language } não diz absoluto ou incremental como os idiomas { $others }: { $found } em vez de { $expected }.

@@ -2,7 +2,6 @@
 
 diag-angle-missing = Falta o ângulo PA do círculo.
 diag-axis-limit = O eixo { $axis } iria para { NUMBER($found) } { $unit }, para lá dos limites da máquina de { NUMBER($min) } a { NUMBER($max) } { $unit }.
-diag-blank-form-update = O seguimento do bloco com TURNDATA BLANK não pode ser simulado: o manual não diz como os ciclos mudam em função do bloco.
 diag-block-limit = A execução foi terminada: foram executadas mais de { NUMBER($limit) } frases.
 diag-block-unreadable = Não é possível ler a frase: { $found }
 diag-call-depth-limit = As chamadas estão encadeadas em mais de { NUMBER($limit) } níveis.
@@ -26,6 +25,7 @@ diag-fit-collinear = Os { NUMBER($points) } pontos de apalpação estão em linh
 diag-fit-failed = Nenhum círculo se ajusta aos { NUMBER($points) } pontos de apalpação.
 diag-fit-too-few = Os pontos de apalpação são demasiado poucos para um círculo: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Os passos nunca atingem a profundidade de { NUMBER($depth) } mm: o primeiro é de { NUMBER($first) } mm, cada um é { NUMBER($less) } mm menor, o mínimo é de { NUMBER($least) } mm; terminam em { NUMBER($reached) } mm.
+diag-insert-askew = Os ciclos de torneamento não podem ser simulados enquanto a ferramenta está inclinada e M144, M128 ou FUNCTION TCPM está ativa.
 diag-insert-direction = A pastilha da ferramenta { $tool } não aponta para a peça ou para a direção dos cortes: a sua orientação (TO) é { $orientation }.
 diag-jump-limit = A execução foi terminada: foram executados mais de { NUMBER($limit) } saltos, repetições e chamadas.
 diag-jump-target-missing = Não existe o label { $label }.
@@ -72,6 +72,7 @@ diag-text-too-long = Um parâmetro de texto ultrapassaria { NUMBER($limit) } car
 diag-tool-locked = A ferramenta { $tool } está bloqueada.
 diag-tool-not-in-table = A ferramenta { $tool } não está na tabela de ferramentas.
 diag-turn-limit = A execução foi terminada: um movimento tem mais de { NUMBER($limit) } voltas.
+diag-undercut-form = UDC { $form } não pode ser simulado: nenhum manual descreve a sua forma.
 diag-undercut-impossible = Não há espaço para o rebaixo, falta uma medida, ou este não está entre uma superfície ao longo do eixo rotativo e uma face perpendicular a ela.
 diag-unsupported-axis = A máquina simulada não tem um eixo { $axis }.
 diag-unsupported-block = { $word } não pode ser simulado.
@@ -89,6 +90,9 @@ diag-scaling-factor-zero = Um fator de escala tem de ser maior do que zero, e n�
 diag-shaft-collision = A haste de apalpação, e não a esfera, toca na peça em X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Esta ferramenta não consegue maquinar a forma: são necessários pelo menos { NUMBER($least) } mm, há { NUMBER($found) } mm.
 diag-cutting-width-missing = A ferramenta { $tool } não é uma ferramenta de ranhurar: a largura de corte (CUTWIDTH) tem de ser superior a 0 e, no mínimo, o dobro do raio de corte (RS).
+diag-m144-together = M144 não pode estar ativa juntamente com { $word }.
+diag-spline-start = A spline começa a { NUMBER($distance, maximumFractionDigits: 4) } mm ou graus da posição atual; é permitido 0.001.
+diag-tool-direction-unreachable = Os eixos rotativos da máquina não conseguem levar a ferramenta à direção que esta frase indica.
 diag-tilting-unreachable = Os eixos rotativos da máquina não conseguem posicionar a ferramenta perpendicular a este plano.
 diag-pattern-missing = { $name ->
         [none] Não está definida nenhuma figura nem tabela de pontos para a chamada do ciclo.

@@ -15,6 +15,10 @@ diag-kinematics-differs = A cinemática guardada como «{ $name }» descreve out
 explain-kinematics-differs = Os dados guardados só podem ser restaurados numa descrição de cinemática idêntica: o mesmo nome e os mesmos eixos rotativos pela mesma ordem. Exemplo: dados de uma máquina com A e C numa máquina com B e C. Solução: escolher dados desta máquina.
 diag-kinematics-memory-full = Todas as posições de memória para cinemáticas ({ $count }) estão ocupadas.
 explain-kinematics-memory-full = O comando conserva um número limitado de cinemáticas guardadas. Exemplo: um décimo sétimo nome num comando com 16 posições. Solução: apagar uma que já não seja necessária ou guardar com um nome em uso.
+diag-tool-edges-too-many = As navalhas só podem ser medidas individualmente em ferramentas com até { $most } navalhas; a tabela de ferramentas indica { $count }.
+explain-tool-edges-too-many = O manual limita a medição individual de navalhas. Exemplo: CUT = 24 na tabela de ferramentas e Q341=1, quando se podem medir no máximo 20 navalhas. Solução: medir a ferramenta em rotação (Q341=0) ou corrigir CUT. A tabela de ferramentas fica como estava.
+diag-kinematics-tool-axis = Este ciclo só pode ser utilizado com o eixo da ferramenta Z; o eixo da ferramenta ativo é { $axis }.
+explain-kinematics-tool-axis = A cinemática mede-se com o apalpador ao longo de Z: os manuais não permitem outro eixo da ferramenta. Exemplo: TOOL CALL 1 Y antes do ciclo 451. Solução: chamar o apalpador com o eixo da ferramenta Z. A cinemática fica como estava.
 diag-kinematics-undetermined = As posições de medição não permitem determinar a posição do eixo { $axis }.
 explain-kinematics-undetermined = Para corrigir a posição de um eixo rotativo, as posições de medição têm de diferir claramente da posição de referência a 0°. Exemplo: um ponto a 0,05° ou só um ponto a 0°, que é ignorado. Solução: maior intervalo entre ângulo inicial e final ou mais pontos de medição. A cinemática fica como estava.
 diag-sphere-radius-differs = O raio medido da esfera de calibração, { $found } mm, desvia-se demasiado do raio introduzido, { $entered } mm.

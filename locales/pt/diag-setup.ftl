@@ -22,6 +22,8 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [above] O ciclo não desce abaixo de { $value }, que fica acima do bloco: não remove nada.
+        [below] A ferramenta corta à altura { $value }, muito abaixo do bloco.
         [over] O que é maquinado em { $value }; { $other } ultrapassa a borda do bloco.
        *[outside] O que é maquinado em { $value }; { $other } está longe do bloco.
     }
@@ -31,6 +33,7 @@ diag-preset-row-wrong =
     { $what ->
         [again] O preset { $row } volta a ser escrito aqui, noutro ponto, e entretanto nada o ativou.
         [other] Aqui é ativado o preset { $other }, mas o que foi apalpado é o preset { $row }, que nunca é ativado.
+        [datum] A linha { $row } da tabela de pontos zero é escrita aqui e nunca é ativada: a maquinação prossegue com outro ponto zero.
        *[unused] O preset { $row } é escrito aqui e nunca é ativado: a maquinação prossegue com outro preset.
     }
 diag-repeat-without-effect = Uma repetição de zero vezes não tem efeito.
@@ -61,3 +64,41 @@ diag-translate-encoding-wrong = { $path } não está em { $encoding }: alguns by
 diag-translate-unread = { $cycle } tem uma linha que não pode ser lida, por isso o nome e as designações ficam como estão.
 related-preset-written-here = escrito aqui
 diag-character-unknown = O texto contém «{ $character }», que o tipo de letra não tem.
+diag-allowance-left = O contorno do label { $label } também é maquinado com esta ferramenta com a sobremedida { $value }: a sobremedida fica na peça.
+diag-contour-crossed =
+    { $what ->
+        [back] Este contorno fechado volta de uma esquina diretamente à anterior.
+       *[side] Com esta correção de raio a ferramenta atravessa o contorno fechado: vem do outro lado dele.
+    }
+diag-error-branch-entered =
+    { $what ->
+        [turned] O salto por cima da paragem é executado quando { $parameter } indica um defeito.
+       *[entered] A execução chega a este ramo mesmo sem o salto, e para: nem M2 nem M30 terminam o programa antes dele.
+    }
+diag-finishing-before-roughing =
+    { $what ->
+        [pilot] { $other } indica a ferramenta que fura aqui; tem de indicar a que desbasta a seguir.
+       *[order] { $cycle } acaba o contorno aqui, antes de { $other } o desbastar.
+    }
+diag-label-unused = Nada chama ou repete o label { $label } deste subprograma, e nenhum salto conduz a ele.
+diag-loop-runs-once = Este salto para trás nunca é executado: o contador não cumpre a condição em nenhuma passagem.
+diag-parameter-unused =
+    { $parameter } recebe aqui um valor, e nada o lê.
+diag-probing-direction-wrong =
+    { $cycle } apalpa a aresta em { $axis } com a direção { $value }: a peça está no lado de onde vem o apalpador.
+diag-same-datum-twice =
+    { $what ->
+        [loop] A repetição conta, mas ativa a linha { $row } em todas as passagens: é maquinado sempre o mesmo.
+       *[again] A linha { $row } volta a ser ativada antes do mesmo subprograma: o mesmo é maquinado duas vezes.
+    }
+diag-selected-table-missing = A tabela { $name } não está na pasta do programa.
+diag-turned-contour-wrong =
+    { $what ->
+        [above] O contorno termina em Z { $value }, acima do bloco, que termina em { $limit }.
+        [narrow] A ranhura tem { $value } de largura, a ferramenta { $limit }.
+        [side] A ranhura vai do diâmetro { $limit } a { $value }; noutro lugar a mesma ferramenta faz ranhuras na outra direção.
+        [dip] O contorno desce ao diâmetro { $value }, abaixo do seu primeiro diâmetro { $limit }, e o ciclo não maquina rebaixos.
+       *[rounding] Para o arredondamento { $value } a reta é demasiado curta; é possível no máximo { $limit }.
+    }
+diag-called-program-wants =
+    { $name } lê { $parameter }, e nada lhe atribuiu um valor antes desta chamada.

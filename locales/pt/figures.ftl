@@ -3,6 +3,7 @@
 figure-section = Corte
 figure-plan = Vista de cima
 figure-chip-breaking = Quebra de apara
+figure-decreasing-infeeds = Passos decrescentes
 figure-deepened-start = Ponto inicial aprofundado
 figure-centring-diameter = Centragem até ao diâmetro
 figure-rotation = Ângulo de rotação
@@ -93,6 +94,7 @@ figure-traverse-direction = Direção de deslocação
 figure-straight-or-circle = Em linha reta ou em círculo
 figure-program = O programa visto de cima
 figure-program-turned = O programa: metade da peça em corte
+figure-program-recess = O programa: a ranhura
 figure-program-side = O programa visto de lado
 figure-program-across = O programa ao longo do eixo rotativo
 figure-program-tilted = O plano inclinado do programa

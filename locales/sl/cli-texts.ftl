@@ -11,7 +11,9 @@ cli-texts-to = export: jezik, v katerega se prevaja; import: jezik datoteke (pri
 cli-texts-stale = export: samo zastarela ali nepotrjena besedila; skupaj z --missing oboje
 cli-texts-missing = export: samo manjkajoča besedila; skupaj z --stale oboje
 cli-texts-cycle = export: samo besedila tega cikla; lahko se ponovi
+cli-texts-copy-source = export: na mesto manjkajočega prevoda zapiše angleško besedilo; za programe, ki prevajajo na mestu samem
 cli-texts-out = export: datoteka, ki se zapiše (privzeto: standardni izhod)
+cli-texts-any-state = import: vsako prevedeno enoto obravnava kot končno; za programe, ki stanj ne ohranijo
 cli-texts-dry-run = import: preveri datoteko in poroča, ne da bi kaj spremenil
 cli-texts-format = Oblika izpisa: text (privzeto), json; pri export: xliff (1.2, privzeto), xliff2 (2.0), po, tmx (potrjena besedila vseh jezikov), tbx in csv (slovar in parametri)
 cli-texts-exported = { $count ->
@@ -100,6 +102,7 @@ cli-texts-note-unit = Enota: { $unit }.
 cli-texts-note-range = Dovoljeno območje: { $range } ({ $controls }).
 cli-texts-note-label = Največ { $most } znakov: velike črke, števke, presledki in { $signs }
 cli-texts-note-capitals = Samo velike črke, števke, presledki in { $signs }
+cli-texts-note-length = Največ { $most } znakov
 cli-texts-note-cycles = { $more ->
         [none] { $control }: { $cycles }
        *[other] { $control }: { $cycles } in še { $more }

@@ -29,3 +29,4 @@ diag-block-no-value = Cikel { $cycle } potrebuje vrednost za { $name }; priročn
 diag-label-character = Oznaka »{ $label }« cikla { $cycle } ({ $control }, { $language }) vsebuje znak »{ $character }«, ki ga krmiljenje ne more prikazati.
 diag-label-lower-case = Oznaka »{ $label }« cikla { $cycle } ({ $control }, { $language }) vsebuje male črke.
 diag-label-too-long = Oznaka »{ $label }« cikla { $cycle } ({ $control }, { $language }) je predolga (število znakov: { $length }); krmiljenje jih prikaže največ { $most }.
+diag-prompt-too-long = Vprašanje »{ $label }« cikla { $cycle } ({ $control }, { $language }) je predolgo (število znakov: { $length }); krmiljenje jih prikaže največ { $most }.

@@ -70,6 +70,9 @@ diag-contour-wrong =
         [many] cikel obdela samo prvo konturo in ne upošteva { $word }
         [corner] za { $word } ni elementa konture
         [local] v njej se bere { $word }, ki v njej ne dobi vrednosti
+        [same] kontura { $word } je ista
+        [islands] po RL in RR so vse otoki, žepa okrog njih pa ni
+        [round] v obeh oseh je daljša od obsega valja
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.
@@ -115,6 +118,8 @@ diag-doubtful-value =
     { $parameter }={ $value } v { $cycle } je najbrž napaka: { $is ->
         [zero] vrednost je 0
         [negative] vrednost je negativna
+        [small] vrednost je veliko manjša kot običajno
+        [large] vrednost je veliko večja kot običajno
        *[positive] vrednost je pozitivna in vodi proč od obdelovanca
     }.
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
@@ -136,6 +141,7 @@ diag-free-contour-wrong =
         [solution] FSELECT sprejme številko rešitve, ki se šteje od 1.
         [fpol] Pol proste konture potrebuje dve koordinati.
         [pole] Polarne koordinate potrebujejo pol (FPOL).
+        [turn] Kontura se začne in konča na isti krožnici, vendar v različnih smereh.
        *[open] Za prosto konturo ni rešitve: vrednosti njenih elementov je premalo.
     }
 diag-function-misspelled = Nobeno krmiljenje tu ne sprejme besede { $word }; morda je mišljeno { $meant }.
@@ -364,6 +370,21 @@ diag-tool-feed-missing = Tu se uporabi pomik iz priklica orodja, ta pa pomika ni
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
 diag-tool-not-changed = { $cycle } se prikliče z orodjem, ki je že izvedlo { $before }: potrebuje drugo orodje.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
+diag-turning-start-wrong =
+    Stružni cikel se ne začne tam, kjer je orodje: { $what ->
+        [positive] kontura gre v pozitivno smer Z, stran od obdelovanca
+        [z] orodje je v smeri Z za koncem konture
+       *[diameter] orodje je za končnim premerom konture
+    }.
+diag-uncalculable-contour =
+    Krmiljenje tukaj ne more izračunati konture: { $what ->
+        [open] manjkajo podatki, ki določajo ta element
+        [contradicts] podatki tega elementa si nasprotujejo
+        [several] podatkom ustreza več elementov, izbran pa ni noben
+        [rounding] zaokrožitev ali posneti rob ne gre med svoja elementa
+        [crossing] kontura seka samo sebe
+       *[approach] na konturo tako ni mogoče primakniti
+    }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.

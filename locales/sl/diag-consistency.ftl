@@ -15,6 +15,7 @@ diag-spec-odd-q = V { $cycle } je { $q } »{ $name }«, ki je v drugih ciklih { 
 diag-spec-odd-choice = Možnost »{ $name }« ima tu vrednost { $value }, v drugih ciklih pa { $usual }.
 diag-spec-odd-limit = Noben drug parameter te količine nima meje { $value }, kakršno ima { $name }; večina ima { $usual }.
 diag-spec-odd-condition = Pogoj »{ $name }« pravi, da je { $q } { $found }, možnost s tem imenom pa ima vrednost { $value }.
+diag-spec-odd-formula = Cikel { $cycle } izračuna »{ $name }« iz { $q }, drugi cikli pa iz { $usual }, ki ga ima tudi ta cikel.
 diag-spec-example-guarded = Natisnjeni primer zavrne preverjanje »{ $code }«.
 diag-spec-unused-parameter = Nič v poteku, preverjanjih ali stavkih cikla { $cycle } ne uporablja parametra { $q }.
 diag-consistency-reference-word = Besedilo { $key } v jeziku { $language } ne pravi absolutno ali inkrementalno, kakor pravijo jeziki { $others }: { $found } namesto { $expected }.

@@ -2,7 +2,6 @@
 
 diag-angle-missing = Krožnici manjka kot PA.
 diag-axis-limit = Os { $axis } bi se premaknila na { NUMBER($found) }{"\u00A0"}{ $unit }, zunaj območja stroja od { NUMBER($min) } do { NUMBER($max) }{"\u00A0"}{ $unit }.
-diag-blank-form-update = Sledenja surovca s TURNDATA BLANK ni mogoče simulirati: priročnik ne pove, kako se cikli prilagodijo surovcu.
 diag-block-limit = Izvajanje je bilo prekinjeno: izvedenih je bilo več kot { NUMBER($limit) } stavkov.
 diag-block-unreadable = Stavka ni mogoče prebrati: { $found }
 diag-call-depth-limit = Priklici so ugnezdeni globlje kot { NUMBER($limit) } ravni.
@@ -26,6 +25,7 @@ diag-fit-collinear = Tipalne točke ({ NUMBER($points) }) ležijo na premici: kr
 diag-fit-failed = Tipalnim točkam ({ NUMBER($points) }) ni mogoče prilagoditi krožnice.
 diag-fit-too-few = Tipalnih točk je premalo za krožnico: { NUMBER($points) }.
 diag-infeeds-never-reach-depth = Primiki nikoli ne dosežejo globine { NUMBER($depth) }{"\u00A0"}mm: prvi meri { NUMBER($first) }{"\u00A0"}mm, vsak naslednji je za { NUMBER($less) }{"\u00A0"}mm manjši, najmanjši meri { NUMBER($least) }{"\u00A0"}mm; končajo se pri { NUMBER($reached) }{"\u00A0"}mm.
+diag-insert-askew = Struženja s cikli ni mogoče simulirati, ko je orodje nagnjeno in je aktivna funkcija M144, M128 ali FUNCTION TCPM.
 diag-insert-direction = Rezalna ploščica orodja { $tool } ni obrnjena proti obdelovancu ali v smer rezov: njena usmeritev (TO) je { $orientation }.
 diag-jump-limit = Izvajanje je bilo prekinjeno: izvedenih je bilo več kot { NUMBER($limit) } skokov, ponovitev in priklicev.
 diag-jump-target-missing = Oznake LBL { $label } ni.
@@ -72,6 +72,7 @@ diag-text-too-long = Besedilni parameter bi presegel { NUMBER($limit) } znakov.
 diag-tool-locked = Orodje { $tool } je blokirano.
 diag-tool-not-in-table = Orodja { $tool } ni v preglednici orodij.
 diag-turn-limit = Izvajanje je bilo prekinjeno: en premik ima več kot { NUMBER($limit) } obratov.
+diag-undercut-form = UDC { $form } ni mogoče simulirati: noben priročnik ne opisuje njegove oblike.
 diag-undercut-impossible = Za spodrez ni prostora, manjka mera ali pa ni med površino vzdolž rotacijske osi in nanjo pravokotno čelno površino.
 diag-unsupported-axis = Simulirani stroj nima osi { $axis }.
 diag-unsupported-block = { $word } ni mogoče simulirati.
@@ -89,6 +90,9 @@ diag-scaling-factor-zero = Faktor merila mora biti večji od nič, ne { NUMBER($
 diag-shaft-collision = Steblo tipalne glave se dotakne obdelovanca pri X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = S tem orodjem oblike ni mogoče obdelati: potrebnih je vsaj { NUMBER($least) }{"\u00A0"}mm, na voljo je { NUMBER($found) }{"\u00A0"}mm.
 diag-cutting-width-missing = Orodje { $tool } ni orodje za struženje utorov: rezalna širina (CUTWIDTH) mora biti večja od 0 in vsaj dvakratnik rezalnega polmera (RS).
+diag-m144-together = M144 ne more biti aktivna skupaj s funkcijo { $word }.
+diag-spline-start = Krivulja spline se začne { NUMBER($distance, maximumFractionDigits: 4) }{"\u00A0"}mm ali stopinj od trenutnega položaja; dovoljeno je 0,001.
+diag-tool-direction-unreachable = Rotacijske osi stroja orodja ne morejo postaviti v smer, ki jo navaja ta stavek.
 diag-tilting-unreachable = Rotacijske osi stroja orodja ne morejo postaviti pravokotno na to ravnino.
 diag-pattern-missing = { $name ->
         [none] Za priklic cikla ni definiran ne vzorec ne preglednica točk.

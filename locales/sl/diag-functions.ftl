@@ -15,6 +15,10 @@ diag-kinematics-differs = Kinematika, shranjena kot »{ $name }«, opisuje drug 
 explain-kinematics-differs = Shranjene podatke je mogoče obnoviti samo v enak opis kinematike: z istim imenom in istimi rotacijskimi osmi v istem zaporedju. Primer: podatki stroja z osema A in C na stroju z osema B in C. Rešitev: izberite podatke tega stroja.
 diag-kinematics-memory-full = Vsa pomnilniška mesta za kinematiko ({ $count }) so zasedena.
 explain-kinematics-memory-full = Krmiljenje hrani omejeno število shranjenih kinematik. Primer: sedemnajsto ime na krmiljenju s 16 mesti. Rešitev: izbrišite nepotrebno ali shranite pod imenom, ki je že v rabi.
+diag-tool-edges-too-many = Rezila je mogoče meriti posamezno pri orodjih z največ { $most } rezili; v preglednici orodij jih je { $count }.
+explain-tool-edges-too-many = Priročnik omejuje merjenje posameznih rezil. Primer: CUT = 24 v preglednici orodij in Q341=1, izmeriti pa je mogoče največ 20 rezil. Rešitev: orodje izmerite med vrtenjem (Q341=0) ali popravite CUT. Preglednica orodij ostane nespremenjena.
+diag-kinematics-tool-axis = Ta cikel se lahko uporablja samo z orodno osjo Z; aktivna orodna os je { $axis }.
+explain-kinematics-tool-axis = Kinematika se meri s tipalnim sistemom vzdolž osi Z: priročniki druge orodne osi ne dovoljujejo. Primer: TOOL CALL 1 Y pred ciklom 451. Rešitev: tipalni sistem prikličite z orodno osjo Z. Kinematika ostane nespremenjena.
 diag-kinematics-undetermined = Iz merilnih položajev ni mogoče določiti lege osi { $axis }.
 explain-kinematics-undetermined = Za popravek lege rotacijske osi se morajo merilni položaji jasno razlikovati od referenčnega položaja pri 0°. Primer: ena točka pri 0,05° ali le točka pri 0°, ki je prezrta. Rešitev: večje območje med začetnim in končnim kotom ali več merilnih točk. Kinematika ostane nespremenjena.
 diag-sphere-radius-differs = Izmerjeni polmer umeritvene krogle { $found } mm preveč odstopa od vnesenega polmera { $entered } mm.

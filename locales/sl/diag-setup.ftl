@@ -24,6 +24,8 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [above] Cikel ne gre nižje od { $value }, kar je nad surovcem: ničesar ne odstrani.
+        [below] Orodje reže na višini { $value }, daleč pod surovcem.
         [over] Kar se obdeluje na { $value }; { $other }, sega čez rob surovca.
        *[outside] Kar se obdeluje na { $value }; { $other }, je daleč od surovca.
     }
@@ -33,6 +35,7 @@ diag-preset-row-wrong =
     { $what ->
         [again] Prednastavitev { $row } se tukaj znova zapiše na drugem mestu, vmes pa je nič ni aktiviralo.
         [other] Tukaj se aktivira prednastavitev { $other }, izmerjena pa je prednastavitev { $row }, ki se nikoli ne aktivira.
+        [datum] Vrstica { $row } preglednice ničelnih točk se tukaj zapiše in se nikoli ne aktivira: obdelava se nadaljuje z drugo ničelno točko.
        *[unused] Prednastavitev { $row } se tukaj zapiše in se nikoli ne aktivira: obdelava se nadaljuje z drugo prednastavitvijo.
     }
 diag-repeat-without-effect = Nič ponovitev nima nobenega učinka.
@@ -63,3 +66,41 @@ diag-translate-encoding-wrong = { $path } ni v { $encoding }: nekateri bajti tam
 diag-translate-unread = { $cycle } ima vrstico, ki je ni mogoče prebrati, zato ime in oznake ostanejo, kot so.
 related-preset-written-here = zapisano tukaj
 diag-character-unknown = Besedilo vsebuje »{ $character }«, česar pisava nima.
+diag-allowance-left = Kontura oznake { $label } se tudi s tem orodjem obdela z nadmero { $value }: nadmera ostane na obdelovancu.
+diag-contour-crossed =
+    { $what ->
+        [back] Ta sklenjena kontura se od vogala vrne naravnost k prejšnjemu.
+       *[side] S tem popravkom polmera orodje prečka sklenjeno konturo: prihaja z njene druge strani.
+    }
+diag-error-branch-entered =
+    { $what ->
+        [turned] Skok čez zaustavitev se izvede, kadar { $parameter } javlja napako.
+       *[entered] Potek pride v to vejo tudi brez skoka in se ustavi: pred njo programa ne konča ne M2 ne M30.
+    }
+diag-finishing-before-roughing =
+    { $what ->
+        [pilot] { $other } navaja orodje, ki tukaj vrta; navesti mora orodje, ki pozneje grobo rezka.
+       *[order] { $cycle } tukaj fino obdela konturo, preden jo { $other } grobo obdela.
+    }
+diag-label-unused = Oznake { $label } v tem podprogramu nič ne prikliče in ne ponovi, nanjo tudi noben skok ne vodi.
+diag-loop-runs-once = Ta skok nazaj se nikoli ne izvede: števec v nobenem prehodu ne izpolni pogoja.
+diag-parameter-unused =
+    { $parameter } tukaj dobi vrednost, nič pa je ne prebere.
+diag-probing-direction-wrong =
+    { $cycle } tipa rob v osi { $axis } s smerjo { $value }: obdelovanec je na strani, s katere pride tipalo.
+diag-same-datum-twice =
+    { $what ->
+        [loop] Zanka šteje, vendar v vsakem prehodu aktivira vrstico { $row }: vsakič se obdela isto.
+       *[again] Vrstica { $row } se pred istim podprogramom znova aktivira: isto se obdela dvakrat.
+    }
+diag-selected-table-missing = Preglednice { $name } ni v mapi programa.
+diag-turned-contour-wrong =
+    { $what ->
+        [above] Kontura se konča pri Z { $value }, nad surovcem, ki se konča pri { $limit }.
+        [narrow] Vbod je širok { $value }, orodje { $limit }.
+        [side] Vbod sega od premera { $limit } do { $value }; drugje isto orodje vbada v drugo smer.
+        [dip] Kontura pade na premer { $value }, pod svoj prvi premer { $limit }, cikel pa spodrezov ne obdeluje.
+       *[rounding] Za zaobljenje { $value } je premica prekratka; možno je največ { $limit }.
+    }
+diag-called-program-wants =
+    { $name } bere { $parameter }, ki mu pred tem priklicem nič ni dalo vrednosti.

@@ -3,6 +3,7 @@
 figure-section = Prerez
 figure-plan = Pogled od zgoraj
 figure-chip-breaking = Lom ostružkov
+figure-decreasing-infeeds = Pojemajoči primiki
 figure-deepened-start = Globlja začetna točka
 figure-centring-diameter = Centriranje do premera
 figure-rotation = Rotacijski kot
@@ -136,6 +137,7 @@ figure-traverse-direction = Smer premika
 figure-straight-or-circle = Premočrtno ali po krožnici
 figure-program = Program od zgoraj
 figure-program-turned = Program: polovica dela v prerezu
+figure-program-recess = Program: vrez
 figure-program-side = Program s strani
 figure-program-across = Program v smeri rotacijske osi
 figure-program-tilted = Zavrtena ravnina programa

@@ -6,7 +6,8 @@ use std::collections::{HashMap, HashSet};
 
 use super::flow::{Pending, Way};
 use super::{Defined, Facts};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, Motion, Path, StatementKind};
+use crate::base::expr::{atan2d, cosd, sind};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensation, Motion, Path, StatementKind};
 use crate::spec::{ContourWanted, ParameterKind};
 
 /// A list of contours, the definition that holds it, and the cycles that machine them.
@@ -111,10 +112,7 @@ pub(super) fn corners(blocks: &[Block], axes: [Axis; 2]) -> Option<Vec<[f64; 2]>
                     }
                 }
                 let ([Some(x), Some(y)], [Some(radius), Some(angle)]) = (pole, polar) else { return None };
-                at = [
-                    Some(x + radius * crate::base::expr::cosd(angle)),
-                    Some(y + radius * crate::base::expr::sind(angle)),
-                ];
+                at = [Some(x + radius * cosd(angle)), Some(y + radius * sind(angle))];
             }
             _ => return None,
         }
@@ -125,6 +123,182 @@ pub(super) fn corners(blocks: &[Block], axes: [Axis; 2]) -> Option<Vec<[f64; 2]>
         points.push([x, y]);
     }
     Some(points)
+}
+
+/// A line in the plane followed element after element, arcs as polygons.
+///
+/// Roundings and chamfers between elements are left out; an element whose end is not certain ends it.
+#[derive(Default)]
+pub(super) struct Line {
+    /// Its points, the first one included.
+    pub(super) points: Vec<[f64; 2]>,
+    at: [Option<f64>; 2],
+    pole: [Option<f64>; 2],
+    /// The polar coordinates: radius and angle.
+    polar: [Option<f64>; 2],
+    heading: Option<[f64; 2]>,
+}
+
+/// Into so many pieces an arc is divided.
+const PIECES: i32 = 16;
+
+impl Line {
+    /// Forgets where it is; a centre stays.
+    pub(super) fn lose(&mut self) {
+        (self.at, self.polar, self.heading) = ([None; 2], [None; 2], None);
+        self.points.clear();
+    }
+
+    /// Where it has come to.
+    pub(super) fn end(&self) -> Option<[f64; 2]> {
+        let [Some(x), Some(y)] = self.at else { return None };
+        Some([x, y])
+    }
+
+    /// Begins anew where it is.
+    pub(super) fn begin(&mut self) {
+        self.points.clear();
+    }
+
+    /// Follows an element; nothing if its end is not certain.
+    pub(super) fn go_on(&mut self, motion: &Motion, axes: [Axis; 2]) -> Option<()> {
+        let from = self.end();
+        let straight = matches!(motion.path, Path::L | Path::Lp | Path::Appr(_));
+        match motion.path {
+            Path::Rnd | Path::Chf => return Some(()),
+            Path::Cc => {
+                let before = if motion.coords.is_empty() { self.at } else { self.pole };
+                self.pole = moved(motion, axes, before)?;
+                return Some(());
+            }
+            Path::L | Path::C | Path::Cr | Path::Ct | Path::Appr(_) => {
+                self.at = moved(motion, axes, self.at)?;
+                self.polar = [None; 2];
+            }
+            Path::Lp => {
+                for (axis, known) in [Axis::Pr, Axis::Pa].into_iter().zip(&mut self.polar) {
+                    if let Some((value, incremental)) = number(motion, axis)? {
+                        *known = Some(if incremental { (*known)? + value } else { value });
+                    }
+                }
+                let ([Some(x), Some(y)], [Some(radius), Some(angle)]) = (self.pole, self.polar) else { return None };
+                self.at = [Some(x + radius * cosd(angle)), Some(y + radius * sind(angle))];
+            }
+            Path::Cp => return self.polar_arc(from?, motion),
+            _ => return None,
+        }
+        // An axis may still be open before the first point.
+        let Some(to) = self.end() else { return straight.then_some(()) };
+        match (motion.path, from) {
+            (Path::C, Some(from)) => {
+                let [Some(x), Some(y)] = self.pole else { return None };
+                self.arc(from, to, [x, y], motion.counter_clockwise?);
+            }
+            (Path::Cr, Some(from)) => {
+                let Amount::Number(radius) = motion.radius?.amount else { return None };
+                let turns = motion.counter_clockwise?;
+                let chord = [to[0] - from[0], to[1] - from[1]];
+                let long = libm::hypot(chord[0], chord[1]);
+                let rise = libm::sqrt((radius * radius - long * long / 4.0).max(0.0));
+                let left = if turns == (radius > 0.0) { rise } else { -rise };
+                let middle = [f64::midpoint(from[0], to[0]), f64::midpoint(from[1], to[1])];
+                let centre = [middle[0] - chord[1] / long * left, middle[1] + chord[0] / long * left];
+                (long > 0.0).then(|| self.arc(from, to, centre, turns))?;
+            }
+            (Path::Ct, Some(from)) => {
+                let heading = self.heading?;
+                let left = [-heading[1], heading[0]];
+                let chord = [to[0] - from[0], to[1] - from[1]];
+                let aside = left[0] * chord[0] + left[1] * chord[1];
+                let radius = (chord[0] * chord[0] + chord[1] * chord[1]) / (2.0 * aside);
+                if !radius.is_finite() {
+                    return None;
+                }
+                let centre = [from[0] + left[0] * radius, from[1] + left[1] * radius];
+                self.arc(from, to, centre, radius > 0.0);
+            }
+            (_, from) if straight => {
+                self.points.push(to);
+                let from = from.unwrap_or(to);
+                let way = [to[0] - from[0], to[1] - from[1]];
+                let long = libm::hypot(way[0], way[1]);
+                self.heading = if long > 0.0 { Some([way[0] / long, way[1] / long]) } else { self.heading };
+            }
+            _ => return None,
+        }
+        Some(())
+    }
+
+    /// An arc about the pole to an angle.
+    fn polar_arc(&mut self, from: [f64; 2], motion: &Motion) -> Option<()> {
+        let [Some(x), Some(y)] = self.pole else { return None };
+        let (angle, incremental) = number(motion, Axis::Pa)??;
+        let radius = libm::hypot(from[0] - x, from[1] - y);
+        let begin = atan2d(from[1] - y, from[0] - x);
+        let end = if incremental { begin + angle } else { angle };
+        let to = [x + radius * cosd(end), y + radius * sind(end)];
+        let turns =
+            if incremental { motion.counter_clockwise.unwrap_or(angle > 0.0) } else { motion.counter_clockwise? };
+        (self.at, self.polar) = ([Some(to[0]), Some(to[1])], [Some(radius), Some(end)]);
+        self.arc(from, to, [x, y], turns);
+        Some(())
+    }
+
+    fn arc(&mut self, from: [f64; 2], to: [f64; 2], centre: [f64; 2], turns: bool) {
+        let angle = |place: [f64; 2]| libm::atan2(place[1] - centre[1], place[0] - centre[0]);
+        let (begin, whole) = (angle(from), std::f64::consts::TAU);
+        let mut sweep = (angle(to) - begin).rem_euclid(whole);
+        // What ends where it begins is a full circle.
+        if sweep < 1e-6 || whole - sweep < 1e-6 {
+            sweep = whole;
+        }
+        if !turns && sweep < whole {
+            sweep -= whole;
+        } else if !turns {
+            sweep = -whole;
+        }
+        let radius = libm::hypot(from[0] - centre[0], from[1] - centre[1]);
+        for piece in 1..PIECES {
+            let at = begin + sweep * f64::from(piece) / f64::from(PIECES);
+            self.points.push([centre[0] + radius * libm::cos(at), centre[1] + radius * libm::sin(at)]);
+        }
+        self.points.push(to);
+        let end = begin + sweep;
+        let way = if turns { 1.0 } else { -1.0 };
+        self.heading = Some([-libm::sin(end) * way, libm::cos(end) * way]);
+    }
+}
+
+/// The polygon of a contour that is all written with numbers, and its first radius compensation; nothing if that is not
+/// certain.
+pub(super) fn polygon(blocks: &[Block], axes: [Axis; 2]) -> Option<(Vec<[f64; 2]>, Option<Compensation>)> {
+    let (mut line, mut side) = (Line::default(), None);
+    for block in blocks {
+        let motion = match &block.kind {
+            BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => continue,
+            BlockKind::Motion(motion) if !block.skip => motion.words(),
+            _ if block.is_blend() => continue,
+            _ => return None,
+        };
+        let own = motion.compensation.filter(|own| matches!(own, Compensation::Rl | Compensation::Rr));
+        side = side.or(own);
+        if matches!(motion.path, Path::Appr(_) | Path::Dep(_)) {
+            return None;
+        }
+        line.go_on(&motion, axes)?;
+    }
+    Some((line.points, side))
+}
+
+/// The area of a polygon, positive if it goes round counter-clockwise.
+pub(super) fn area(points: &[[f64; 2]]) -> f64 {
+    let next = points.iter().skip(1).chain(points.first());
+    points.iter().zip(next).map(|(one, next)| one[0] * next[1] - one[1] * next[0]).sum::<f64>() / 2.0
+}
+
+/// Whether the tool of a contour that goes round so is inside of it.
+pub(super) fn is_inside(area: f64, side: Compensation) -> bool {
+    (area > 0.0) == (side == Compensation::Rl)
 }
 
 /// The number of an axis and whether it is incremental, if the axis is there; nothing if it is a parameter.

@@ -1,8 +1,17 @@
-//! What happens to the blank where the tool goes, as `travel` finds it and rules report it.
+//! What happens to the blank where the tool goes, as `travel` finds it, or an execution shows it, and rules report it.
 
-/// What happens to the blank.
+/// What an execution of a program shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observed {
+    /// The first line of the block, from 1.
+    pub line: usize,
+    /// What happens there.
+    pub incident: Incident,
+}
+
+/// What happens to the blank. Lengths are in the unit of the program.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Incident {
+pub enum Incident {
     /// A rapid movement goes into it, down to a height.
     Rapid(f64),
     /// A movement at feed goes into it while the spindle is stationary.
@@ -51,4 +60,15 @@ pub(super) enum Incident {
     Surface(f64),
     /// A hole that goes through it, down to a height.
     Through(f64),
+    /// A movement cuts while the spindle is stationary, or, if it is not started, was not turned on since the tool call.
+    Still {
+        /// Whether the spindle still turns for the tool before.
+        unstarted: bool,
+    },
+    /// A cycle that stays above the blank, and its lowest height.
+    Above(f64),
+    /// A movement that cuts far below the blank, at a height.
+    Below(f64),
+    /// A contour or element that the control cannot calculate.
+    Incalculable(&'static str),
 }

@@ -13,6 +13,7 @@ mod facts;
 mod flow;
 mod guards;
 mod incident;
+mod loops;
 mod machine;
 mod program;
 mod rule;
@@ -31,6 +32,7 @@ pub use flow::{
     Called, Callee, CycleCall, Graph, Loaded, Mark, Modal, Pending, ProgramCall, Project, Rows, Run, ToolName, Use,
     Way, circles, named,
 };
+pub use incident::{Incident, Observed};
 pub use machine::Machine;
 pub use program::{Defined, Definition, Flow, Item, Reading, Unread};
 pub use rule::Rule;

@@ -58,7 +58,11 @@ impl Tools {
                 radius: radius + oversize,
                 angle: value("ANGLE"),
                 cutting_length: value("LCUTS"),
-                pitch: value("PITCH"),
+                pitch: value("PITCH").filter(|pitch| *pitch > 0.0).or_else(|| {
+                    let words = ["NAME", "DOC"].into_iter().filter_map(|column| listed?.tool_word(name, column));
+                    let pitch = words.filter_map(pitch_of).next();
+                    pitch.map(|pitch| if facts.inch { pitch / MM_PER_INCH } else { pitch })
+                }),
                 speed: call.speed.and_then(|speed| facts.number(&speed)).filter(|_| !changed),
             });
             if let Ok(index) = u32::try_from(index) {
@@ -75,6 +79,45 @@ impl Tools {
             Loaded::None | Loaded::Unknown => None,
         }
     }
+}
+
+/// The coarse pitches of metric threads by their diameters, mm (ISO 261).
+const COARSE: [(f64, f64); 15] = [
+    (3.0, 0.5),
+    (4.0, 0.7),
+    (5.0, 0.8),
+    (6.0, 1.0),
+    (8.0, 1.25),
+    (10.0, 1.5),
+    (12.0, 1.75),
+    (14.0, 2.0),
+    (16.0, 2.0),
+    (18.0, 2.5),
+    (20.0, 2.5),
+    (22.0, 2.5),
+    (24.0, 3.0),
+    (27.0, 3.0),
+    (30.0, 3.5),
+];
+
+/// The pitch that a name or a remark gives a tap or thread mill, mm: `M8x1.25`, `TAP_M8`, `THREADMILL_P1.5`.
+fn pitch_of(words: &str) -> Option<f64> {
+    let words = words.to_ascii_uppercase();
+    let taps = words.contains("TAP");
+    let mut parts = words.split(|sign: char| !(sign.is_ascii_alphanumeric() || sign == '.'));
+    parts.find_map(|part| {
+        if let Some(rest) = part.strip_prefix('M') {
+            return match rest.split_once('X') {
+                Some((diameter, pitch)) => diameter.parse::<f64>().ok().and(pitch.parse().ok()),
+                None if taps => {
+                    let diameter: f64 = rest.parse().ok()?;
+                    COARSE.iter().find(|(own, _)| *own == diameter).map(|(_, pitch)| *pitch)
+                }
+                None => None,
+            };
+        }
+        part.strip_prefix('P').filter(|_| words.contains("THREAD"))?.parse().ok()
+    })
 }
 
 /// The radii of tools that the program defines; nothing of those that it defines in several ways.

@@ -77,12 +77,13 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     let library = Library::new(jobs.iter().map(|job| job.path.clone()).collect());
     let tables = Tables::new(&[])?;
+    let files = session.engine_files()?;
     let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), jobs.len());
     let mut tally = Tally::new(arguments::chosen_fail_on(matches).unwrap_or(Severity::Error));
     for job in &jobs {
         match program::understand(&job.path, &catalogue) {
             Ok(file) => {
-                let program = CheckedProgram::new(&library, &tables, job, &against);
+                let program = CheckedProgram::new(&library, &tables, job, &against, Some(&files));
                 let found = file.findings(check_in(&file.program, &against, &program));
                 tally.add(&job.path.display().to_string(), &Facts::of(&file.program, &against), &found);
             }

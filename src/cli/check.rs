@@ -12,6 +12,7 @@ use super::progress::Progress;
 use super::project::{CheckedProgram, Library, Tables};
 use super::session::Session;
 use super::{Command, Failure, Outcome, annotations, arguments, mend, program};
+use crate::base::data::Files;
 use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::base::parallel::together;
 use crate::check::{self, Against, LabelBook};
@@ -56,9 +57,11 @@ struct Shared<'s> {
     library: &'s Library,
     tables: &'s Tables,
     cache: Option<&'s Cache>,
+    /// The files of machines, unless programs shall not be executed.
+    files: Option<&'s Files>,
     fix: bool,
     fail_on: Option<Severity>,
-    /// How programs are executed, unless they shall not be.
+    /// How programs are executed whose tools are known.
     dry_run: Option<DryRun<'s>>,
 }
 
@@ -74,10 +77,12 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let library = Library::new(jobs.iter().map(|job| job.path.clone()).collect());
     let tables = tables(matches, &jobs, &named)?;
     let fail_on = arguments::chosen_fail_on(matches);
-    // Without tables nothing is executed, and the files of machines are not needed.
-    let files = if tables.is_empty() || matches.get_flag("no-execution") { None } else { Some(session.engine_files()?) };
-    let dry_run = files.as_deref().map(|files| DryRun { files, locales: &locales });
-    let shared = Shared { library: &library, tables: &tables, cache: cache.as_ref(), fix, fail_on, dry_run };
+    let executed = !matches.get_flag("no-execution");
+    let files = executed.then(|| session.engine_files()).transpose()?;
+    let files = files.as_deref();
+    // What is left of the part is only followed where the tools are known.
+    let dry_run = files.filter(|_| !tables.is_empty()).map(|files| DryRun { files, locales: &locales });
+    let shared = Shared { library: &library, tables: &tables, cache: cache.as_ref(), files, fix, fail_on, dry_run };
     let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), jobs.len());
     let results = all(&jobs, &progress, |job, books| {
         let labels = books.entry(job.on.id().to_owned()).or_insert_with(|| LabelBook::new(job.on, &locales));
@@ -162,7 +167,7 @@ impl Shared<'_> {
         let (mut found, fixed) = match table(job)? {
             Some(found) => (found, 0),
             None => {
-                let program = CheckedProgram::new(self.library, self.tables, job, against);
+                let program = CheckedProgram::new(self.library, self.tables, job, against, self.files);
                 if self.fix {
                     mend::file(&job.path, against, &program, &job.settings)?
                 } else {

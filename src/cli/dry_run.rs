@@ -52,14 +52,23 @@ pub(super) struct DryRun<'d> {
 
 impl DryRun<'_> {
     /// Adds what is found when the program is executed.
-    pub(super) fn check(&self, file: &Understood, path: &Path, program: &CheckedProgram<'_>, found: &mut Vec<Diagnostic>) {
+    pub(super) fn check(
+        &self,
+        file: &Understood,
+        path: &Path,
+        program: &CheckedProgram<'_>,
+        found: &mut Vec<Diagnostic>,
+    ) {
         if found.iter().any(|known| known.severity == Severity::Error) {
             return;
         }
         let Some(new) = self.findings(file, path, program) else { return };
         for finding in new {
             // What was found by reading is not said a second time.
-            let again = |known: &Diagnostic| known.code == finding.code || is_rapid(known.code) && is_rapid(finding.code);
+            let again = |known: &Diagnostic| {
+                let same = [is_rapid, is_of_contour].iter().any(|is| is(known.code) && is(finding.code));
+                known.code == finding.code || same
+            };
             if !found.iter().any(again) {
                 found.push(finding);
             }
@@ -101,6 +110,11 @@ impl DryRun<'_> {
         }
         Some(found.into_iter().map(|finding| file.at_home(finding)).collect())
     }
+}
+
+/// Whether it says that a contour or a shape cannot be calculated.
+fn is_of_contour(code: &str) -> bool {
+    code == "uncalculable-contour" || OF_PROGRAM.contains(&code)
 }
 
 fn is_rapid(code: &str) -> bool {

@@ -9,11 +9,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::jobs::Job;
-use super::{Failure, program};
+use super::{Failure, execution, program};
+use crate::base::data::Files;
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::{self, Against, Called, Callee, Machine, Project, Rows, ToolName};
+use crate::check::{self, Against, Called, Callee, Machine, Observed, Project, Rows, ToolName};
+use crate::engine::scene::Scene;
+use crate::program::syntax::Program;
 use crate::program::table::{Table, TableKind};
 use crate::system::{self, Folder};
+use crate::tools::rehearse::Rehearsal;
 
 /// Extension of programs whose name has none.
 const EXTENSION: &str = "h";
@@ -337,12 +341,20 @@ pub(super) struct CheckedProgram<'s> {
     whole: bool,
     against: &'s Against<'s>,
     machine: &'s Machine,
+    /// The files of machines, with which it is executed, if it shall be.
+    files: Option<&'s Files>,
     /// Whether anything was asked that other files answer.
     asked: AtomicBool,
 }
 
 impl<'s> CheckedProgram<'s> {
-    pub(super) fn new(library: &'s Library, tables: &'s Tables, job: &'s Job<'_>, against: &'s Against<'s>) -> Self {
+    pub(super) fn new(
+        library: &'s Library,
+        tables: &'s Tables,
+        job: &'s Job<'_>,
+        against: &'s Against<'s>,
+        files: Option<&'s Files>,
+    ) -> Self {
         let names = tables.given.iter().chain(&job.settings.tables);
         let tables = names.filter_map(|name| tables.tables.get(name)).collect();
         let path = library.spelled(&job.path);
@@ -353,6 +365,7 @@ impl<'s> CheckedProgram<'s> {
             whole: !job.named,
             against,
             machine: &job.settings.machine,
+            files,
             asked: AtomicBool::new(false),
         }
     }
@@ -378,6 +391,21 @@ impl<'s> CheckedProgram<'s> {
 
     const fn has_tables(&self) -> bool {
         !self.tables.is_empty()
+    }
+
+    /// A table that lies beside the program, if it can be read.
+    fn table_beside(&self, kind: TableKind, name: &str) -> Option<Table> {
+        let own = Path::new(name);
+        let extension = kind.extension().trim_start_matches('.');
+        let other = own.extension().is_some_and(|own| !own.eq_ignore_ascii_case(extension));
+        if other || name.contains(['\\', '/', ':']) || self.path == Path::new("-") {
+            return None;
+        }
+        self.asked.store(true, Ordering::Relaxed);
+        let stem = own.file_stem()?;
+        let mut all = system::beside(&self.path, extension).ok()?.into_iter();
+        let path = all.find(|other| other.file_stem().is_some_and(|other| other.eq_ignore_ascii_case(stem)))?;
+        Table::parse(kind, &program::source(&path).ok()?.source).ok()
     }
 
     /// The table of tools of a kind, where there is one only, and the row of a tool.
@@ -414,6 +442,15 @@ impl Project for CheckedProgram<'_> {
         let circle = self.library.circle(&path, self.against);
         let round = circle.is_some() && circle == self.library.circle(&self.path, self.against);
         Called::Is { callee, round }
+    }
+
+    fn lacks_file(&self, name: &str) -> Option<Severity> {
+        let (_, extension) = name.rsplit_once('.')?;
+        self.asked.store(true, Ordering::Relaxed);
+        let Found::Missing = self.library.file(&self.path, name) else { return None };
+        let folder = self.library.folder(self.path.parent()?)?;
+        // Where there is no table of that kind, they are kept elsewhere.
+        folder.has_extension(extension).then_some(if self.whole { Severity::Warning } else { Severity::Note })
     }
 
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {
@@ -455,8 +492,21 @@ impl Project for CheckedProgram<'_> {
         Some(self.machine).filter(|machine| machine.is_known())
     }
 
+    fn observed(&self, program: &Program) -> Vec<Observed> {
+        let Some(files) = self.files else { return Vec::new() };
+        let mut tables = self.tables(TableKind::Tool);
+        let tools = tables.next().filter(|_| tables.next().is_none());
+        let Against { on, catalogue, .. } = *self.against;
+        let text = program.source().text();
+        let beside = |scene: &mut Scene| {
+            // A table that cannot be read is reported where it is checked.
+            let _ = execution::selected(&self.path, text, scene);
+        };
+        Rehearsal { on, catalogue, files, tools }.observed(program, &beside)
+    }
+
     fn knows_rows(&self) -> bool {
-        self.has_tables()
+        true
     }
 
     fn has_row(&self, rows: Rows<'_>, row: f64) -> Option<bool> {
@@ -468,6 +518,7 @@ impl Project for CheckedProgram<'_> {
             self.tables(kind).filter(|table| name.is_none_or(|name| table.is_named(name))).collect();
         match tables.as_slice() {
             [only] => Some(only.has_row(row)),
+            [] => self.table_beside(kind, name?).map(|table| table.has_row(row)),
             _ => None,
         }
     }

@@ -59,6 +59,27 @@ impl Params {
         }
     }
 
+    /// Takes the local parameters away; nothing where none has a value.
+    pub(crate) fn take_locals(&mut self) -> Option<Vec<Option<f64>>> {
+        let [_, locals, _] = &mut self.numbers;
+        if locals.iter().all(Option::is_none) {
+            return None;
+        }
+        self.changes += 1;
+        Some(std::mem::replace(locals, vec![None; COUNT]))
+    }
+
+    /// Gives the local parameters back that were taken away.
+    pub(crate) fn return_locals(&mut self, own: Option<Vec<Option<f64>>>) {
+        let [_, locals, _] = &mut self.numbers;
+        match own {
+            Some(own) => *locals = own,
+            None if locals.iter().all(Option::is_none) => return,
+            None => locals.fill(None),
+        }
+        self.changes += 1;
+    }
+
     /// Hands the value of a local parameter to the program that called this one. Whether there is one, and it had another
     /// value.
     ///

@@ -92,6 +92,8 @@ pub struct Param {
     pub choices: Vec<Choice>,
     /// The values that are hardly meant.
     pub doubtful: Vec<Doubtful>,
+    /// The least and the greatest value that anybody means, in mm, mm/min and s.
+    pub plausible: [Option<f64>; 2],
     /// The characters that a text may have besides letters, digits and blanks; nothing if it may have any.
     pub characters: Option<String>,
     /// The condition under which it acts.

@@ -80,6 +80,8 @@ record! {
         value: Option<Formula>,
         /// A datum of the touch probe that the control adds to the parameter, `set-up`: the two are shown as one.
         plus: Option<Name>,
+        /// The parameter that it makes less, of an infeed that decreases: the two are shown as one.
+        reduces: Option<QRef>,
         /// How it is measured; a length if nothing is said.
         kind: Option<DimensionKind>,
         /// The first place: a coordinate, a point, or a direction in degrees.

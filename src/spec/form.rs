@@ -87,6 +87,16 @@ record! {
 }
 
 record! {
+    /// The values that anybody means; 0 is left to `doubtful`.
+    pub struct Plausible {
+        /// The least one.
+        min: Option<f64>,
+        /// The greatest one.
+        max: Option<f64>,
+    }
+}
+
+record! {
     /// A meaning of parameters: an entry of the dictionary.
     pub struct Meaning {
         /// What kind of entry.
@@ -103,6 +113,8 @@ record! {
         choices: Vec<Choice>,
         /// Values that are hardly meant, on any control.
         doubtful: Vec<Doubtful>,
+        /// The values that anybody means, on any control, in mm, mm/min and s.
+        plausible: Option<Plausible>,
         /// The characters that a text may have besides letters, digits and blanks.
         characters: Option<String>,
     }
@@ -326,6 +338,8 @@ record! {
         form: Option<Name>,
         /// A whole program instead of the frame.
         program: Option<Name>,
+        /// The programs that are called, by their names.
+        programs: Entries<Name>,
         /// Blocks before the definition.
         before: Vec<String>,
         /// Blocks after the definition or call.

@@ -341,6 +341,7 @@ fn resolve(
         words: words.iter().map(|word| word.word.clone()).collect(),
         choices: parameter.choices.as_ref().unwrap_or(&meaning.choices).clone(),
         doubtful: parameter.doubtful.as_ref().unwrap_or(&meaning.doubtful).clone(),
+        plausible: meaning.plausible.as_ref().map_or([None; 2], |own| [own.min, own.max]),
         characters: meaning.characters.clone(),
         effective: parameter.effective.clone(),
         neutral: parameter.neutral,

@@ -5,7 +5,7 @@ use super::vocabulary::{Group, Keyword};
 use crate::base::expr::QRef;
 
 record! {
-    /// The rules of NC labels on a control.
+    /// The greatest length of labels, prompts or names on a control.
     pub struct LabelRules {
         /// The greatest number of characters.
         max_length: u32,
@@ -134,6 +134,10 @@ record! {
         language: Name,
         /// The rules of NC labels.
         label: LabelRules,
+        /// The greatest length of a question of the dialog.
+        prompt: Option<LabelRules>,
+        /// The greatest length of the name of a cycle in NC programs.
+        cycle_name: Option<LabelRules>,
         /// The layout of printed blocks.
         block: Option<BlockLayout>,
         /// Printed names of machine data by their neutral names.

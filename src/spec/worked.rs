@@ -25,6 +25,8 @@ record! {
         controls: Vec<WorkedOn>,
         /// The program, with English names and labels; `;{id}` at the end of a line is the comment `comment-<id>`.
         program: Name,
+        /// The programs that it calls, by their names, written like it.
+        programs: Entries<Name>,
         /// The scene.
         scene: Option<Tree>,
         /// Its pictures, as figures of a cycle.
@@ -56,6 +58,7 @@ impl Worked {
             given: Entries::default(),
             form: None,
             program: Some(file.program),
+            programs: file.programs,
             before: Vec::new(),
             after: Vec::new(),
             scene: file.scene,
@@ -78,9 +81,15 @@ impl Worked {
         self.example.program.as_ref().map_or("", Name::as_str)
     }
 
-    /// The ids of its comments, in their order.
+    /// The programs that it calls: the name and the text of each.
+    pub fn called(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.example.programs.0.iter().map(|(name, text)| (name.as_str(), text.as_str()))
+    }
+
+    /// The ids of the comments of all of its programs, in their order.
     pub fn comments(&self) -> impl Iterator<Item = &str> {
-        self.text().lines().filter_map(|line| comment(line).map(|(_, id)| id))
+        let all = std::iter::once(self.text()).chain(self.called().map(|(_, text)| text));
+        all.flat_map(str::lines).filter_map(|line| comment(line).map(|(_, id)| id))
     }
 
     /// The program with other words in place of the ids of its comments.

@@ -138,6 +138,12 @@ impl Folder {
         Ok(Self { directory: directory.to_owned(), files })
     }
 
+    /// Whether there is a file with an extension, in any case.
+    pub fn has_extension(&self, extension: &str) -> bool {
+        let own = |name: &String| name.rsplit_once('.').map(|(_, own)| own.to_owned());
+        self.files.keys().filter_map(own).any(|own| own.eq_ignore_ascii_case(extension))
+    }
+
     /// The file of a name, in any case; the first one of several.
     pub fn file(&self, name: &str) -> Option<PathBuf> {
         self.files.get(&name.to_ascii_lowercase())?.first().map(|own| self.directory.join(own))

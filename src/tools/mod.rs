@@ -9,4 +9,5 @@ pub mod conform;
 pub mod convert;
 pub mod coverage;
 pub mod exchange;
+pub mod rehearse;
 pub mod translate;

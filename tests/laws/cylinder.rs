@@ -481,7 +481,9 @@ laws! {
                 let (least, most) = (from.x.min(to.x) - 1e-3, from.x.max(to.x) + 1e-3);
                 let share = if (to.x - from.x).abs() < 1e-6 { (pose.seen.z - from.y) / (to.y - from.y) } else { (round - from.x) / (to.x - from.x) };
                 let at = from.lerp(to, share.clamp(0.0, 1.0));
-                let inside = DVec2::new(pose.seen.y, pose.seen.z - at.y).length() <= half - case.tool + NEAR;
+                // Along the axis a chord is farther from an oblique path than across it.
+                let spare = NEAR * (from.distance(to) / (to.x - from.x).abs()).min(10.0);
+                let inside = DVec2::new(pose.seen.y, pose.seen.z - at.y).length() <= half - case.tool + spare;
                 (least..=most).contains(&round) && inside
             });
             prop_assert!(holds, "{pose:?} leaves the slot");
@@ -527,6 +529,9 @@ laws! {
         let ratio = case.floor() / case.radius;
         let steeper = ((1.0 - ratio) / (2.0 * ratio.sqrt())).atan();
         let oblique = (half + 2.0 * case.tool) * (1.0 - steeper.cos());
+        // Inside an acute corner the tool comes to the walls only so many times its distance from the path away from it.
+        let turns = legs.windows(2).map(|pair| pair[0].angle_to(pair[1]).abs());
+        let acute = turns.fold(0.0_f64, |most, turn| most.max((turn / 2.0).tan()));
         for (n, point) in case.contour.points.iter().enumerate().filter(|(n, _)| n % 5 == 2) {
             // Beside a corner the tool is on the way of another element, too.
             let along_axis = point.1.x.abs() < 1e-9 || point.1.y.abs() < 1e-9;
@@ -542,7 +547,7 @@ laws! {
                     prop_assert!(cut.is_none(), "point {n} at {height}, side {side}: {cut:?}");
                 }
             }
-            let inner = (half + case.tool) * 3.0 + case.contour.rounding;
+            let inner = (half + case.tool) * (1.1 * acute + 1.0).max(3.0) + case.contour.rounding * acute.max(1.0);
             if point.2 > inner {
                 for side in [1.0, -1.0] {
                     let milled = case.at_wall(*point, case.radius, side * (half + 2.0 * NEAR));

@@ -503,6 +503,66 @@ fn loops(all: &[Block]) -> Vec<Vec<Point>> {
     found
 }
 
+/// How contour lines are asked for.
+#[derive(Clone, Copy, Debug)]
+struct Lines {
+    analog: bool,
+    points: f64,
+    step: f64,
+    travel: f64,
+    to_the_right: bool,
+    down: bool,
+}
+
+/// Contour lines around the highest crossing of a hill, which the stylus meets first.
+fn around_a_hill(bump: Bump, how: Lines) -> Result<(), TestCaseError> {
+    let Lines { analog, points, step, travel, to_the_right, down } = how;
+    let Bump { shop, peak, peak_height, front } = bump;
+    let top = ((peak_height - 0.8) * 1000.0).round() / 1000.0;
+    let (number, sign) = (if analog { 17 } else { 7 }, if to_the_right { '+' } else { '-' });
+    let spacing = if down { -step } else { step };
+    let (start, approach) = if front { (-25, '+') } else { (25, '-') };
+    let mut cycle = format!(
+        "TCH PROBE {number}.0 CONTOUR LINES\nTCH PROBE {number}.1 TIME: 0 X{:+} Y{start:+}\nTCH PROBE {number}.2 ORDER: Y{approach} / X{sign}\n",
+        peak[0]
+    );
+    let _ = match analog {
+        true => writeln!(
+            cycle,
+            "TCH PROBE {number}.3 F1000 MIN.L.SPAC: 0 L.SPAC: {spacing:+} P.SPAC: {points} TOL: 0 DIST: 1"
+        ),
+        false => writeln!(cycle, "TCH PROBE {number}.3 TRAVEL: {travel} L.SPAC: {spacing:+} P.SPAC: {points}"),
+    };
+    let range = format!(
+        "TCH PROBE 5.0 RANGE\nTCH PROBE 5.1 PGM NAME: DATA\nTCH PROBE 5.2 Z X-30 Y-30 Z+0\nTCH PROBE 5.3 X+30 Y+30 Z{top:+.3}\nTCH PROBE 5.4 HEIGHT: +40\n"
+    );
+    let (file, _) = digitize(&shop, &range, &cycle, "")?;
+    let all = blocks(&file);
+    let found = loops(&all);
+    prop_assert_eq!(found.len(), (top / step + 1e-9).floor() as usize + 1);
+    for (count, line) in found.iter().enumerate() {
+        let way = step * count as f64;
+        let height = if down { top - way } else { way };
+        let (first, last) = (line[0], line[line.len() - 1]);
+        prop_assert!(length(minus(first, last)) < 2.0 * WRITTEN, "not closed: {:?}", line);
+        let mut turned = 0.0;
+        for pair in line.windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            prop_assert!(shop.gap(b).abs() < WRITTEN, "{} mm from the part at {:?}", shop.gap(b), b);
+            prop_assert!((b[2] - height).abs() < WRITTEN, "{:?} is not at {}", b, height);
+            prop_assert!(length(minus(b, a)) < points + 3.0 * WRITTEN);
+            between(&shop, a, b)?;
+            let arm = |p: Point| [p[0] - peak[0], p[1] - peak[1]];
+            let (a, b) = (arm(a), arm(b));
+            turned += (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).to_degrees();
+        }
+        let wanted = if to_the_right == front { 360.0 } else { -360.0 };
+        prop_assert!((turned - wanted).abs() < 1e-3, "turned by {} at {}", turned, height);
+    }
+    runs(&shop, &file, &all)?;
+    Ok(())
+}
+
 laws! {
     #![proptest_config(config(150))]
 
@@ -583,46 +643,8 @@ laws! {
         bump in bumps(), analog in any::<bool>(), points in mm(0.3..1.2), step in mm(0.4..1.5), travel in mm(0.0..1.0),
         to_the_right in any::<bool>(), down in any::<bool>(),
     ) {
-        let Bump { shop, peak, peak_height, front } = bump;
-        let top = ((peak_height - 0.8) * 1000.0).round() / 1000.0;
-        let (number, sign) = (if analog { 17 } else { 7 }, if to_the_right { '+' } else { '-' });
-        let spacing = if down { -step } else { step };
-        let (start, approach) = if front { (-25, '+') } else { (25, '-') };
-        let mut cycle = format!(
-            "TCH PROBE {number}.0 CONTOUR LINES\nTCH PROBE {number}.1 TIME: 0 X{:+} Y{start:+}\nTCH PROBE {number}.2 ORDER: Y{approach} / X{sign}\n",
-            peak[0]
-        );
-        let _ = match analog {
-            true => writeln!(cycle, "TCH PROBE {number}.3 F1000 MIN.L.SPAC: 0 L.SPAC: {spacing:+} P.SPAC: {points} TOL: 0 DIST: 1"),
-            false => writeln!(cycle, "TCH PROBE {number}.3 TRAVEL: {travel} L.SPAC: {spacing:+} P.SPAC: {points}"),
-        };
-        let range = format!(
-            "TCH PROBE 5.0 RANGE\nTCH PROBE 5.1 PGM NAME: DATA\nTCH PROBE 5.2 Z X-30 Y-30 Z+0\nTCH PROBE 5.3 X+30 Y+30 Z{top:+.3}\nTCH PROBE 5.4 HEIGHT: +40\n"
-        );
-        let (file, _) = digitize(&shop, &range, &cycle, "")?;
-        let all = blocks(&file);
-        let found = loops(&all);
-        prop_assert_eq!(found.len(), (top / step + 1e-9).floor() as usize + 1);
-        for (count, line) in found.iter().enumerate() {
-            let way = step * count as f64;
-            let height = if down { top - way } else { way };
-            let (first, last) = (line[0], line[line.len() - 1]);
-            prop_assert!(length(minus(first, last)) < 2.0 * WRITTEN, "not closed: {:?}", line);
-            let mut turned = 0.0;
-            for pair in line.windows(2) {
-                let (a, b) = (pair[0], pair[1]);
-                prop_assert!(shop.gap(b).abs() < WRITTEN, "{} mm from the part at {:?}", shop.gap(b), b);
-                prop_assert!((b[2] - height).abs() < WRITTEN, "{:?} is not at {}", b, height);
-                prop_assert!(length(minus(b, a)) < points + 3.0 * WRITTEN);
-                between(&shop, a, b)?;
-                let arm = |p: Point| [p[0] - peak[0], p[1] - peak[1]];
-                let (a, b) = (arm(a), arm(b));
-                turned += (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).to_degrees();
-            }
-            let wanted = if to_the_right == front { 360.0 } else { -360.0 };
-            prop_assert!((turned - wanted).abs() < 1e-3, "turned by {} at {}", turned, height);
-        }
-        runs(&shop, &file, &all)?;
+        let how = Lines { analog, points, step, travel, to_the_right, down };
+        around_a_hill(bump, how)?;
     }
 
     #[test]
@@ -775,6 +797,90 @@ impl OnTable {
     }
 }
 
+/// How lines are asked for in a range with a rotary axis.
+#[derive(Clone, Copy, Debug)]
+struct Turning {
+    y: f64,
+    /// Meander or lines, along the linear axis or the rotary one, or lines of a measuring stylus.
+    kind: u8,
+    spacing: f64,
+    points: f64,
+    travel: f64,
+    /// Half the length of the range, its least angle, and by how much the greatest one is more.
+    x: f64,
+    turn: f64,
+    from: f64,
+}
+
+/// Lines in a range with a rotary axis.
+fn with_a_rotary_axis(shop: Shop, how: &Turning) -> Result<(), TestCaseError> {
+    let Turning { y, kind, spacing, points, travel, x, turn, from } = *how;
+    let table = OnTable { shop, axis: 'A', y };
+    let (least, greatest) = (from, ((from + turn) * 1000.0).round() / 1000.0);
+    let range = format!(
+        "TCH PROBE 5.0 RANGE\nTCH PROBE 5.1 PGM NAME: DATA\nTCH PROBE 5.2 Z X-{x} A{least:+} Z+0\nTCH PROBE 5.3 X+{x} A{greatest:+} Z+25\nTCH PROBE 5.4 HEIGHT: +40\n"
+    );
+    let (number, name, direction, rest) = match kind {
+        0 => (6, "MEANDER", 'X', ""),
+        1 => (6, "MEANDER", 'A', ""),
+        2 => (8, "LINE", 'X', " HEIGHT: +32"),
+        3 => (8, "LINE", 'A', " HEIGHT: +32"),
+        _ => (18, "LINE", 'X', " ANGLE: 0 HEIGHT: +32"),
+    };
+    let how = if number == 18 {
+        format!("F1000 FMIN500 MIN.L.SPAC: 0 L.SPAC: {spacing} P.SPAC: {points} TOL: 0 DIST: 1")
+    } else {
+        format!("TRAVEL: {travel} L.SPAC: {spacing} P.SPAC: {points}")
+    };
+    let cycle = format!(
+        "TCH PROBE {number}.0 {name}\nTCH PROBE {number}.1 DIRECTN: {direction}{rest}\nTCH PROBE {number}.2 {how}\n"
+    );
+    let file = table.digitize(&range, &cycle)?;
+    let (begin, end) = if direction == 'X' { (least, greatest) } else { (-x, x) };
+    let mut lines = vec![begin];
+    while let Some(last) = lines.last().copied().filter(|last| end - last > 1e-6) {
+        lines.push((last + spacing).min(end));
+    }
+    let mut seen = vec![(f64::INFINITY, f64::NEG_INFINITY); lines.len()];
+    let mut before: Option<Turned> = None;
+    for point in turned_blocks(&file, 'A') {
+        if point.rapid {
+            before = None;
+            continue;
+        }
+        let gap = table.gap(point);
+        let on_floor = point.z.abs() < WRITTEN && gap > -2.0 * WRITTEN;
+        prop_assert!(gap.abs() < 2.0 * WRITTEN || on_floor, "{} mm from the part at {:?}\n{}", gap, point, cycle);
+        let (along, across) = if direction == 'X' { (point.x, point.angle) } else { (point.angle, point.x) };
+        let line = lines.iter().position(|line| (line - across).abs() < WRITTEN);
+        prop_assert!(line.is_some() || number == 6, "{:?} is on no line", point);
+        if let Some((low, high)) = line.and_then(|line| seen.get_mut(line)) {
+            (*low, *high) = (low.min(along), high.max(along));
+        }
+        if let Some(before) = before {
+            let far = length([point.x - before.x, point.angle - before.angle, point.z - before.z]);
+            // Along the rotary axis a wall is between two points that are over each other.
+            let is_wall = (point.angle - before.angle).abs() < WRITTEN && (direction == 'A' || point.x == before.x);
+            prop_assert!(
+                far < points + 3.0 * WRITTEN || is_wall,
+                "{} from {:?} to {:?}\n{}",
+                far,
+                before,
+                point,
+                cycle
+            );
+            table.between(before, point)?;
+        }
+        before = Some(point);
+    }
+    let (first, last) = if direction == 'X' { (-x, x) } else { (least, greatest) };
+    for (low, high) in seen {
+        prop_assert!((low - first).abs() < WRITTEN && (high - last).abs() < WRITTEN, "a line from {} to {}", low, high);
+    }
+    table.runs(&file)?;
+    Ok(())
+}
+
 laws! {
     #![proptest_config(config(60))]
 
@@ -784,62 +890,7 @@ laws! {
         shop in shop(2), y in mm(-3.0..3.0), kind in 0..5_u8, spacing in mm(2.0..5.0), points in mm(0.5..2.0), travel in mm(0.0..2.0),
         x in mm(2.0..5.0), turn in mm(4.0..25.0), from in mm(-60.0..60.0),
     ) {
-        let table = OnTable { shop, axis: 'A', y };
-        let (least, greatest) = (from, ((from + turn) * 1000.0).round() / 1000.0);
-        let range = format!(
-            "TCH PROBE 5.0 RANGE\nTCH PROBE 5.1 PGM NAME: DATA\nTCH PROBE 5.2 Z X-{x} A{least:+} Z+0\nTCH PROBE 5.3 X+{x} A{greatest:+} Z+25\nTCH PROBE 5.4 HEIGHT: +40\n"
-        );
-        let (number, name, direction, rest) = match kind {
-            0 => (6, "MEANDER", 'X', ""),
-            1 => (6, "MEANDER", 'A', ""),
-            2 => (8, "LINE", 'X', " HEIGHT: +32"),
-            3 => (8, "LINE", 'A', " HEIGHT: +32"),
-            _ => (18, "LINE", 'X', " ANGLE: 0 HEIGHT: +32"),
-        };
-        let how = if number == 18 {
-            format!("F1000 FMIN500 MIN.L.SPAC: 0 L.SPAC: {spacing} P.SPAC: {points} TOL: 0 DIST: 1")
-        } else {
-            format!("TRAVEL: {travel} L.SPAC: {spacing} P.SPAC: {points}")
-        };
-        let cycle = format!(
-            "TCH PROBE {number}.0 {name}\nTCH PROBE {number}.1 DIRECTN: {direction}{rest}\nTCH PROBE {number}.2 {how}\n"
-        );
-        let file = table.digitize(&range, &cycle)?;
-        let (begin, end) = if direction == 'X' { (least, greatest) } else { (-x, x) };
-        let mut lines = vec![begin];
-        while let Some(last) = lines.last().copied().filter(|last| end - last > 1e-6) {
-            lines.push((last + spacing).min(end));
-        }
-        let mut seen = vec![(f64::INFINITY, f64::NEG_INFINITY); lines.len()];
-        let mut before: Option<Turned> = None;
-        for point in turned_blocks(&file, 'A') {
-            if point.rapid {
-                before = None;
-                continue;
-            }
-            let gap = table.gap(point);
-            let on_floor = point.z.abs() < WRITTEN && gap > -2.0 * WRITTEN;
-            prop_assert!(gap.abs() < 2.0 * WRITTEN || on_floor, "{} mm from the part at {:?}\n{}", gap, point, cycle);
-            let (along, across) = if direction == 'X' { (point.x, point.angle) } else { (point.angle, point.x) };
-            let line = lines.iter().position(|line| (line - across).abs() < WRITTEN);
-            prop_assert!(line.is_some() || number == 6, "{:?} is on no line", point);
-            if let Some((low, high)) = line.and_then(|line| seen.get_mut(line)) {
-                (*low, *high) = (low.min(along), high.max(along));
-            }
-            if let Some(before) = before {
-                let far = length([point.x - before.x, point.angle - before.angle, point.z - before.z]);
-                // Along the rotary axis a wall is between two points that are over each other.
-                let is_wall = (point.angle - before.angle).abs() < WRITTEN && (direction == 'A' || point.x == before.x);
-                prop_assert!(far < points + 3.0 * WRITTEN || is_wall, "{} from {:?} to {:?}\n{}", far, before, point, cycle);
-                table.between(before, point)?;
-            }
-            before = Some(point);
-        }
-        let (first, last) = if direction == 'X' { (-x, x) } else { (least, greatest) };
-        for (low, high) in seen {
-            prop_assert!((low - first).abs() < WRITTEN && (high - last).abs() < WRITTEN, "a line from {} to {}", low, high);
-        }
-        table.runs(&file)?;
+        with_a_rotary_axis(shop, &Turning { y, kind, spacing, points, travel, x, turn, from })?;
     }
 
     /// Contour lines while the table turns once: the stylus goes to and fro along X.
@@ -915,4 +966,27 @@ fn outside(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
         near = near.min((x - a[0] - u * share).hypot(y - a[1] - v * share));
     }
     if inside { 0.0 } else { near }
+}
+
+/// What searches have found.
+mod found {
+    use super::*;
+
+    /// At the end of a wall the ball grazes it and goes on to the end of the range.
+    #[test]
+    fn past_the_end_of_a_wall() {
+        let part = Part::Stud { radius: 3.208, top: 2.746 };
+        let shop = Shop { radius: 1.235, parts: vec![Placed { part, at: [3.513, 4.444] }] };
+        let how = Turning {
+            y: 1.128,
+            kind: 1,
+            spacing: 3.89,
+            points: 1.856,
+            travel: 0.0,
+            x: 3.73,
+            turn: 6.106,
+            from: -8.289,
+        };
+        with_a_rotary_axis(shop, &how).expect("the lines");
+    }
 }

@@ -256,6 +256,81 @@ laws! {
         prop_assert_eq!(turned, 2);
     }
 
+    /// While the tip is held, a block with a direction of the tool, or of the surface alone, turns the tool into it,
+    /// wherever the axes were; the tip goes where the block says, and no axis turns farther than it must.
+    #[test]
+    fn a_tool_turns_into_the_direction_of_a_block(
+        kind in 0..4usize, first in (-25.0..25.0_f64, -25.0..25.0_f64, -170.0..170.0_f64), preset in (small(), -90.0..90.0_f64),
+        directions in proptest::collection::vec((leaning(), small(), any::<bool>(), 0.3..3.0_f64), 1..4),
+    ) {
+        let machine = machine(kind);
+        let angle = |letter: char| match letter { 'A' => first.0, 'B' => first.1, _ => first.2 };
+        let mut program = machine.letters().iter().fold("L X+0 Y+0 Z+50".to_owned(), |mut text, letter| {
+            let _ = write!(text, " {letter}{:+}", angle(*letter));
+            text
+        });
+        program.push_str(" R0 FMAX M128\n");
+        for (direction, to, of_surface, long) in &directions {
+            let letter = if *of_surface { 'N' } else { 'T' };
+            let DVec3 { x, y, z } = *direction * *long;
+            let _ = writeln!(program, "LN {} {letter}X{x:+} {letter}Y{y:+} {letter}Z{z:+} F500", words(*to));
+        }
+        let scene = scene(&machine, preset, (0.0, 0.0), DVec3::new(0.0, 0.0, 300.0), "{sphere: {centre: [0, 0, -900], radius: 5}}");
+        let (outcome, events) = run(&program, &scene);
+        prop_assert_eq!(outcome.status, Status::Done, "{:?}\n{}{}", outcome.fault, program, scene);
+        let (direction, to, ..) = *directions.last().expect("one at least");
+        prop_assert!((outcome.position - to).length() < 1e-9, "{}", outcome.position);
+        let turned: Vec<_> = events.iter().filter_map(|event| if let EventKind::Turn { axes, .. } = event { Some(axes) } else { None }).collect();
+        let now = |letter: char| {
+            let mut of = turned.iter().flat_map(|axes| axes.iter()).rev();
+            of.find(|own| own.axis.letter() == letter).map_or(0.0, |own| own.machine)
+        };
+        let seen = machine.vector_on_workpiece(machine.tool(&now), &now);
+        let wanted = turn('C', preset.1) * direction;
+        prop_assert!((seen - wanted).length() < 1e-8, "{seen} is not {wanted}\n{program}{scene}");
+        for own in turned.iter().skip(1).flat_map(|axes| axes.iter()) {
+            // Half a turn about the tool brings it anywhere, from one leaning position to the other.
+            prop_assert!((own.to - own.from).abs() < 180.0 + 1e-9, "{own:?}\n{program}{scene}");
+        }
+        let linear = events.iter().rev().find_map(|event| if let EventKind::Move { machine, .. } = event { Some(*machine) } else { None });
+        let up = DVec3::Z * (LENGTH + machine.pivot);
+        let tip = linear.expect("a move") + up - machine.tool(&now) * up.z;
+        prop_assert!((machine.on_workpiece(tip, &now) - (preset.0 + turn('C', preset.1) * to)).length() < 1e-8);
+    }
+
+    /// With M144 the linear axes stay where they are while the rotary ones turn, positions count from where these have
+    /// brought the tool on the workpiece, and a straight block after that leads there; M145 ends it.
+    #[test]
+    fn positions_count_from_rotary_axes(
+        kind in 0..4usize, first in (-25.0..25.0_f64, -25.0..25.0_f64, -170.0..170.0_f64), preset in (small(), -90.0..90.0_f64), from in small(), to in small(),
+    ) {
+        let machine = machine(kind);
+        let angle = |letter: char| match letter { 'A' => first.0, 'B' => first.1, _ => first.2 };
+        let turns = machine.letters().iter().fold("L".to_owned(), |mut text, letter| {
+            let _ = write!(text, " {letter}{:+}", angle(*letter));
+            text
+        });
+        let scene = scene(&machine, preset, (0.0, 0.0), DVec3::new(0.0, 0.0, 300.0), "{sphere: {centre: [0, 0, -900], radius: 5}}");
+        let upright = preset.0 + turn('C', preset.1) * from;
+        let up = DVec3::Z * (LENGTH + machine.pivot);
+        let seen = |linear: DVec3| {
+            let tip = machine.on_workpiece(linear + up - machine.tool(&angle) * up.z, &angle);
+            turn('C', -preset.1) * (tip - preset.0)
+        };
+        let begin = format!("L {} R0 FMAX M144\n{turns} R0 FMAX\n", words(from));
+        let (outcome, _) = run(&begin, &scene);
+        prop_assert_eq!(outcome.status, Status::Done, "{:?}\n{}{}", outcome.fault, begin, scene);
+        prop_assert!((outcome.position - seen(upright)).length() < 1e-8, "{}", outcome.position);
+        let program = format!("{begin}L {} R0 F500\n", words(to));
+        let (outcome, events) = run(&program, &scene);
+        prop_assert_eq!(outcome.status, Status::Done, "{:?}\n{}{}", outcome.fault, program, scene);
+        let linear = events.iter().rev().find_map(|event| if let EventKind::Move { machine, .. } = event { Some(*machine) } else { None });
+        prop_assert!((seen(linear.expect("a move")) - to).length() < 1e-8);
+        // Without it they count from where the linear axes are.
+        let (outcome, _) = run(&format!("{begin}M145\n"), &scene);
+        prop_assert!((outcome.position - from).length() < 1e-8, "{}", outcome.position);
+    }
+
     /// Contact while several axes move: whoever samples the way finds the same.
     #[test]
     fn contact_on_the_way_is_found(

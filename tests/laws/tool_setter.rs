@@ -212,6 +212,98 @@ laws! {
     }
 }
 
+/// A head that is not quite as its model says: what of it is wrong.
+#[derive(Clone, Copy, Debug)]
+struct Astray {
+    /// The line about which A turns is beside that of the model, mm, and out of its direction about Y or Z, degrees.
+    centre: [f64; 3],
+    askew: f64,
+    about_z: bool,
+    /// A stops beside where it should, degrees.
+    beside: f64,
+    drift: [f64; 3],
+}
+
+prop_compose! {
+    fn astray()(
+        centre in (mm(-0.1..0.1), mm(-0.1..0.1), mm(-0.1..0.1)), askew in mm(-0.2..0.2), about_z in any::<bool>(), beside in mm(-0.1..0.1),
+        drift in (mm(-0.05..0.05), mm(-0.05..0.05), mm(-0.05..0.05)),
+    ) -> Astray {
+        Astray { centre: centre.into(), askew, about_z, beside, drift: drift.into() }
+    }
+}
+
+/// What a vector is after a turn about an axis of length 1 by so many degrees.
+fn turned_about(axis: [f64; 3], by: f64, v: [f64; 3]) -> [f64; 3] {
+    let (s, c) = by.to_radians().sin_cos();
+    let along: f64 = (0..3).map(|i| axis[i] * v[i]).sum();
+    let cross = [axis[1] * v[2] - axis[2] * v[1], axis[2] * v[0] - axis[0] * v[2], axis[0] * v[1] - axis[1] * v[0]];
+    [0, 1, 2].map(|i| v[i] * c + cross[i] * s + axis[i] * along * (1.0 - c))
+}
+
+impl Astray {
+    /// The true tool axis seen from a setter that faces the tool as the model says, and by how much the point about
+    /// which the head swivels is displaced.
+    fn seen(&self, tilt: f64) -> ([f64; 3], [f64; 3]) {
+        let (s, c) = self.askew.to_radians().sin_cos();
+        let line = if self.about_z { [c, s, 0.0] } else { [c, 0.0, -s] };
+        let truly = |v: [f64; 3]| turned_about(line, tilt + self.beside, v);
+        let from_setter = |v: [f64; 3]| turned_about([1.0, 0.0, 0.0], -tilt, v);
+        let back = truly(self.centre);
+        let displaced = [0, 1, 2].map(|i| self.drift[i] + self.centre[i] - back[i]);
+        (from_setter(truly([0.0, 0.0, 1.0])), from_setter(displaced))
+    }
+}
+
+/// From the point about which the head of `mill-head-ac` swivels to the spindle nose.
+const PIVOT: f64 = 150.0;
+
+laws! {
+    #![proptest_config(config(40))]
+
+    /// The control reckons with its model while tool and head are as they are: a cylinder that leans is longer by its
+    /// lower rim, and its side is touched by its rim or by that of the setter.
+    #[test]
+    fn a_head_with_errors_measures_what_its_model_makes_of_it(
+        length in mm(50.0..180.0), radius in mm(4.0..20.0), long in mm(-0.6..0.6), wide in mm(-0.4..0.4), tilt in mm(-100.0..100.0),
+        wrong in astray(), teeth in any::<bool>(),
+    ) {
+        let half = radius + 4.0;
+        let (true_length, true_radius) = (length + long, radius + wide);
+        let edge = format!("{{length: {true_length}, radius: {true_radius}}}");
+        let edges = if teeth { format!("{edge}, {edge}, {edge}") } else { edge };
+        let askew = if wrong.about_z { [0.0, 0.0, wrong.askew] } else { [0.0, wrong.askew, 0.0] };
+        let scene = format!(
+            "scene: 1\nmachine: mill-head-ac\nkinematics: {{errors: [{{axis: A, centre: {:?}, askew: {askew:?}, scatter: [{}]}}], drift: {:?}}}\n\
+             machine_parameters: {{probingFeed: 100, maxPeriphSpeedMeas: 129, measureTolerance1: 0.005, offsetToolAxis: 3, safetyDistStylus: 5}}\n\
+             tool_setter: {{at: [100, 50, -100], rotate: [{tilt}, 0, 0], cube: {}}}\n\
+             tools: [{{T: 1, L: {length}, R: {radius}, R-OFFS: 0, CUT: {}, edges: [{edges}]}}]\nstart: [0, 0, 250]\n",
+            wrong.centre, wrong.beside, wrong.drift, 2.0 * half, if teeth { 3 } else { 0 },
+        );
+        let program = |cycle: u32| format!(
+            "TOOL CALL 1 Z\nPLANE SPATIAL SPA{tilt:+} SPB+0 SPC+0 TURN FMAX\nTCH PROBE {cycle}\nQ340=0\nQ260=100\nQ341=0\n"
+        );
+        let (axis, displaced) = wrong.seen(tilt);
+        // Touching from above, the tip that the control knows is over the centre of the face.
+        if !teeth {
+            let (_, events) = run(&scene, &program(481))?;
+            let rim = true_radius * axis[0].hypot(axis[1]);
+            near(written(&events, "L"), (PIVOT + true_length) * axis[2] - PIVOT - displaced[2] + rim)?;
+        }
+        // From the side it is 3 below the face; the middle of the true tool end, but for the way across:
+        let (_, events) = run(&scene, &program(482))?;
+        let known = [0.0, 0.0, -3.0 + length + PIVOT];
+        let end = [0, 1, 2].map(|i| known[i] + displaced[i] - axis[i] * (PIVOT + true_length));
+        let foremost = if axis[0] >= 0.0 {
+            end[0] - true_radius * (1.0 - axis[0] * axis[0]).sqrt()
+        } else {
+            let lean = axis[0] / axis[2];
+            end[0] - lean * end[2] - true_radius * 1.0_f64.hypot(lean)
+        };
+        near(written(&events, "R"), -foremost)?;
+    }
+}
+
 /// The tool of a scene with more columns.
 fn with_columns(scene: &str, columns: &str) -> String {
     scene.replace("LTOL: 0.1,", &format!("LTOL: 0.1, {columns},"))

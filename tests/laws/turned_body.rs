@@ -75,6 +75,11 @@ impl Left {
         self.cells.iter().any(|cell| cell.contains(point))
     }
 
+    /// Its volume, mm³.
+    pub(crate) fn volume(&self) -> f64 {
+        self.cells.iter().map(Cell::volume).sum()
+    }
+
     /// Rapid traverse stays in the open after roughing, the insert is always known, and nothing is lost but what was cut.
     pub(crate) fn is_sound(&self, roughed: bool, program: &str) -> Result<(), TestCaseError> {
         let found = &self.report.findings;

@@ -186,6 +186,29 @@ impl Job {
     }
 
     fn program(&self) -> String {
+        self.program_of(&[self.length], false)
+    }
+
+    /// The same for contours of these lengths one after the other; `updated` if the blank is one that turning updates.
+    fn program_of(&self, lengths: &[f64], updated: bool) -> String {
+        let (x, z) = self.programmed(DVec2::new(-2.0, self.above));
+        let mut text = "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\n".to_owned();
+        if updated {
+            text += "FUNCTION TURNDATA BLANK LBL 20\n";
+        }
+        let _ = writeln!(text, "L X{x:+} Z{z:+} R0 FMAX M303");
+        for length in lengths {
+            text += &self.call(*length);
+        }
+        if updated {
+            let Ring { z, radii } = self.ring();
+            let _ = write!(text, "M30\nLBL 20\nL X{:+} Z{:+}\nL X{:+}\n", 2.0 * radii[0], z[0], 2.0 * radii[1]);
+            let _ = write!(text, "L Z{:+}\nL X{:+}\nL Z{:+}\nLBL 0\n", z[1], 2.0 * radii[0], z[0]);
+        }
+        text
+    }
+
+    fn call(&self, length: f64) -> String {
         let number = match (self.face, self.plunges) {
             (false, false) => 812,
             (false, true) => 814,
@@ -193,7 +216,7 @@ impl Job {
             (true, true) => 824,
         };
         let (start_d, start_z) = self.programmed(DVec2::ZERO);
-        let (end_d, end_z) = self.programmed(DVec2::new(self.length, -self.height));
+        let (end_d, end_z) = self.programmed(DVec2::new(length, -self.height));
         let values: [(u16, f64); 19] = [
             (215, f64::from(self.operation)),
             (460, self.clearance),
@@ -215,11 +238,7 @@ impl Job {
             (505, 100.0),
             (506, f64::from(self.smoothing)),
         ];
-        let (x, z) = self.programmed(DVec2::new(-2.0, self.above));
-        let mut text = format!(
-            "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\nL X{x:+} Z{z:+} R0 FMAX M303\n\
-             CYCL DEF {number}\n"
-        );
+        let mut text = format!("CYCL DEF {number}\n");
         for (q, value) in values {
             let _ = writeln!(text, "Q{q}={value:+}");
         }
@@ -227,6 +246,25 @@ impl Job {
     }
 
     fn run(&self) -> Result<(Vec<Event>, Option<Left>), TestCaseError> {
+        self.run_program(&self.program())
+    }
+
+    /// Across the axis some inserts are beside their nose in what is not turned yet, and one that leans forward comes to the
+    /// blank in front of which it is with its edge.
+    fn fits(&self) -> bool {
+        self.edges.is_none_or(|(angle, tip)| {
+            let (front, back) = if self.face { (270.0 - angle - tip, 270.0 - angle) } else { (angle, angle + tip) };
+            back <= 180.0 && (front >= 90.0 || self.depth < 2.0 * front.to_radians().tan())
+        })
+    }
+
+    /// How far the edge in front is behind the nose as high above it as an infeed is deep, mm.
+    fn lean(&self) -> f64 {
+        let front = self.edges.map_or(90.0, |(angle, tip)| if self.face { 270.0 - angle - tip } else { angle });
+        (self.depth + self.radius) * (front - 90.0).max(0.0).to_radians().tan()
+    }
+
+    fn run_program(&self, program: &str) -> Result<(Vec<Event>, Option<Left>), TestCaseError> {
         let (angle, tip) = self.edges.unwrap_or_default();
         let (x, z) = self.programmed(DVec2::new(-2.0, self.above));
         let text = format!(
@@ -234,7 +272,7 @@ impl Job {
             self.radius,
             x / 2.0,
         );
-        turned_body::run(&self.program(), &text, Some(self.ring()))
+        turned_body::run(program, &text, Some(self.ring()))
     }
 
     /// Where the blank begins as cuts see it: in front of the contour only where that goes down into it.
@@ -284,8 +322,9 @@ impl Job {
             }
             let most = match self.operation {
                 1 if self.smoothing != 1 || by != DVec2::ZERO => {
-                    // What a level leaves that ends a little above, with the rounding of the nose.
-                    let over = contour.iter().filter(|(other, _)| (other.x - at.x).abs() < by.x + STEP);
+                    // What a level leaves that ends a little above, with the rounding of the nose; in front of a wall that is
+                    // as far as the edge in front leans away from it.
+                    let over = contour.iter().filter(|(other, _)| (other.x - at.x).abs() < by.x + STEP + self.lean());
                     let highest = over.map(|(other, _)| other.y).fold(at.y, f64::max);
                     DVec2::new(at.x, highest + by.y + self.depth + self.radius + EXACT)
                 }
@@ -415,13 +454,7 @@ laws! {
         }
         // Where the insert can come it comes, whatever is said not to be reached.
         let left = events.iter().any(|event| matches!(&event.kind, EventKind::Message { .. }));
-        // Across the axis some inserts are beside their nose in what is not turned yet, and one that leans forward comes
-        // to the blank in front of which it is with its edge.
-        let fits = job.edges.is_none_or(|(angle, tip)| {
-            let (front, back) = if job.face { (270.0 - angle - tip, 270.0 - angle) } else { (angle, angle + tip) };
-            back <= 180.0 && (front >= 90.0 || job.depth < 2.0 * front.to_radians().tan())
-        });
-        if let (Some(body), true) = (&body, fits) {
+        if let (Some(body), true) = (&body, job.fits()) {
             job.leaves(body, left, &contour)?;
         }
         let along = |moved: &&Moved| moved.step.contains("finish") || moved.step.contains("smooth");
@@ -454,5 +487,84 @@ laws! {
                 }
             }
         }
+    }
+}
+
+/// How far tools go at a feed in cuts along a level, mm, and how many such cuts there are, in each call of a cycle.
+fn cuts_in(events: &[Event]) -> Vec<(f64, usize)> {
+    let mut found = vec![(0.0, 0)];
+    for event in events {
+        match &event.kind {
+            EventKind::Move { kind: MoveKind::Feed, path, .. } => {
+                let step = event.at.cycle.as_ref().and_then(|(_, step)| step.as_deref());
+                if let (Some(last), true) = (found.last_mut(), step.is_some_and(|step| step.starts_with("cut-"))) {
+                    *last = (last.0 + path.length(), last.1 + 1);
+                }
+            }
+            EventKind::Move { .. } if event.at.cycle.is_none() => found.push((0.0, 0)),
+            _ => {}
+        }
+    }
+    found
+}
+
+laws! {
+    #![proptest_config(crate::cases::config(20))]
+
+    /// A blank that turning updates: the part is the same as without it, with fewer cuts in air; what was roughed already is
+    /// not cut again.
+    #[test]
+    fn updated_blanks_leave_the_same_part(job in job(), half in 0.4..0.7_f64) {
+        let mut job = Job { operation: 1, above: 0.0, ..job };
+        if !job.fits() {
+            job.edges = None;
+        }
+        // A flank needs its length; steps that a first call leaves on it are cut at other levels by a second one.
+        let first = if job.plunges { job.length } else { (job.length * half * 100.0).round() / 100.0 };
+        let lengths = if job.plunges && job.smoothing == 2 { vec![job.length] } else { vec![first, job.length] };
+        let programs = [false, true].map(|updated| job.program_of(&lengths, updated));
+        let (plain, whole) = job.run_program(&programs[0])?;
+        let (sparing, left) = job.run_program(&programs[1])?;
+        let (Some(whole), Some(left)) = (whole, left) else { return Err(TestCaseError::fail("no stock")) };
+        left.is_sound(true, &programs[1])?;
+        let apart = (whole.volume() - left.volume()).abs();
+        prop_assert!(apart < 1e-2, "{} mm³ apart of {}\n{}", apart, whole.volume(), programs[1]);
+        let sum = |events: &[Event]| cuts_in(events).iter().fold((0.0, 0), |all, own| (all.0 + own.0, all.1 + own.1));
+        let (before, after) = (sum(&plain), sum(&sparing));
+        prop_assert!(after.0 < before.0 + EXACT, "{:?} instead of {:?}\n{}", after, before, programs[1]);
+        // What is left is that of the shorter contour: the second call does not cut it again.
+        if job.plunges && job.smoothing < 2 && job.oversizes == (0.0, 0.0) {
+            prop_assert!(after.1 * 2 <= before.1, "{:?} instead of {:?}\n{}", after, before, programs[1]);
+        }
+    }
+}
+
+laws! {
+    #![proptest_config(crate::cases::config(40))]
+
+    /// With a constant cutting speed the speed of the workpiece follows the diameter up to its limit, and feeds per
+    /// revolution take as long as the sum over short pieces of the way says.
+    #[test]
+    fn feeds_per_revolution_follow_the_diameter(
+        cutting in mm(40.0..300.0), limit in mm(300.0..4000.0), feed in mm(0.05..0.5),
+        from in mm(2.0..200.0), to in mm(2.0..200.0), along in mm(0.0..60.0),
+    ) {
+        const PIECES: u32 = 20_000;
+        let program = format!(
+            "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:ON VC:{cutting} SMAX:{limit}\nM136\n\
+             L X{from:+} Z+0 R0 FMAX M303\nL X{to:+} Z{:+} F{feed}\n", -along
+        );
+        let (events, _) = turned_body::run(&program, "scene: 1\ntools: [{T: 1, L: 80, R: 0, RS: 0.4}]\n", None)?;
+        let last = events.iter().rev().find_map(|event| match &event.kind {
+            EventKind::Move { kind: MoveKind::Feed, feed, turned: Some(turned), .. } => Some((*feed, *turned)),
+            _ => None,
+        });
+        let Some((mean, turned)) = last else { return Ok(()) };
+        let speed = |diameter: f64| (1000.0 * cutting / (std::f64::consts::PI * diameter)).min(limit);
+        prop_assert!((turned.diameter - to).abs() < EXACT && (turned.speed - speed(to)).abs() < EXACT * limit, "{:?}", turned);
+        let length = ((to - from) / 2.0).hypot(along);
+        let at = |piece: u32| from + (to - from) * (f64::from(piece) + 0.5) / f64::from(PIECES);
+        let time: f64 = (0..PIECES).map(|piece| length / f64::from(PIECES) / (feed * speed(at(piece)))).sum();
+        prop_assert!((length / mean / time - 1.0).abs() < EXACT, "{} instead of {}\n{}", mean, length / time, program);
     }
 }

@@ -220,6 +220,37 @@ fn labels_are_checked_for_characters_case_and_length() {
 }
 
 #[test]
+fn prompts_and_names_of_cycles_are_checked_for_length() {
+    let data = Data::small();
+    let read =
+        |path: &str| std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("it is there");
+    let (text, general) = (read("tests/small/locales/en/small.ftl"), read("locales/en/text.ftl"));
+    let found = |from: &str, to: &str| -> Vec<String> {
+        assert!(text.contains(from), "{from}");
+        let files = [("locales/en/small.ftl", text.replace(from, to)), ("locales/en/text.ftl", general.clone())];
+        let (locales, _) = Locales::load(files);
+        let found = label::check(&data.catalogue, &locales);
+        found.iter().map(|found| format!("{} {:?} {:?}", found.code, found.get("key"), found.get("length"))).collect()
+    };
+    // A sign behind the name makes it a prompt: 30 characters are permitted, 22 in the name of a cycle.
+    assert!(found("= Depth\n", "= Depth of all of the ten holes\n").is_empty());
+    let long = found("= Depth\n", "= Depth of each of the ten holes\n");
+    assert!(!long.is_empty(), "31 characters");
+    assert!(
+        long.iter().all(|found| found.contains("prompt-too-long")
+            && found.contains("parameter-depth")
+            && found.contains("31"))
+    );
+    let printed = found("Which mode? 0/1", "Which of the two modes is it? 0/1");
+    assert!(!printed.is_empty() && printed.iter().all(|found| found.contains("parameter-mode.prompt")));
+    assert!(
+        found(".nc = PECKING", ".nc = PECKING OF MANY HOLES 1").iter().all(|found| found.contains("label-too-long"))
+    );
+    assert!(!found(".nc = PECKING", ".nc = PECKING OF MANY HOLES 1").is_empty());
+    assert!(found(".nc = PECKING", ".nc = PECKING OF MANY HOLES").is_empty());
+}
+
+#[test]
 fn labels_of_all_data_can_be_printed() {
     let data = Data::embedded();
     let found = label::check(&data.catalogue, &data.locales);

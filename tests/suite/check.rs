@@ -11,12 +11,13 @@ use std::{env, fs};
 use ciklo::base::diag::{Diagnostic, Severity, Source};
 use ciklo::base::renamed;
 use ciklo::check::{
-    ALLOW_CODES, Against, Called, Callee, Facts, LabelBook, Machine, Project, RULES, Rows, ToolName, check, check_in,
-    named,
+    ALLOW_CODES, Against, Called, Callee, Facts, LabelBook, Machine, Observed, Project, RULES, Rows, ToolName, check,
+    check_in, named,
 };
 use ciklo::language::locale::{Locales, Ui};
 use ciklo::program::syntax::{Program, parse};
 use ciklo::spec::{Catalogue, OnControl};
+use ciklo::tools::rehearse::Rehearsal;
 use proptest::prelude::*;
 
 use crate::cases;
@@ -124,6 +125,14 @@ impl Project for Beside<'_> {
         Called::Is { callee: Arc::new(Callee::of(&program, self.against, None)), round }
     }
 
+    fn lacks_file(&self, name: &str) -> Option<Severity> {
+        match name {
+            "HOLE.PNT" => Some(Severity::Warning),
+            "ELSEWHERE.D" => Some(Severity::Note),
+            _ => None,
+        }
+    }
+
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {
         Some(matches!(
             tool,
@@ -148,6 +157,7 @@ impl Project for Beside<'_> {
             (ToolName::Number(1.0), "LCUTS") => Some(20.0),
             (ToolName::Number(1.0), "R") => Some(5.0),
             (ToolName::Name("TAP"), "R") => Some(3.0),
+            (ToolName::Name("PROBE"), "R") => Some(2.0),
             (ToolName::Name("CENTRE"), "T-ANGLE") => Some(0.0),
             (ToolName::Name("TWIN"), "T-ANGLE") => Some(90.0),
             _ => None,
@@ -175,8 +185,14 @@ impl Project for Beside<'_> {
         match (tool, column) {
             (ToolName::Name("INSIDE"), "TO") => Some(7.0),
             (ToolName::Name("OUTSIDE"), "TO") => Some(1.0),
+            (ToolName::Name("RECESSER"), "CUTWIDTH") => Some(4.0),
             _ => None,
         }
+    }
+
+    fn observed(&self, program: &Program) -> Vec<Observed> {
+        let Against { on, catalogue, .. } = *self.against;
+        Rehearsal { on, catalogue, files: &crate::built::built().files, tools: None }.observed(program, &|_| {})
     }
 
     fn has_row(&self, rows: Rows<'_>, row: f64) -> Option<bool> {

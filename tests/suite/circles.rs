@@ -13,14 +13,14 @@ const ENGINE: &[(&str, &[&str])] = &[
     ("region", &[]),
     ("sphere", &["geometry"]),
     ("machine", &["geometry", "read"]),
-    ("solid", &["geometry"]),
+    ("solid", &["geometry", "region", "machine"]),
     ("scene", &["geometry", "read", "machine", "solid"]),
     ("params", &[]),
     ("report", &["geometry", "machine", "solid", "scene", "params"]),
     ("strategy", &["geometry", "region", "sphere", "machine", "report"]),
     ("plan", &["geometry", "report", "strategy"]),
     ("world", &["geometry", "machine", "solid", "scene", "report"]),
-    ("motion", &["geometry", "machine", "solid", "scene", "report", "world"]),
+    ("motion", &["geometry", "region", "machine", "solid", "scene", "report", "world"]),
     ("contour", &["geometry", "report", "world", "motion"]),
     (
         "flow",
@@ -48,8 +48,8 @@ const ENGINE: &[(&str, &[&str])] = &[
 
 /// The rooms of the checker, folders and files, from the ground up: a room uses only those before it.
 const CHECKER: &[&str] = &[
-    "cycle", "against", "machine", "program", "flow", "incident", "facts", "speech", "tools", "guards", "blank",
-    "contours", "travel", "rule", "rules", "allow", "config",
+    "cycle", "against", "machine", "program", "incident", "flow", "facts", "speech", "tools", "guards", "blank",
+    "contours", "loops", "travel", "rule", "rules", "allow", "config",
 ];
 
 /// The source files as modules.

@@ -126,6 +126,16 @@ fn every_altered_fact_is_found() {
             "spec-odd-q",
             "plunging-feed",
         ),
+        // A value that other cycles calculate from another parameter.
+        (
+            "turning/861-radial-recessing.yaml",
+            "left_on_diameter: \"IF(Q215 = 3, Q483, 0)\"",
+            "left_on_diameter: \"IF(Q215 = 3, Q484, 0)\"",
+            "spec-odd-formula",
+            "left_on_diameter",
+        ),
+        // A number that begins with 0 is a name, which is another one without it.
+        ("it/contours.ftl", "34059x-02", "34059x-2", "consistency-number", "note-engraving-since-software"),
         // A range of a word of a block that has lost its minus.
         ("cycle-specs/language.yaml", "{word: PROPR, min: -90,", "{word: PROPR, min: 90,", "spec-empty-range", "90"),
         // A formula that adds two coordinates, and a parameter of which the run knows nothing any more.

@@ -123,6 +123,32 @@ fn a_clearance_is_shown_with_what_the_touch_probe_adds() {
 }
 
 #[test]
+fn a_decrement_is_shown_with_the_infeed_that_it_makes_less() {
+    let second = "{q: Q212, reduces: Q202, ";
+    assert_eq!(altered(205, second, second), Vec::<&str>::new());
+    assert_eq!(altered(205, second, "{q: Q212, "), ["figure-measured-otherwise"]);
+    assert_eq!(altered(203, second, "{q: Q212, reduces: Q205, "), ["figure-measured-otherwise"]);
+}
+
+#[test]
+fn a_choice_is_made_in_the_program_of_its_figure() {
+    let built = crate::built::built();
+    let world = World { catalogue: &built.catalogue, locales: &built.locales, files: &built.files };
+    let on = built.catalogue.on("tnc640").expect("the control");
+    let cycle = on.cycles.values().find(|cycle| cycle.name() == "cylinder-surface").expect("the cycle");
+    let (figures, found) = figure::prepare(&world, on, cycle);
+    assert!(found.is_empty(), "{found:?}");
+    let language = built.locales.language("en").expect("the language");
+    let drawn = |stem: &str| {
+        let figure = figures.iter().find(|figure| figure.stem(cycle) == stem).expect("the figure");
+        let svg = with_texts(on, cycle, language, |text| figure.svg(text, Medium::Page)).expect("all texts are there");
+        svg.text.rsplit("</desc>").next().unwrap_or_default().to_owned()
+    };
+    // 90 degrees are a quarter of the cylinder, 90 mm on its radius of 36 are more.
+    assert_ne!(drawn("27-around-cylinder-0"), drawn("27-around-cylinder-1"));
+}
+
+#[test]
 fn a_new_datum_is_where_the_run_has_set_it() {
     let from = "{q: Q331, along: main, from: \"circle.centre - POINT(Q331, 0, 0)\", to: circle.centre}";
     let beside = from

@@ -463,6 +463,14 @@ impl Turntable for Notebook {
 }
 
 impl Kept for Notebook {
+    fn outline_of_blank(&self, _: &dyn Fn(&Way) -> Way) -> Option<Way> {
+        None
+    }
+
+    fn updates_blank(&self) -> bool {
+        false
+    }
+
     fn kept(&self, name: &str) -> Option<f64> {
         Some(name.len() as f64)
     }

@@ -62,6 +62,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "engine",
         ],
     ),
+    ("tools::rehearse", &["base::diag", "spec", "program::syntax", "program::table", "check", "engine"]),
     ("tools::coverage", &["base::diag", "base::expr", "spec", "language::locale", "engine"]),
     (
         "tools::exchange",
@@ -133,6 +134,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "tools::conform",
             "tools::coverage",
             "tools::exchange",
+            "tools::rehearse",
             "system",
         ],
     ),

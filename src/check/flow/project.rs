@@ -7,10 +7,12 @@ use std::sync::Arc;
 
 use super::call_effect::CallEffect;
 use crate::base::diag::{Severity, Span};
+use crate::base::expr::{QKind, QRef};
 use crate::check::Against;
+use crate::check::incident::Observed;
 use crate::check::machine::Machine;
-use crate::check::program::{Defined, Definition, Reading, bits, with_meaning};
-use crate::program::syntax::{BlockKind, Program, StatementKind, ValueKind};
+use crate::check::program::{Defined, Definition, Reading, bits, reads, with_meaning};
+use crate::program::syntax::{BlockKind, CycleForm, Program, StatementKind, ValueKind};
 
 /// The meaning of a parameter that names a program.
 const PROGRAM: &str = "program-to-call";
@@ -19,6 +21,10 @@ const PROGRAM: &str = "program-to-call";
 pub trait Project: Sync {
     /// The program that a call names.
     fn called(&self, name: &str) -> Called;
+    /// How bad it is that a file which the program names is not in its folder; nothing if it is there or not known.
+    fn lacks_file(&self, _name: &str) -> Option<Severity> {
+        None
+    }
     /// Whether the tool table has a tool; nothing if it is not known which table that is.
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool>;
     /// Whether there is a tool table.
@@ -44,6 +50,10 @@ pub trait Project: Sync {
     /// What the machine can do, as far as anything is known of that.
     fn machine(&self) -> Option<&Machine> {
         None
+    }
+    /// What an execution of the program shows; nothing where it is not executed.
+    fn observed(&self, _program: &Program) -> Vec<Observed> {
+        Vec::new()
     }
     /// Whether it is known of any table which rows it has.
     fn knows_rows(&self) -> bool {
@@ -110,12 +120,39 @@ pub struct Callee {
     /// Whether its lengths are inches; nothing if it does not begin with BEGIN PGM.
     pub inch: Option<bool>,
     pub(super) effect: CallEffect,
+    /// The free parameters that it reads and has not given a value before, in the order of its text.
+    pub wants: Vec<QRef>,
+    /// Those that it gives a value; nothing if that is not certain.
+    pub gives: Option<BTreeSet<QRef>>,
+}
+
+/// What a program wants of the parameters of its caller, and what it leaves in them.
+fn exchanges(program: &Program) -> (Vec<QRef>, Option<BTreeSet<QRef>>) {
+    let (mut wants, mut gives, mut certain, mut read) = (Vec::new(), BTreeSet::new(), true, Vec::new());
+    for block in program.blocks() {
+        read.clear();
+        reads(block, &mut read);
+        let free = |q: &QRef| q.kind == QKind::Q && q.number < 100 && !gives.contains(q) && !wants.contains(q);
+        let new: Vec<QRef> = read.iter().map(|(q, _)| *q).filter(free).collect();
+        if certain {
+            wants.extend(new);
+        }
+        match &block.kind {
+            BlockKind::FnAssign(own) => _ = gives.insert(own.target),
+            BlockKind::Formula(own) => _ = gives.insert(own.target),
+            BlockKind::Statement(own) => certain &= matches!(own.kind, StatementKind::Plane | StatementKind::Trans),
+            BlockKind::CallPgm(_) | BlockKind::Unknown(_) | BlockKind::OldCycleLine(_) => certain = false,
+            _ => {}
+        }
+    }
+    (wants, certain.then_some(gives))
 }
 
 impl Callee {
     /// One with that effect.
     pub(super) fn new(program: &Program, effect: CallEffect) -> Self {
-        Self { inch: inch(program), effect }
+        let (wants, gives) = exchanges(program);
+        Self { inch: inch(program), effect, wants, gives }
     }
 
     /// One that may do anything.
@@ -221,11 +258,25 @@ fn places(reading: &Reading<'_>) -> Vec<ProgramCall> {
     }
     for (index, definition) in reading.definitions.iter().enumerate().filter(|(_, own)| makes_cycle(own)) {
         let related = definition.as_related_cycle();
-        if let Some(item) = Definition::of(program, &related).item(PROGRAM) {
-            push(definition.view.first, item.value_span, Some(index), false);
+        let named = Definition::of(program, &related).item(PROGRAM).map(|item| item.value_span);
+        if let Some(span) = named.or_else(|| bare_name(program, definition)) {
+            push(definition.view.first, span, Some(index), false);
         }
     }
     calls
+}
+
+/// The name of a program that a line gives without the word before it, as older controls write it.
+fn bare_name(program: &Program, definition: &Defined<'_>) -> Option<Span> {
+    let CycleForm::Lines(lines) = &definition.view.form else { return None };
+    let line = lines.iter().find(|line| line.line == 1)?;
+    let block =
+        program.blocks().iter().find(|block| block.span.start <= line.head.start && line.head.end <= block.span.end)?;
+    let text = program.slice(Span::new(line.head.end, block.span.end));
+    let code = text.split([';', '\n', '\r']).next().unwrap_or_default();
+    let name = code.trim();
+    let from = line.head.end + (code.len() - code.trim_start().len());
+    (!name.is_empty() && !name.contains(char::is_whitespace)).then(|| Span::new(from, from + name.len()))
 }
 
 /// The calls of which the callee is known.

@@ -3,7 +3,7 @@ use crate::base::diag::Span;
 use crate::base::expr::{Node, QRef};
 use crate::program::syntax::{
     Amount, Block, BlockKind, CallForm, CycleKeyword, Feed, FeedKind, Label, MFunction, Motion, Operand, Path, Program,
-    Relation, ToolRef, ValueKind,
+    Relation, StatementKind, ToolRef, ValueKind,
 };
 
 /// What the first line of a block says, without its number and the blanks around it.
@@ -121,6 +121,13 @@ pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(QRef, Span)>) {
         }
         BlockKind::OldCycleLine(line) if line.keyword == CycleKeyword::CyclDef => {
             for word in &line.words {
+                if let ValueKind::Q { q, .. } = word.value.kind {
+                    found.push((q, word.value.span));
+                }
+            }
+        }
+        BlockKind::Statement(own) if matches!(own.kind, StatementKind::Plane | StatementKind::Trans) => {
+            for word in &own.words {
                 if let ValueKind::Q { q, .. } = word.value.kind {
                     found.push((q, word.value.span));
                 }

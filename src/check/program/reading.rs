@@ -60,6 +60,8 @@ pub struct Flow {
     pub unread: Unread,
     /// There are blocks that may be skipped.
     pub skips: bool,
+    /// Feeds may be those of a revolution (M136).
+    pub per_revolution: bool,
 }
 
 impl<'a> Reading<'a> {
@@ -229,7 +231,10 @@ impl<'a> Reading<'a> {
                 BlockKind::Unknown(_) | BlockKind::Iso(_) => self.hide(block),
                 _ => {}
             }
-            each_function(block, |number| self.flow.modal |= number == 89);
+            each_function(block, |number| {
+                self.flow.modal |= number == 89;
+                self.flow.per_revolution |= number == 136;
+            });
             // No memory holds so many blocks that this is not enough.
             self.marked.extend(u32::try_from(index).ok());
         }

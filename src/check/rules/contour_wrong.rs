@@ -1,7 +1,7 @@
 //! A contour that a cycle reads from a subprogram and cannot machine: movements of the tool axis, approaches, tool
 //! calls or cycles in it, a first point without both coordinates, no RL or RR, an end elsewhere than the beginning,
 //! elements that the cycle does not read, a corner as its last element, local parameters that are not assigned in it,
-//! more contours than it machines.
+//! more contours than it machines, the same contour twice, islands without a pocket, one that does not fit on its cylinder.
 //!
 //! A contour may leave it to the control to close it by going on in the line with which it began. Lengths are only
 //! compared where all coordinates are numbers.
@@ -9,8 +9,8 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{QKind, QRef};
-use crate::check::contours::{Listed, body, corners, ends, listed, wanted};
-use crate::check::program::reads;
+use crate::check::contours::{Listed, area, body, corners, ends, is_inside, listed, polygon, wanted};
+use crate::check::program::{is_silent, number, reads, with_meaning};
 use crate::check::{Defined, Facts, Rule, Use, Way};
 use crate::program::syntax::{Axis, Block, BlockKind, Compensates, Motion, Path, StatementKind};
 use crate::spec::{ContourWanted, TakesEffect};
@@ -27,6 +27,12 @@ const PATIENCE: usize = 48;
 const PLANE: [Axis; 2] = [Axis::X, Axis::Y];
 /// The same of what is turned.
 const TURNED: [Axis; 2] = [Axis::Z, Axis::X];
+/// The meanings of parameters: the tool that has roughed before, which only cycles that rough out have; the radius of a
+/// cylinder, and how what is on it is dimensioned.
+const ROUGHING: &str = "coarse-roughing-tool";
+const CYLINDER: &str = "cylinder-radius";
+const DEVELOPMENT: &str = "development-dimension-type";
+
 /// The word of a blank that is turned.
 const BLANK: &str = "FUNCTION TURNDATA BLANK";
 
@@ -36,13 +42,26 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         found.push(finding.arg("cycle", BLANK));
     }
     // What was looked at: contours, each with what a cycle wants of it.
-    let mut known = HashSet::new();
+    let (mut known, mut lists) = (HashSet::new(), HashSet::new());
     let mut patience = facts.program.blocks().len().saturating_mul(PATIENCE).saturating_add(100_000);
     for list in listed(facts) {
         if let Some(second) = second_label(facts, &list) {
             for reader in &list.readers {
                 let finding = rule.at(facts, second).arg("what", "many").arg("cycle", reader.key.to_string());
                 found.push(finding.arg("word", facts.text(second).to_owned()));
+            }
+        }
+        // Lists of the same contours say the same.
+        let same: Vec<*const Block> = list.contours.iter().map(|contour| contour.as_ptr()).collect();
+        if lists.insert(same) {
+            if let Some((at, other)) = twice(facts, &list) {
+                let cycle = list.readers.first().map_or_else(String::new, |reader| reader.key.to_string());
+                let finding = rule.at(facts, at).arg("what", "same").arg("word", facts.text(other).to_owned());
+                found.push(finding.arg("cycle", cycle));
+            }
+            for (block, what, reader) in no_pocket(&list).into_iter().chain(too_wide(facts, &list)) {
+                let finding = rule.at(facts, facts.content(block)).arg("what", what).arg("word", "");
+                found.push(finding.arg("cycle", reader.key.to_string()));
             }
         }
         // Definitions of a cycle want the same.
@@ -98,6 +117,66 @@ fn blanks<'a>(facts: &Facts<'a>) -> Vec<&'a Block> {
 fn second_label(facts: &Facts<'_>, list: &Listed<'_, '_>) -> Option<Span> {
     let all = list.readers.iter().all(|own| wanted(own).is_some_and(|own| own.first_only));
     facts.run.graph.uses_in(list.list.view.last).get(1).filter(|_| all).map(|own| own.span)
+}
+
+/// A label of a list whose contour is, word for word, that of one before it, with the place of that one.
+fn twice(facts: &Facts<'_>, list: &Listed<'_, '_>) -> Option<(Span, Span)> {
+    let uses: Vec<&Use> =
+        facts.run.graph.uses_in(list.list.view.last).iter().filter(|own| own.way == Way::Named).collect();
+    // One contour for each label, or none can be told apart.
+    if list.readers.is_empty() || list.contours.len() < 2 || uses.len() != list.contours.len() {
+        return None;
+    }
+    let mut seen: HashMap<Vec<&str>, Span> = HashMap::new();
+    for (own, contour) in uses.iter().zip(&list.contours) {
+        let acts = contour.iter().filter(|block| !is_silent(block));
+        let words: Vec<&str> = acts
+            .flat_map(|block| facts.text(facts.content(block)).split(';').next().unwrap_or_default().split_whitespace())
+            .collect();
+        if let Some(before) = seen.insert(words, own.span) {
+            return Some((own.span, before));
+        }
+    }
+    None
+}
+
+/// The first block of a list of nothing but islands that a cycle clears: there is no pocket in which they are.
+///
+/// A side may be finished alone at an island (001: 4785-4837), so a cycle that roughs out must be among the readers.
+fn no_pocket<'f, 'a>(list: &Listed<'f, 'a>) -> Option<(&'a Block, &'static str, &'f Defined<'a>)> {
+    let roughs = |own: &&&Defined<'_>| own.related_cycle().is_some_and(|cycle| with_meaning(cycle, ROUGHING).is_some());
+    let reader = list.readers.iter().find(roughs)?;
+    let island = |contour: &&[Block]| {
+        let (points, side) = polygon(contour, PLANE)?;
+        let area = area(&points);
+        (area != 0.0).then_some(!is_inside(area, side?))
+    };
+    let first = list.contours.first()?;
+    let all = list.contours.iter().all(|contour| island(contour) == Some(true));
+    let block = first.iter().find(|block| matches!(block.kind, BlockKind::Motion(_)))?;
+    all.then_some((block, "islands", *reader))
+}
+
+/// The first block of a contour that does not fit on the cylinder on which it is rolled up: it is longer than the
+/// circumference along both axes.
+fn too_wide<'f, 'a>(facts: &'f Facts<'a>, list: &Listed<'f, 'a>) -> Option<(&'a Block, &'static str, &'f Defined<'a>)> {
+    list.readers.iter().find_map(|reader| {
+        let read = facts.read(reader);
+        let radius = read.item(CYLINDER).and_then(number)?;
+        // Otherwise it is in degrees.
+        read.item(DEVELOPMENT).and_then(number).filter(|own| *own == 1.0)?;
+        let around = std::f64::consts::TAU * radius.abs();
+        let fits = |contour: &&&[Block]| {
+            let Some((points, _)) = polygon(contour, PLANE) else { return true };
+            (0..2).any(|axis| {
+                let along = || points.iter().map(|point| point[axis]);
+                along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min) <= around
+            })
+        };
+        let contour = list.contours.iter().find(|contour| !fits(contour))?;
+        let block = contour.iter().find(|block| matches!(block.kind, BlockKind::Motion(_)))?;
+        Some((block, "round", *reader))
+    })
 }
 
 /// What is wrong with a contour: the block, what it is, and the word that is named.

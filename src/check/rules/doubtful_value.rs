@@ -1,4 +1,5 @@
-//! A value that no control refuses and hardly anybody means: a plunging depth of 0, a milling depth above the surface.
+//! A value that no control refuses and hardly anybody means: a plunging depth of 0, a milling depth above the surface, a
+//! dwell of minutes, a feed of less than a millimetre a minute.
 //!
 //! Which values those are the dictionary of the parameters says. Silent where the parameter does not act, and where
 //! something worse is reported of it.
@@ -9,7 +10,7 @@ use crate::base::diag::{Diagnostic, Severity};
 use crate::check::guards::Written;
 use crate::check::program::{number, shown};
 use crate::check::{Definition, Facts, Rule};
-use crate::spec::Doubtful;
+use crate::spec::{Doubtful, MM_PER_INCH, Param, Quantity};
 
 pub(super) const RULE: Rule = Rule { code: "doubtful-value", severity: Severity::Warning, run: together };
 
@@ -17,16 +18,16 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     let Some(cycle) = definition.cycle() else { return };
     let written = LazyCell::new(|| Written::of(facts, definition, cycle));
     for item in definition.items.iter().filter(|item| item.refusal.is_none()) {
-        let Some(param) = item.param.filter(|param| !param.doubtful.is_empty()) else { continue };
-        let is = match number(item) {
-            Some(number) if number < 0.0 => Doubtful::Negative,
-            Some(number) if number > 0.0 => Doubtful::Positive,
-            Some(0.0) => Doubtful::Zero,
-            _ => continue,
+        let Some((param, value)) = item.param.zip(number(item)) else { continue };
+        let is = if value == 0.0 {
+            Doubtful::Zero
+        } else if value < 0.0 {
+            Doubtful::Negative
+        } else {
+            Doubtful::Positive
         };
-        if !param.doubtful.contains(&is) || written.acts(cycle, param) == Some(false) {
-            continue;
-        }
+        let is = if param.doubtful.contains(&is) { Some(is.as_str()) } else { extreme(facts, param, value) };
+        let Some(is) = is.filter(|_| written.acts(cycle, param) != Some(false)) else { continue };
         // Findings of this definition about the same place come before.
         let written = |own: &Diagnostic| {
             own.place
@@ -37,7 +38,22 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
             continue;
         }
         let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref());
-        found.push(finding.arg("is", is.as_str()).arg("value", shown(item)).arg("cycle", definition.key.to_string()));
+        found.push(finding.arg("is", is).arg("value", shown(item)).arg("cycle", definition.key.to_string()));
+    }
+}
+
+/// Whether a value is smaller or larger than anybody means. A small feed may be one of a revolution.
+fn extreme(facts: &Facts<'_>, param: &Param, value: f64) -> Option<&'static str> {
+    let scaled = matches!(param.quantity, Quantity::Length | Quantity::Feed);
+    let value = if facts.inch && scaled { value * MM_PER_INCH } else { value };
+    let [min, max] = param.plausible;
+    let small = min.is_some_and(|min| value != 0.0 && value < min);
+    if small && (param.quantity != Quantity::Feed || !facts.flow.per_revolution) {
+        Some("small")
+    } else if max.is_some_and(|max| value > max) {
+        Some("large")
+    } else {
+        None
     }
 }
 

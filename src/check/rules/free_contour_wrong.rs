@@ -26,7 +26,42 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(report(block, "fpol"));
         }
     }
+    found.extend(turned(facts).into_iter().map(|block| report(block, "turn")));
     determined(rule, facts, found);
+}
+
+/// The arcs that close a contour on the circle with which it began, in the other direction.
+fn turned<'f>(facts: &Facts<'f>) -> Vec<&'f Block> {
+    let (mut found, mut begun) = (Vec::new(), None);
+    for (_, block) in facts.shaped() {
+        let BlockKind::Motion(motion) = &block.kind else { continue };
+        if !matches!(motion.path(), Path::Fc | Path::Fct | Path::Fl | Path::Flt) {
+            if !motion.path().is_corner() {
+                begun = None;
+            }
+            continue;
+        }
+        let words = motion.words();
+        let closes = words.words.iter().find(|word| name(facts, word).eq_ignore_ascii_case("CLSD"));
+        let Some(closes) = closes else { continue };
+        let written = |word: &str| {
+            let own = words.words.iter().find(|own| name(facts, own).eq_ignore_ascii_case(word))?;
+            match own.value.kind {
+                crate::program::syntax::ValueKind::Number(number) => Some(number),
+                _ => None,
+            }
+        };
+        let circle = || Some(([written("CCX")?, written("CCY")?], words.counter_clockwise?));
+        if facts.text(closes.span).trim_end().ends_with('+') {
+            begun = circle();
+        } else if let (Some((one, turns)), Some((other, back))) = (begun.take(), circle())
+            && one == other
+            && turns != back
+        {
+            found.push(block);
+        }
+    }
+    found
 }
 
 /// What is wrong with the single elements, and with CLSD+ and CLSD-, which begin and end a closed contour.

@@ -13,7 +13,8 @@ use crate::check::guards::{Written, place};
 use crate::check::tools::Tools;
 use crate::check::{Definition, Facts, Pending, Rule};
 use crate::language::text;
-use crate::spec::{Cycle, CycleKey, Outcome};
+use crate::program::syntax::BlockKind;
+use crate::spec::{Cycle, CycleKey, Keyword, Outcome};
 
 pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run };
 
@@ -25,8 +26,30 @@ fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut seen, mut reported) = (BTreeSet::new(), HashSet::new());
     // What the definition writes that was called last.
     let mut last: Option<(u32, Written)> = None;
-    for call in &facts.run.calls {
-        let (Pending::Definition(index), Some(tool)) = (call.modal.pending, tools.get(call.modal.loaded)) else {
+    let calls = facts.run.calls.iter().map(|call| (call.modal.pending, call.modal.loaded));
+    // Cycles that act when they are defined find the tool there.
+    let defined = facts.definitions.iter().zip(0..).filter(|(own, _)| own.key.keyword == Keyword::TchProbe);
+    let defined =
+        defined.filter_map(|(own, index)| Some((Pending::Definition(index), facts.run.before(own.view.first)?.loaded)));
+    // A pattern in a subprogram that several cycles use calls none of them for certain: the tool of the definition counts
+    // where the subprogram is called right after it.
+    let certain: HashSet<u32> = facts
+        .run
+        .calls
+        .iter()
+        .filter_map(|call| match call.modal.pending {
+            Pending::Definition(index) => tools.get(call.modal.loaded).map(|_| index),
+            _ => None,
+        })
+        .collect();
+    let blocks = facts.program.blocks();
+    let handed_on = facts.definitions.iter().zip(0..).filter_map(|(own, index)| {
+        let next = blocks.get(own.view.last + 1).is_some_and(|next| matches!(next.kind, BlockKind::CallLbl(_)));
+        let loaded = facts.run.before(own.view.first).filter(|_| next && !certain.contains(&index))?.loaded;
+        Some((Pending::Definition(index), loaded))
+    });
+    for (pending, loaded) in calls.chain(defined).chain(handed_on) {
+        let (Pending::Definition(index), Some(tool)) = (pending, tools.get(loaded)) else {
             continue;
         };
         // No one here knows what the machine builder has made of a number.

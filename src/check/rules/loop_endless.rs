@@ -6,17 +6,13 @@
 use std::ops::RangeInclusive;
 
 use crate::base::diag::{Diagnostic, Severity};
-use crate::base::expr::{QKind, QRef};
-use crate::check::program::each_function;
+use crate::base::expr::QKind;
+use crate::check::loops::{Loop, set_once};
 use crate::check::{Facts, Rule, Use, Way};
-use crate::program::syntax::{
-    Amount, Block, BlockKind, FnAssign, FnJump, FnOp, Operand, Relation, StatementKind, ValueKind,
-};
+use crate::program::syntax::{Amount, BlockKind, FnJump, Operand, Relation};
 
 pub(super) const RULE: Rule = Rule { code: "loop-endless", severity: Severity::Warning, run };
 
-/// How deep subprograms in a loop are looked into.
-const DEPTH: usize = 8;
 /// How near the number of steps must come to a whole one.
 const NEAR: f64 = 1e-6;
 /// How often a block may be looked at on average.
@@ -31,18 +27,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.at(facts, facts.content(block)));
         }
     }
-}
-
-/// What the blocks of a loop do to what its condition compares.
-struct Loop<'p> {
-    written: Vec<QRef>,
-    steps: Vec<&'p FnAssign>,
-    /// The jumps out of it that wait for a value.
-    exits: Vec<&'p FnJump>,
-    /// Something may end it, or change anything.
-    open: bool,
-    /// How many blocks may still be looked at.
-    patience: &'p mut usize,
 }
 
 fn never_ends<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut usize) -> bool {
@@ -60,13 +44,13 @@ fn never_ends<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut
         return false;
     }
     let mut body = Loop::new(patience);
-    body.add(facts, from, own.block, DEPTH);
+    body.add(facts, from, own.block);
     let exits = std::mem::take(&mut body.exits);
-    body.open = body.open || !exits.iter().all(|exit| misses(facts, &mut body, exit, from..=own.block));
+    body.open = body.open || !exits.iter().all(|exit| misses(facts, &mut body, exit, &(from..=own.block)));
     if body.open || decided.is_some() {
         return !body.open;
     }
-    if jump.relation == Relation::NotEqual && misses(facts, &mut body, jump, from..=own.block) {
+    if jump.relation == Relation::NotEqual && misses(facts, &mut body, jump, &(from..=own.block)) {
         return true;
     }
     if ends_at_once(facts, &body, jump, &(from..=own.block)) {
@@ -78,18 +62,19 @@ fn never_ends<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut
     };
     match (changes(&jump.a), changes(&jump.b)) {
         (false, false) => true,
-        (true, false) => goes_away(&body, &jump.a, jump.relation, true),
-        (false, true) => goes_away(&body, &jump.b, jump.relation, false),
+        (true, false) => goes_away(facts, &body, jump, &(from..=own.block), true),
+        (false, true) => goes_away(facts, &body, jump, &(from..=own.block), false),
         (true, true) => false,
     }
 }
 
 /// Whether the only thing that the loop does to the side of a comparison is to move it away from the other side.
-fn goes_away(body: &Loop<'_>, side: &Operand, relation: Relation, left: bool) -> bool {
+fn goes_away(facts: &Facts<'_>, body: &Loop<'_>, jump: &FnJump, blocks: &RangeInclusive<usize>, left: bool) -> bool {
+    let side = if left { &jump.a } else { &jump.b };
     let Amount::Q { q, negative } = side.amount else { return false };
-    let Some(by) = body.step_of(q) else { return false };
+    let Some(by) = body.step_of(facts, q, blocks) else { return false };
     let grows = if negative { -by } else { by };
-    match relation {
+    match jump.relation {
         Relation::Less => (grows <= 0.0) == left || grows == 0.0,
         Relation::Greater => (grows >= 0.0) == left || grows == 0.0,
         _ => false,
@@ -101,7 +86,7 @@ fn ends_at_once(facts: &Facts<'_>, body: &Loop<'_>, jump: &FnJump, blocks: &Rang
     let after_first = |operand: &Operand| match operand.amount {
         Amount::Number(number) => Some(number),
         Amount::Q { q, negative } => {
-            let step = if body.written.contains(&q) { body.step_of(q)? } else { 0.0 };
+            let step = if body.written.contains(&q) { body.step_of(facts, q, blocks)? } else { 0.0 };
             let value = set_once(facts, q, blocks)? + step;
             Some(if negative { -value } else { value })
         }
@@ -117,7 +102,7 @@ fn ends_at_once(facts: &Facts<'_>, body: &Loop<'_>, jump: &FnJump, blocks: &Rang
 
 /// Whether what a comparison with a fixed value waits for never comes: the only thing that counts is a step that passes
 /// over it, from a start that is written once before the loop.
-fn misses(facts: &Facts<'_>, body: &mut Loop<'_>, jump: &FnJump, blocks: RangeInclusive<usize>) -> bool {
+fn misses(facts: &Facts<'_>, body: &mut Loop<'_>, jump: &FnJump, blocks: &RangeInclusive<usize>) -> bool {
     let counts = |operand: &Operand| matches!(operand.amount, Amount::Q { q, .. } if body.written.contains(&q));
     let (counter, end) = match (counts(&jump.a), counts(&jump.b)) {
         (true, false) => (&jump.a, &jump.b),
@@ -137,139 +122,11 @@ fn misses(facts: &Facts<'_>, body: &mut Loop<'_>, jump: &FnJump, blocks: RangeIn
     }
     let value = |operand: &Operand| match operand.amount {
         Amount::Number(number) => Some(number),
-        Amount::Q { q, negative } => set_once(facts, q, &blocks).map(|own| if negative { -own } else { own }),
+        Amount::Q { q, negative } => set_once(facts, q, blocks).map(|own| if negative { -own } else { own }),
         Amount::Text(_) => None,
     };
-    let Some(by) = body.step_of(q) else { return false };
-    let (Some(start), Some(end)) = (set_once(facts, q, &blocks), value(end)) else { return false };
+    let Some(by) = body.step_of(facts, q, blocks) else { return false };
+    let (Some(start), Some(end)) = (set_once(facts, q, blocks), value(end)) else { return false };
     let times = (end - start) / by;
     by != 0.0 && (times < 0.0 || (times - libm::round(times)).abs() > NEAR)
-}
-
-/// The number that the only assignment to a parameter outside of a loop gives it before the loop.
-fn set_once(facts: &Facts<'_>, q: QRef, blocks: &RangeInclusive<usize>) -> Option<f64> {
-    if q.kind != QKind::Ql && (q.kind != QKind::Q || q.number >= 100) {
-        return None;
-    }
-    let mut none = 0;
-    let mut all = Loop::new(&mut none);
-    let mut found = None;
-    for (at, block) in facts.program.blocks().iter().enumerate().filter(|(at, _)| !blocks.contains(at)) {
-        let before = all.written.len();
-        all.block(facts, block);
-        if !all.written.get(before..)?.contains(&q) {
-            continue;
-        }
-        let BlockKind::FnAssign(assign) = &block.kind else { return None };
-        let number = match (assign.op, assign.a.amount) {
-            (FnOp::Set, Amount::Number(number)) => number,
-            _ => return None,
-        };
-        if found.replace(number).is_some() || *blocks.start() < at {
-            return None;
-        }
-    }
-    found
-}
-
-impl<'p> Loop<'p> {
-    fn new(patience: &'p mut usize) -> Self {
-        Self { written: Vec::new(), steps: Vec::new(), exits: Vec::new(), open: false, patience }
-    }
-
-    /// By how much a parameter grows each time, if a step is the only thing that writes it.
-    fn step_of(&self, q: QRef) -> Option<f64> {
-        let step = self.steps.iter().find(|own| own.target == q)?;
-        let reads = matches!(step.a.amount, Amount::Q { q: own, negative: false } if own == q);
-        let Amount::Number(by) = step.b.as_ref().filter(|_| reads)?.amount else { return None };
-        let alone = self.written.iter().filter(|own| **own == q).count() == 1;
-        match step.op {
-            FnOp::Add if alone => Some(by),
-            FnOp::Sub if alone => Some(-by),
-            _ => None,
-        }
-    }
-
-    /// Adds what the blocks from one to another do.
-    fn add(&mut self, facts: &Facts<'p>, from: usize, to: usize, depth: usize) {
-        if depth == 0 {
-            self.open = true;
-            return;
-        }
-        let graph = &facts.run.graph;
-        for (at, block) in facts.program.blocks().iter().enumerate().take(to + 1).skip(from) {
-            let Some(rest) = self.patience.checked_sub(1) else {
-                self.open = true;
-                return;
-            };
-            *self.patience = rest;
-            self.block(facts, block);
-            let mut uses = graph.uses_in(at).iter().filter(|own| own.way != Way::Named);
-            let Some(own) = uses.next() else { continue };
-            let target = own.mark.as_ref().and_then(|mark| graph.block_of(mark));
-            match (own.way, target) {
-                (Way::Call, Some(part)) => {
-                    let after = facts.program.blocks().get(part..).unwrap_or_default();
-                    let Some(end) = after.iter().position(Block::ends_subprogram) else {
-                        self.open = true;
-                        return;
-                    };
-                    if part <= at && at <= part + end {
-                        self.open = true;
-                        return;
-                    }
-                    self.add(facts, part, part + end, depth - 1);
-                }
-                (Way::Jump | Way::Repeat, Some(part)) if (from..=to).contains(&part) => {}
-                (Way::Jump, Some(_)) => match &block.kind {
-                    BlockKind::FnJump(jump) if jump.relation == Relation::Equal && !block.skip => self.exits.push(jump),
-                    _ => self.open = true,
-                },
-                _ => self.open = true,
-            }
-            if self.open {
-                return;
-            }
-        }
-    }
-
-    fn block(&mut self, facts: &Facts<'p>, block: &'p Block) {
-        match &block.kind {
-            BlockKind::FnAssign(assign) => {
-                self.written.push(assign.target);
-                self.steps.push(assign);
-            }
-            BlockKind::Formula(formula) => self.written.push(formula.target),
-            BlockKind::TextFormula(formula) => self.written.push(formula.target),
-            BlockKind::Statement(statement) => {
-                let anything = matches!(
-                    statement.kind,
-                    StatementKind::Sql | StatementKind::Indirect | StatementKind::Refused | StatementKind::CallSelected
-                );
-                self.open |= anything;
-                for word in &statement.words {
-                    if let ValueKind::Q { q, .. } = word.value.kind {
-                        self.written.push(q);
-                    }
-                }
-            }
-            BlockKind::OldCycleLine(line) => {
-                for word in &line.words {
-                    if let ValueKind::Q { q, .. } = word.value.kind {
-                        self.written.push(q);
-                    }
-                }
-            }
-            BlockKind::CycleDef(cycle) => {
-                for parameter in &cycle.parameters {
-                    self.written.push(parameter.q);
-                }
-            }
-            BlockKind::Stop(_) | BlockKind::CallPgm(_) | BlockKind::Unknown(_) | BlockKind::Iso(_) => self.open = true,
-            _ => {}
-        }
-        self.open |= facts.ends(block);
-        // Where the operator starts again, the loop is a series.
-        each_function(block, |number| self.open |= matches!(number, 0 | 1 | 2 | 30));
-    }
 }

@@ -1,4 +1,5 @@
 //! The rules, one file each.
+mod allowance_left;
 mod approach_twice;
 mod approach_without_compensation;
 mod approach_wrong;
@@ -16,6 +17,7 @@ mod call_of_def_active_cycle;
 mod called_but_not_defined;
 mod called_program_in_other_unit;
 mod called_program_missing;
+mod called_program_wants;
 mod centre_in_other_plane;
 mod choice_not_offered;
 mod clearance_height_too_low;
@@ -25,6 +27,7 @@ mod compensation_on_arc;
 mod compensation_other_side;
 mod compensation_switched;
 mod contour_at_rapid;
+mod contour_crossed;
 mod contour_data_missing;
 mod contour_def_wrong;
 mod contour_depth_missing;
@@ -52,11 +55,13 @@ mod division_by_zero;
 mod doubtful_value;
 mod duplicate_parameter;
 mod empty_word;
+mod error_branch_entered;
 mod feed_missing;
 mod feed_negative;
 mod feed_unit;
 mod feed_zero;
 mod field_word_missing;
+mod finishing_before_roughing;
 mod free_contour_wrong;
 mod function_misspelled;
 mod function_not_on_control;
@@ -71,8 +76,10 @@ mod label_of_another_language;
 mod label_of_another_parameter;
 mod label_twice;
 mod label_undefined;
+mod label_unused;
 mod languages_mixed;
 mod loop_endless;
+mod loop_runs_once;
 mod machine_coordinates_compensated;
 mod machine_coordinates_missing;
 mod machine_limit;
@@ -97,6 +104,7 @@ mod out_of_range;
 mod out_of_usual_range;
 mod parameter_of_later_software;
 mod parameter_unassigned;
+mod parameter_unused;
 mod pattern_combination;
 mod pattern_missing;
 mod pattern_wrong;
@@ -110,6 +118,7 @@ mod position_twice;
 mod preset_row_wrong;
 mod probe_while_turning;
 mod probed_axis_missing;
+mod probing_direction_wrong;
 mod program_begin_missing;
 mod program_begin_twice;
 mod program_calls_itself;
@@ -127,6 +136,8 @@ mod reserved_parameter;
 mod reset_order_wrong;
 mod retract_missing;
 mod row_not_in_table;
+mod same_datum_twice;
+mod selected_table_missing;
 mod slot_too_narrow;
 mod speed_missing;
 mod speed_out_of_range;
@@ -158,8 +169,11 @@ mod transfer_parameter_overwritten;
 mod transformation_forbidden;
 mod transformation_left_on;
 mod transformation_without_effect;
+mod turned_contour_wrong;
+mod turning_start_wrong;
 mod turning_system_missing;
 mod two_signs;
+mod uncalculable_contour;
 mod unknown_cycle;
 mod unknown_parameter;
 mod unreachable;
@@ -175,6 +189,7 @@ use crate::base::diag::Diagnostic;
 /// All rules, in the order of their codes. The findings of `guard` have the codes of the
 /// specifications' guards.
 pub const RULES: &[&Rule] = &[
+    &allowance_left::RULE,
     &approach_twice::RULE,
     &approach_without_compensation::RULE,
     &approach_wrong::RULE,
@@ -192,6 +207,7 @@ pub const RULES: &[&Rule] = &[
     &called_but_not_defined::RULE,
     &called_program_in_other_unit::RULE,
     &called_program_missing::RULE,
+    &called_program_wants::RULE,
     &centre_in_other_plane::RULE,
     &choice_not_offered::RULE,
     &clearance_height_too_low::RULE,
@@ -201,6 +217,7 @@ pub const RULES: &[&Rule] = &[
     &compensation_other_side::RULE,
     &compensation_switched::RULE,
     &contour_at_rapid::RULE,
+    &contour_crossed::RULE,
     &contour_data_missing::RULE,
     &contour_def_wrong::RULE,
     &contour_depth_missing::RULE,
@@ -228,11 +245,13 @@ pub const RULES: &[&Rule] = &[
     &doubtful_value::RULE,
     &duplicate_parameter::RULE,
     &empty_word::RULE,
+    &error_branch_entered::RULE,
     &feed_missing::RULE,
     &feed_negative::RULE,
     &feed_unit::RULE,
     &feed_zero::RULE,
     &field_word_missing::RULE,
+    &finishing_before_roughing::RULE,
     &free_contour_wrong::RULE,
     &function_misspelled::RULE,
     &function_not_on_control::RULE,
@@ -247,8 +266,10 @@ pub const RULES: &[&Rule] = &[
     &label_of_another_parameter::RULE,
     &label_twice::RULE,
     &label_undefined::RULE,
+    &label_unused::RULE,
     &languages_mixed::RULE,
     &loop_endless::RULE,
+    &loop_runs_once::RULE,
     &machine_coordinates_compensated::RULE,
     &machine_coordinates_missing::RULE,
     &machine_limit::RULE,
@@ -273,6 +294,7 @@ pub const RULES: &[&Rule] = &[
     &out_of_usual_range::RULE,
     &parameter_of_later_software::RULE,
     &parameter_unassigned::RULE,
+    &parameter_unused::RULE,
     &pattern_combination::RULE,
     &pattern_missing::RULE,
     &pattern_wrong::RULE,
@@ -286,6 +308,7 @@ pub const RULES: &[&Rule] = &[
     &preset_row_wrong::RULE,
     &probe_while_turning::RULE,
     &probed_axis_missing::RULE,
+    &probing_direction_wrong::RULE,
     &program_begin_missing::RULE,
     &program_begin_twice::RULE,
     &program_calls_itself::RULE,
@@ -303,6 +326,8 @@ pub const RULES: &[&Rule] = &[
     &reset_order_wrong::RULE,
     &retract_missing::RULE,
     &row_not_in_table::RULE,
+    &same_datum_twice::RULE,
+    &selected_table_missing::RULE,
     &slot_too_narrow::RULE,
     &speed_missing::RULE,
     &speed_out_of_range::RULE,
@@ -334,8 +359,11 @@ pub const RULES: &[&Rule] = &[
     &transformation_forbidden::RULE,
     &transformation_left_on::RULE,
     &transformation_without_effect::RULE,
+    &turned_contour_wrong::RULE,
+    &turning_start_wrong::RULE,
     &turning_system_missing::RULE,
     &two_signs::RULE,
+    &uncalculable_contour::RULE,
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,
     &unreachable::RULE,

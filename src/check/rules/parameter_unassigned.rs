@@ -11,7 +11,7 @@ use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{QKind, QRef};
 use crate::check::program::reads;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Block, BlockKind, CycleForm, ValueKind};
+use crate::program::syntax::{Block, BlockKind, CycleForm, StatementKind, ValueKind};
 use crate::spec::{Keyword, Known};
 
 pub(super) const RULE: Rule = Rule { code: "parameter-unassigned", severity: Severity::Warning, run };
@@ -23,12 +23,52 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.at(facts, *span).arg("parameter", q.to_string()));
         }
     }
-    for (q, span) in early(facts).into_iter().chain(foreign(facts)) {
+    for (q, span) in early(facts).into_iter().chain(foreign(facts)).chain(of_cycles(facts)) {
         if reported.insert(q) {
             found.push(rule.at(facts, span).arg("parameter", q.to_string()));
         }
     }
 }
+
+/// What is read of the parameters of cycles that no definition of the program has, and nothing in it writes.
+///
+/// They keep their values from one program to the next, so only those are looked at that no cycle of the program has at
+/// all: a typing error in the number of another parameter.
+fn of_cycles(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
+    let statement =
+        |own: &StatementKind| !matches!(own, StatementKind::Plane | StatementKind::Trans | StatementKind::BlkForm);
+    let leaves = facts.marked().any(|(_, block)| match &block.kind {
+        BlockKind::Statement(own) => statement(&own.kind),
+        BlockKind::CallPgm(_) => true,
+        _ => false,
+    });
+    let builders = facts.definitions.iter().any(|own| own.torn || own.related_cycle().is_none());
+    if leaves || builders || !facts.begins() || facts.flow.programs || facts.flow.unread.may_assign() {
+        return Vec::new();
+    }
+    let mut known: BTreeSet<QRef> = facts.given.keys().copied().collect();
+    for cycle in facts.definitions.iter().filter_map(|own| own.related_cycle()) {
+        known.extend(cycle.params.iter().filter_map(|param| param.q));
+        known.extend(cycle.file.results.iter().filter_map(|result| result.q));
+    }
+    let (mut found, mut read) = (Vec::new(), Vec::new());
+    for block in facts.program.blocks() {
+        read.clear();
+        reads(block, &mut read);
+        found.extend(read.iter().filter(|(q, _)| q.kind == QKind::Q && OF_CYCLES.contains(&q.number)));
+        match &block.kind {
+            BlockKind::FnAssign(assign) => _ = known.insert(assign.target),
+            BlockKind::Formula(formula) => _ = known.insert(formula.target),
+            BlockKind::CycleDef(cycle) => known.extend(cycle.parameters.iter().map(|own| own.q)),
+            _ => {}
+        }
+    }
+    found.retain(|(q, _)| !known.contains(q));
+    found
+}
+
+/// The parameters of cycles (001: 12441-12455).
+const OF_CYCLES: std::ops::RangeInclusive<u16> = 200..=599;
 
 /// Where cycles put what they measure (001: 12562).
 const RESULTS: std::ops::RangeInclusive<u16> = 141..=199;
@@ -45,7 +85,12 @@ fn foreign(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
             || matches!(own.known, Known::Builders)
             || own.key.keyword == Keyword::TchProbe && own.related_cycle().is_none()
     };
-    let statement = || facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::Statement(_)));
+    let statement = || {
+        facts.marked().any(|(_, block)| match &block.kind {
+            BlockKind::Statement(own) => !matches!(own.kind, StatementKind::Plane | StatementKind::Trans),
+            _ => false,
+        })
+    };
     if facts.flow.unread.may_assign() || facts.definitions.iter().any(unclear) || statement() {
         return Vec::new();
     }
@@ -108,6 +153,8 @@ fn early(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
         let target = match &block.kind {
             BlockKind::FnAssign(assign) => Some(assign.target),
             BlockKind::Formula(formula) => Some(formula.target),
+            // These only read.
+            BlockKind::Statement(own) if matches!(own.kind, StatementKind::Plane | StatementKind::Trans) => None,
             // What it reads of the control may go into any of them.
             BlockKind::Statement(_) => return found,
             _ => None,

@@ -1,13 +1,13 @@
-//! A row of the preset table that probing cycles write and the program does not use as it was meant: written again at
+//! A row of the preset table, or of a selected datum table, that probing cycles write and the program does not use as it was meant: written again at
 //! another place before anything has activated it, or never activated although the program goes on to machine.
 //!
 //! Only in programs that neither jump nor call others, and of rows that are certain. TNC 640, 001: 11216-11232: a preset
 //! that is written to a row other than 0 is activated by the cycle for presets.
 use crate::base::diag::{Arg, Diagnostic, Place, Severity, Span};
 use crate::check::cycle::removes_material;
-use crate::check::program::number;
+use crate::check::program::{number, with_meaning};
 use crate::check::{Aspect, Defined, Definition, Facts, Pending, Rule, Tri};
-use crate::program::syntax::{BlockKind, Compensates};
+use crate::program::syntax::{Block, BlockKind, Compensates};
 
 pub(super) const RULE: Rule = Rule { code: "preset-row-wrong", severity: Severity::Warning, run };
 
@@ -15,6 +15,9 @@ pub(super) const RULE: Rule = Rule { code: "preset-row-wrong", severity: Severit
 const ROW: &str = "datum-row-number";
 const TRANSFER: &str = "measured-value-transfer";
 const PRESET: &str = "preset-number";
+/// The meanings of the row of a datum table that is activated, and of the value that probing gives a datum.
+const DATUM: &str = "datum-row";
+const NEW: &str = "new-datum-main";
 /// The meaning of the axis that a cycle probes.
 const AXIS: &str = "measuring-axis";
 /// That value of the transfer is the preset table.
@@ -60,6 +63,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         written.extend(writes(facts, &definition));
     }
+    datums(rule, facts, found);
     for (at, own) in written.iter().enumerate() {
         let active = |before: usize, row: f64| activated.iter().any(|other| other.row == row && other.block > before);
         let again = written.iter().take(at).rev().find(|before| {
@@ -73,11 +77,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.related("preset-written-here", Place::new(facts.program.source(), before.span)));
         }
         let last = !written.iter().skip(at + 1).any(|later| later.row == own.row);
-        if !last || active(own.block, own.row) || !machines(facts, own.block) {
-            continue;
-        }
         // What is activated in its place was not written here.
         let after = activated.iter().find(|other| other.block > own.block);
+        // What was active before may be active again at the end.
+        let new = |other: &Activated| {
+            let known = activated.iter().any(|before| before.row == other.row && before.block < own.block);
+            !known && activated.iter().any(|before| before.row == own.row && before.block < own.block)
+        };
+        if !last || active(own.block, own.row) || !(machines(facts, own.block) || after.is_some_and(new)) {
+            continue;
+        }
         match after.filter(|other| !written.iter().any(|written| written.row == other.row)) {
             Some(other) => {
                 let finding = rule.at(facts, other.span).arg("what", "other").arg("row", Arg::Number(own.row));
@@ -89,6 +98,44 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 found.push(finding.arg("other", 0));
             }
             None => {}
+        }
+    }
+}
+
+/// The rows of a selected datum table that are probed and never activated, of controls whose cycles have no choice
+/// between the tables, where a tool machines after that.
+fn datums(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let selects = |block: &Block| matches!(&block.kind, BlockKind::Sel(own) if facts.text(own.what).eq_ignore_ascii_case("TABLE"));
+    if !facts.marked().any(|(_, block)| selects(block)) {
+        return;
+    }
+    let (mut written, mut activated) = (Vec::new(), Vec::new());
+    for own in &facts.definitions {
+        let Some(cycle) = own.related_cycle() else { return };
+        let has = |meaning: &str| with_meaning(cycle, meaning).is_some();
+        if has(DATUM) {
+            let related = own.as_related_cycle();
+            let read = facts.read(&related);
+            let Some(item) = read.item(DATUM) else { continue };
+            let Some(row) = number(item) else { return };
+            activated.push((own.view.first, row));
+        } else if has(ROW) && !has(TRANSFER) && has(NEW) {
+            let read = facts.read(own);
+            let Some((row, span)) = read.item(ROW).and_then(|item| Some((number(item)?, item.value_span))) else {
+                continue;
+            };
+            written.push((own.view.first, row, span));
+        }
+    }
+    for (block, row, span) in written.into_iter().filter(|(_, row, _)| *row > 0.0) {
+        let active = activated.iter().any(|(at, own)| *own == row && *at > block);
+        // Patterns call what this control does not describe.
+        let mills = facts
+            .definitions
+            .iter()
+            .any(|own| own.view.first > block && own.related_cycle().is_some_and(removes_material));
+        if !active && (mills || machines(facts, block)) {
+            found.push(rule.at(facts, span).arg("what", "datum").arg("row", Arg::Number(row)).arg("other", 0));
         }
     }
 }

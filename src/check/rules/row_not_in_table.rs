@@ -1,7 +1,8 @@
 //! A datum or preset of a row that its table lacks.
 //!
-//! Only where the table is named (`--table`, `tables` in `ciklo.toml`); of several datum tables it is the one that SEL
-//! TABLE selects before. Rows that parameters choose are only looked at where their value is certain.
+//! Only where the table is named (`--table`, `tables` in `ciklo.toml`), or is the one that SEL TABLE names and lies beside
+//! the program; of several datum tables it is the one that SEL TABLE selects before. Rows that parameters choose are only
+//! looked at where their values are certain, in loops on each pass.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::program::number;
 use crate::check::{Defined, Facts, Rows, Rule};
@@ -32,7 +33,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 }
                 _ => continue,
             };
-            let Some(row) = number(item) else { continue };
+            // A loop may count rows up: each of its passes is looked at.
+            let counted = || {
+                facts
+                    .run
+                    .numbers_at(item.value_span)
+                    .iter()
+                    .copied()
+                    .find(|row| project.has_row(rows, *row) == Some(false))
+            };
+            let Some(row) = number(item).or_else(counted) else { continue };
             if project.has_row(rows, row) == Some(false) {
                 let table = if rows == Rows::Presets { "preset" } else { "datum" };
                 found.push(rule.at(facts, item.value_span).arg("row", Arg::Number(row)).arg("table", table));

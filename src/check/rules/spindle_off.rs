@@ -7,12 +7,16 @@
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::cycle::{probes, removes_material, stops_spindle};
 use crate::check::incident::Incident;
+use crate::check::program::with_meaning;
 use crate::check::travel::incidents;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, Tri};
-use crate::program::syntax::{BlockKind, Compensates};
+use crate::program::syntax::{Block, BlockKind, Compensates, StatementKind};
 use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "spindle-off", severity: Severity::Warning, run };
+
+/// The meaning of the speed that a cycle drills with itself.
+const OWN_SPEED: &str = "drilling-speed";
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Spindle) == Tri::No).filter(|call| {
@@ -20,14 +24,42 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(cycle) = facts.definitions.get(index as usize).and_then(Defined::related_cycle) else { return false };
         // What has stopped the spindle itself also starts it.
         let again = call.modal.is(Aspect::Stopped) == Tri::Yes && stops_spindle(cycle);
+        // A cycle that is told at which speed it drills turns the spindle itself (TNC 640, 001: 2281-2300).
+        let again = again || with_meaning(cycle, OWN_SPEED).is_some();
         (removes_material(cycle) || cycle.file.group == Group::Turning) && !again
     });
     let standing = incidents(facts).iter().find(|(span, own)| *own == Incident::Standing && mills(facts, *span));
     let standing = standing.map(|(span, _)| *span);
-    let first = calls.map(|call| call.span).chain(contour(facts)).chain(standing).min_by_key(|span| span.start);
+    let still = incidents(facts).iter().find(|(_, own)| *own == Incident::Still { unstarted: false });
+    let still = still.map(|(span, _)| *span);
+    let all = calls.map(|call| call.span).chain(contour(facts)).chain(standing).chain(still).chain(turning(facts));
+    let first = all.min_by_key(|span| span.start);
     if let Some(span) = first {
         found.push(rule.at(facts, span));
     }
+}
+
+/// The first call of a turning cycle in a program that nowhere says how the turning spindle turns (TNC 640, 001:
+/// 7314-7321).
+fn turning(facts: &Facts<'_>) -> Option<Span> {
+    let says = |own: &Block| match &own.kind {
+        BlockKind::Statement(own) if own.kind == StatementKind::Function => {
+            facts.text(own.head).to_ascii_uppercase().contains("TURNDATA")
+        }
+        _ => false,
+    };
+    if facts.flow.programs || facts.flow.unread.any() || facts.program.blocks().iter().any(says) {
+        return None;
+    }
+    let turns = |index: u32| {
+        facts.definitions.get(index as usize).and_then(Defined::related_cycle).map(|cycle| cycle.file.group)
+            == Some(Group::Turning)
+    };
+    let call = facts.run.calls.iter().find(|call| match call.modal.pending {
+        Pending::Definition(index) => call.modal.is(Aspect::Turning) == Tri::Yes && turns(index),
+        Pending::None | Pending::Unknown => false,
+    })?;
+    Some(call.span)
 }
 
 /// Whether the tool of a movement is there to cut: it was called with a speed, and nothing is probed in the program.

@@ -31,6 +31,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let at = facts.program.blocks().partition_point(|block| block.span.start < span.start);
         Some((*span, facts.run.before(at.saturating_sub(1))?.loaded, "missing"))
     }));
+    let still = incidents(facts).iter().filter(|(_, own)| *own == Incident::Still { unstarted: true });
+    if all.iter().all(|(.., what)| *what != "missing") {
+        all.extend(still.map(|(span, _)| (*span, Loaded::Unknown, "missing")));
+    }
     all.sort_by_key(|(span, ..)| span.start);
     let mut reported = HashSet::new();
     for (span, loaded, what) in all {

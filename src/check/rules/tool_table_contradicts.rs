@@ -156,7 +156,21 @@ fn kind<'p>(facts: &Facts<'_>, project: &'p dyn Project, loaded: Loaded) -> Opti
     let Loaded::By(block) = loaded else { return None };
     let BlockKind::ToolCall(call) = &facts.program.blocks().get(block as usize)?.kind else { return None };
     let tool = call.tool?;
-    Some((tool, project.tool_word(named(facts, tool)?, "TYP")?))
+    let name = named(facts, tool)?;
+    let kind = project.tool_word(name, "TYP").or_else(|| project.tool_word(name, "NAME").and_then(kind_of_name));
+    Some((tool, kind?))
+}
+
+/// What the first word of a name says that a tool is, where its table has no types. A drill may also serve a contour
+/// cycle that drills before it mills, so it is not judged by its name.
+fn kind_of_name(name: &str) -> Option<&'static str> {
+    let first = name.split(|sign: char| !sign.is_ascii_alphabetic()).next()?.to_ascii_uppercase();
+    Some(match first.as_str() {
+        "TAP" | "MASCHIO" | "MACHO" => TAP,
+        "REAMER" | "REAM" => "REAM",
+        "ENDMILL" | "EM" => "MILL",
+        _ => return None,
+    })
 }
 
 /// What tools are used for, with the place, the tool and the word that says it.

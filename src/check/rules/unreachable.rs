@@ -1,9 +1,11 @@
 //! Blocks that the run never comes to: after the end of the main part, and no label leads there.
 //!
-//! A subprogram that nothing calls may wait for its call, so that is a note. Silent where a subprogram does not return,
+//! A subprogram that nothing calls may wait for its call, so that is a note; a contour that no cycle names, in a program
+//! whose cycles name others, is a warning. Silent where a subprogram does not return,
 //! which is reported by a rule of its own, and in pieces of programs. Where one calls itself, only what is between the
 //! subprograms after the end of the main part is reported.
 use crate::base::diag::{Diagnostic, Severity};
+use crate::check::program::is_silent;
 use crate::check::{Facts, Rule, Way};
 use crate::program::syntax::{Block, BlockKind, Label};
 
@@ -17,6 +19,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return after_parts(rule, facts, found);
     }
     let blocks = facts.program.blocks();
+    let contours = facts.run.graph.uses.iter().any(|own| own.way == Way::Named);
     let mut ended = false;
     // One part in one piece is reported once.
     let mut reported = false;
@@ -48,10 +51,32 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             if !reported {
                 reported = true;
                 let finding = rule.at(facts, facts.content(block)).arg("part", if label { "label" } else { "block" });
-                found.push(Diagnostic { severity: if label { Severity::Note } else { finding.severity }, ..finding });
+                let waits = label && !(contours && is_contour(facts, block));
+                found.push(Diagnostic { severity: if waits { Severity::Note } else { finding.severity }, ..finding });
             }
         }
     }
+}
+
+/// Whether a label is that of a contour: nothing but elements without feed follows to LBL 0.
+fn is_contour(facts: &Facts<'_>, label: &Block) -> bool {
+    let blocks = facts.program.blocks();
+    let at = blocks.partition_point(|own| own.span.start <= label.span.start);
+    let mut elements = 0;
+    for block in blocks.get(at..).unwrap_or_default() {
+        match &block.kind {
+            BlockKind::Motion(motion) => {
+                if motion.outline().is_rapid() || motion.outline().has_feed() || motion.has_functions() {
+                    return false;
+                }
+                elements += 1;
+            }
+            _ if block.ends_subprogram() => return elements > 2,
+            _ if is_silent(block) => {}
+            _ => return false,
+        }
+    }
+    false
 }
 
 /// The blocks after the end of the main part that are in no subprogram, in a program that only calls.

@@ -2,6 +2,11 @@
 //! movements into material that nothing has removed, a feed into it with a standing spindle, a tool change or a turn of
 //! a rotary axis inside of it, holes next to it.
 //!
+//! What an execution shows ([`Project::observed`]), which knows the ways through subprograms, patterns and transformations, too,
+//! is added where nothing of that kind was found.
+//!
+//! [`Project::observed`]: super::Project::observed
+//!
 //! Invariant: only what is certain. Places are known in the order of the text from label to label; a transformation, a
 //! rotary axis away from zero, a cycle, a function that moves the machine or a block that may be skipped ends that. What
 //! a cycle other than one for holes and pockets removes is not known: nothing is said of material after it.
@@ -11,6 +16,7 @@ mod places;
 
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
+use std::mem::discriminant;
 
 use self::contour::Course;
 use self::holes::Holes;
@@ -73,7 +79,24 @@ struct Walk<'f, 'a> {
 
 /// What happens to the blank, with its places: found when a rule first asks for it.
 pub(super) fn incidents<'f>(facts: &'f Facts<'_>) -> &'f [(Span, Incident)] {
-    facts.incidents.get_or_init(|| found(facts))
+    facts.incidents.get_or_init(|| {
+        let mut all = found(facts);
+        all.extend(observed(facts, &all));
+        all
+    })
+}
+
+/// What an execution of the program shows besides.
+fn observed(facts: &Facts<'_>, known: &[(Span, Incident)]) -> Vec<(Span, Incident)> {
+    let Some(project) = facts.project.filter(|_| facts.begins() && !facts.flow.unread.any()) else { return Vec::new() };
+    let blocks = facts.program.blocks();
+    let is_new = |own: &Incident| known.iter().all(|(_, other)| discriminant(own) != discriminant(other));
+    let all = project.observed(facts.program).into_iter().filter(|own| is_new(&own.incident));
+    all.filter_map(|own| {
+        let block = blocks.get(blocks.partition_point(|block| block.line < own.line))?;
+        (block.line == own.line).then(|| (facts.content(block), own.incident))
+    })
+    .collect()
 }
 
 /// The first block from which on another preset may be active than the one that the blank refers to: the first one that

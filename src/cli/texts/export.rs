@@ -56,6 +56,9 @@ fn units(session: &Session, texts: &Texts, matches: &ArgMatches, form: Form) -> 
         unit.most = teller.about.most(&unit.message, &unit.key);
         let lines = teller.tell(&unit.message, &unit.key);
         unit.notes.extend(lines);
+        if matches.get_flag("copy-source") && unit.target.is_empty() {
+            unit.target.clone_from(&unit.source);
+        }
     }
     Ok((exchange::write(&units, &tag, form), units.len()))
 }

@@ -41,7 +41,7 @@ pub(super) fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome
     let to = matches.get_one::<String>("to").map(String::as_str);
     let mut parts = Vec::new();
     for path in &paths {
-        parts.extend(read(path, to)?);
+        parts.extend(read(path, to, matches.get_flag("any-state"))?);
     }
     let dry = matches.get_flag("dry-run");
     let mut work = Work { files: session::working_copy(&root)?, ..Work::default() };
@@ -108,7 +108,7 @@ impl Work {
 }
 
 /// What a file has for each language.
-fn read(path: &str, to: Option<&str>) -> Result<Vec<Part>, Failure> {
+fn read(path: &str, to: Option<&str>, any_state: bool) -> Result<Vec<Part>, Failure> {
     let bytes = system::read(Path::new(path))?;
     let text = std::str::from_utf8(&bytes).ok().filter(|text| text.len() <= LARGEST);
     let source = Source::new(path, text.unwrap_or_default());
@@ -119,7 +119,11 @@ fn read(path: &str, to: Option<&str>) -> Result<Vec<Part>, Failure> {
     if !exchange::is_terms(text) {
         let returned = exchange::read(text).map_err(|refused| unreadable(refused.at, refused.what))?;
         let tag = language(&to.map(str::to_owned).or(returned.language).unwrap_or_default())?;
-        return Ok(vec![Part { source, tag, content: Content::Units(returned.units) }]);
+        let mut units = returned.units;
+        if any_state {
+            units.iter_mut().for_each(Received::settle);
+        }
+        return Ok(vec![Part { source, tag, content: Content::Units(units) }]);
     }
     let rows = exchange::read_terms(text).map_err(|refused| unreadable(refused.at, refused.what))?;
     let named: BTreeSet<&str> = rows.iter().map(|row| row.words.language.as_str()).collect();

@@ -17,7 +17,7 @@ use crate::language::locale::Ui;
 
 pub(super) const COMMAND: Command = Command {
     name: "texts",
-    usage: "status|accept|export|import [FILE]… [--data DIR] [--lang LANG]… [--file FILE]… [--text KEY]… [--changed] [--all] [--to LANG] [--stale] [--missing] [--cycle CYCLE]… [--topic TOPIC]… [--base-url URL] [--out FILE] [--dry-run] [--format FORMAT]",
+    usage: "status|accept|export|import [FILE]… [--data DIR] [--lang LANG]… [--file FILE]… [--text KEY]… [--changed] [--all] [--to LANG] [--stale] [--missing] [--cycle CYCLE]… [--topic TOPIC]… [--copy-source] [--base-url URL] [--out FILE] [--any-state] [--dry-run] [--format FORMAT]",
     arguments: own,
     run,
 };
@@ -43,8 +43,10 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::switch(ui, "missing", "cli-texts-missing"),
         arguments::several(ui, "cycle", "CYCLE", "cli-texts-cycle"),
         arguments::several(ui, "topic", "TOPIC", "cli-texts-topic"),
+        arguments::switch(ui, "copy-source", "cli-texts-copy-source"),
         arguments::valued(ui, "base-url", "URL", "cli-texts-base-url"),
         arguments::valued(ui, "out", "FILE", "cli-texts-out"),
+        arguments::switch(ui, "any-state", "cli-texts-any-state"),
         arguments::switch(ui, "dry-run", "cli-texts-dry-run"),
         arguments::valued(ui, "format", "FORMAT", "cli-texts-format").value_parser(FORMATS).hide_possible_values(true),
     ]

@@ -144,6 +144,11 @@ impl Contour {
         }
     }
 
+    /// Remembers the direction at the end of a move of another kind.
+    pub(crate) fn arrived(&mut self, heading: DVec2, at: DVec2) {
+        self.last = direction(heading).map(|heading| Last::Heading(heading, at));
+    }
+
     /// A corner between the element that waits and the next one can be rounded or broken here.
     pub(crate) fn has_corner(&self) -> Result<(), Fault> {
         let is_element = |piece: &Piece| matches!(piece.kind, Kind::Element(_));

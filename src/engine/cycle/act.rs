@@ -166,7 +166,7 @@ impl<'e> Run<'_, 'e> {
     /// would probe at another place than it believes.
     pub(crate) fn knows_tool_axis(&self, exec: &Exec<'_, 'e>) -> Result<(), Fault> {
         let asks = || exec.plan().builtins.iter().any(|(_, builtin)| *builtin == Builtin::ProbeUp);
-        if self.drives.world.system.tip_held && self.drives.world.is_askew() && !asks() {
+        if self.drives.world.system.knows_tool() && self.drives.world.is_askew() && !asks() {
             return Err(Fault::unsupported("unsupported-tcpm").arg("cycle", exec.definition.cycle.key.to_string()));
         }
         Ok(())
@@ -272,7 +272,7 @@ impl<'e> Run<'_, 'e> {
     fn transform(&mut self, transform: &Transform, exec: &Exec<'_, 'e>) -> Done {
         match transform {
             Transform::Cancel(ended) if ended.contains(&Cancel::RadiusCompensation) => self.end_contour()?,
-            _ => self.drives.not_beside_contour(exec.definition.cycle.key.to_string())?,
+            _ => self.drives.not_compensated(exec.definition.cycle.key.to_string())?,
         }
         let before = self.drives.world.system.reported();
         match transform {
@@ -343,6 +343,7 @@ impl<'e> Run<'_, 'e> {
                 };
                 self.drives.world.carry_system();
                 self.drives.world.system.set_tilt(angles);
+                self.drives.counted_alone()?;
             }
             Transform::Preset(row) => {
                 let row = self.number(row, exec)?;

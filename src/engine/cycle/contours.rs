@@ -12,6 +12,7 @@ use crate::engine::flow::calls::{Call, program_key};
 use crate::engine::flow::sources::{Listed, Of, Selected, Sources};
 use crate::engine::flow::state::Run;
 use crate::engine::geometry::Axis;
+use crate::engine::motion::blank::TurnedBlank;
 use crate::engine::region::contours::Contour;
 use crate::engine::region::formula::{self, Unknown};
 use crate::engine::region::relief::{Operator, Relief};
@@ -95,18 +96,57 @@ impl<'e> Run<'_, 'e> {
         };
         let label = labels.split('/').map(str::trim).find(|label| !label.is_empty());
         let label = label.ok_or_else(|| Fault::program("contour-not-defined"))?.trim_matches('"');
+        Ok(self.turned_contour(&Of::Label(label.into()))?.way)
+    }
+
+    fn turned_contour(&mut self, of: &Of) -> Done<Contour> {
         let contour = self.described(|run, before| {
             let across = before.plane.secondary;
             let mut half = System::clone(before);
             half.set_plane(across);
             run.drives.world.system.set_plane(across);
             run.drives.world.renew();
-            run.contour_of(&Of::Label(label.into()), &half, Reading::Turned)
+            run.contour_of(of, &half, Reading::Turned)
         })?;
         if contour.way.edges.len() > MOST_ELEMENTS {
             return Err(Fault::control("contour-elements").arg("limit", MOST_ELEMENTS as f64).into());
         }
-        Ok(contour.way)
+        Ok(contour)
+    }
+
+    /// `FUNCTION TURNDATA BLANK LBL 20`: the blank that turning updates from now on, described by a subprogram or a program
+    /// as a closed contour in the half plane; `OFF` ends that.
+    pub(crate) fn describe_blank(&mut self, words: &[NamedWord]) -> Done {
+        let mut of = None;
+        for word in words {
+            let name = self.slice(word.name).trim().to_ascii_uppercase();
+            let value = match word.value.kind {
+                ValueKind::Q { q, .. } if q.kind == QKind::Qs => self.params.text(q)?.trim().to_owned(),
+                ValueKind::Q { q, .. } => self.params.number(q)?.to_string(),
+                ValueKind::Text(span) => self.slice(span).trim().to_owned(),
+                _ => self.slice(word.value.span).trim().to_owned(),
+            };
+            match (name.as_str(), value.as_str()) {
+                ("OFF", "") | ("", "OFF" | "off") => {
+                    self.drives.blank = None;
+                    return Ok(());
+                }
+                ("LBL", label) => of = Some(Of::Label(label.into())),
+                ("" | "FILE", name) if !name.is_empty() => {
+                    of = Some(Of::Program(self.program_named(name)?, name.into()));
+                }
+                (name, _) => {
+                    let word = format!("TURNDATA BLANK {name}");
+                    return Err(Fault::unsupported("unsupported-block").arg("word", word).into());
+                }
+            }
+        }
+        let of = of.ok_or_else(|| Fault::program("contour-not-defined"))?;
+        let contour = self.turned_contour(&of)?;
+        let boundary = contour.boundary().map_err(|flaw| flawed(flaw, of.name()))?;
+        let way = Way { start: boundary.start(), edges: boundary.edges() };
+        self.drives.blank = Some(TurnedBlank::new(&way, self.drives.world.system.frame()));
+        Ok(())
     }
 
     /// Reads the first contour that the definition in effect names, in the development of a cylinder: X is the way round
@@ -338,7 +378,13 @@ impl<'e> Run<'_, 'e> {
         let here = self.drives.world.machine;
         self.drives.world.stand_aside(reading != Reading::Turned);
         self.drives.traced = Some(Vec::new());
+        // Local parameters that a subprogram of a contour uses it must set itself (TNC 640 manual, line 4367).
+        let is_label = matches!(of, Of::Label(_));
+        let locals = if is_label { self.params.take_locals() } else { None };
         (self.blocks)(self, depth + 1)?;
+        if is_label {
+            self.params.return_locals(locals);
+        }
         let side = self.contour.side();
         self.end_contour()?;
         self.enter_program();

@@ -142,7 +142,12 @@ impl Tables for OfRun<'_, '_, '_, '_> {
     }
 
     fn insert(&self) -> Result<TurningInsert, Fault> {
-        Ok(self.run.drives.world.turning_insert()?)
+        let world = &self.run.drives.world;
+        if world.system.knows_tool() && world.is_askew() {
+            // Its angles and where its tip is are those of an upright tool.
+            return Err(Fault::unsupported("insert-askew"));
+        }
+        Ok(world.turning_insert()?)
     }
 }
 
@@ -295,6 +300,14 @@ impl Kept for OfRun<'_, '_, '_, '_> {
         let drives = &mut self.run.drives;
         let at = drives.world.system.axes(at);
         drives.report.report(EventKind::Left { area, at });
+    }
+
+    fn outline_of_blank(&self, seen: &dyn Fn(&Way) -> Way) -> Option<Way> {
+        self.run.drives.outline_of_blank(seen)
+    }
+
+    fn updates_blank(&self) -> bool {
+        self.run.drives.blank.is_some()
     }
 
     fn keep_groove(&mut self, groove: Groove) {

@@ -28,7 +28,7 @@ const MAX_NESTED: usize = 8;
 impl<'e> Run<'_, 'e> {
     /// Calls the last call-active cycle.
     pub(crate) fn call_last_cycle(&mut self) -> Done {
-        self.drives.not_beside_contour("CYCL CALL")?;
+        self.drives.not_compensated("CYCL CALL")?;
         let Some(definition) = self.cycles.last.clone() else { return Err(Fault::program("no-cycle-to-call").into()) };
         self.execute(&definition)
     }

@@ -3,6 +3,7 @@
 //! Invariant: a position is known both in program and machine coordinates after every movement.
 use glam::DVec3;
 
+use super::blank::TurnedBlank;
 use crate::engine::machine::Insert;
 use crate::engine::report::ending::Done;
 use crate::engine::report::envelope::{Recorder, Touching, Way};
@@ -56,7 +57,9 @@ pub(crate) struct Drives<'r, 'e> {
     /// Spindle and coolant.
     pub(crate) switched: Switched,
     /// The insert as it was reported last, if one was since the tool was called.
-    held: Option<Insert>,
+    pub(super) held: Option<Insert>,
+    /// The blank that turning updates (`FUNCTION TURNDATA BLANK`).
+    pub(crate) blank: Option<TurnedBlank>,
     /// mm in the unit of the program being executed.
     pub(crate) unit: f64,
     /// mm in the unit in which the cycle being executed calculates.
@@ -83,6 +86,7 @@ impl<'r, 'e> Drives<'r, 'e> {
             report,
             switched: Switched::default(),
             held: None,
+            blank: None,
             unit: 1.0,
             cycle_unit: 1.0,
             moves: 0,
@@ -114,6 +118,15 @@ impl<'r, 'e> Drives<'r, 'e> {
         Err(Fault::unsupported("unsupported-compensation").arg("word", word.into()).into())
     }
 
+    /// A fault if a cycle, or a tilted plane, comes while compensation is in effect: the position before it is to be
+    /// programmed with `R0` (TNC 640 manual, line 1729 and in each cycle that machines).
+    pub(crate) fn not_compensated(&self, cycle: impl Into<String>) -> Done {
+        if !self.beside_contour {
+            return Ok(());
+        }
+        Err(Fault::program("compensation-at-cycle").arg("cycle", cycle.into()).into())
+    }
+
     /// Few blocks can move the tool without end: a pattern of many points with a cycle of many infeeds.
     pub(crate) fn count_move(&mut self) -> Done {
         self.moves += 1;
@@ -130,7 +143,7 @@ impl<'r, 'e> Drives<'r, 'e> {
 
     /// After a change of the system: program coordinates follow, and the change is reported.
     pub(crate) fn transformed(&mut self, before: Coordinates) {
-        if self.world.system.tip_held {
+        if self.world.system.knows_tool() {
             // Where the rotary axes have the coordinate 0 may have changed, too.
             self.world.carry_system();
         }
@@ -148,6 +161,7 @@ impl<'r, 'e> Drives<'r, 'e> {
         self.world.system.turning = false;
         self.world.align(Aligned::default());
         self.world.system.end_changes();
+        self.world.parallels.end(self.world.machine);
         self.transformed(before);
     }
 

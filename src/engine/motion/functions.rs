@@ -34,6 +34,8 @@ pub(crate) enum Effect {
     Untilted,
     /// The tool tip is held on the workpiece while rotary axes turn, or no longer.
     HoldTip(bool),
+    /// Positions count from where the rotary axes have brought tool and workpiece, or no longer.
+    CountAxes(bool),
     /// The tool moves away from the workpiece along its axis.
     Retract,
     /// Corners of the block are gone round in another way.
@@ -82,6 +84,8 @@ pub(crate) fn effect(number: u16) -> Option<Effect> {
         128 => Effect::HoldTip(true),
         129 => Effect::HoldTip(false),
         136 => Effect::PerRevolution(true),
+        144 => Effect::CountAxes(true),
+        145 => Effect::CountAxes(false),
         137 => Effect::PerRevolution(false),
         303 => Effect::TurnWorkpiece(1),
         304 => Effect::TurnWorkpiece(-1),

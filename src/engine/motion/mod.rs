@@ -4,6 +4,7 @@
 //! comes as coordinates and speeds, in mm. A movement that cannot be executed exactly is a fault.
 mod around;
 pub(crate) mod axis;
+pub(crate) mod blank;
 pub(crate) mod drives;
 pub(crate) mod functions;
 pub(crate) mod moves;

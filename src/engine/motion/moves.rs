@@ -63,6 +63,10 @@ impl Speed {
     }
 }
 
+const fn is_rapid(kind: MoveKind) -> bool {
+    matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. })
+}
+
 impl Drives<'_, '_> {
     /// Moves straight; `machine` gives the target in machine coordinates where that is what is programmed.
     pub(crate) fn straight_to(&mut self, to: DVec3, machine: Option<DVec3>, speed: Result<Speed, Fault>) -> Done {
@@ -77,7 +81,7 @@ impl Drives<'_, '_> {
             return self.trace(to, machine, path);
         }
         let (kind, feed) = match speed? {
-            Speed::Rapid => (MoveKind::Rapid, self.world.scene.machine.rapid_feed(machine - self.world.machine)),
+            Speed::Rapid => (MoveKind::Rapid, self.world.rapid_feed(machine - self.world.machine)),
             Speed::Feed(feed) => (MoveKind::Feed, self.per_minute(feed, &path)?),
         };
         self.go(kind, feed, to, machine, &path)
@@ -161,7 +165,7 @@ impl Drives<'_, '_> {
         self.count_move()?;
         if self.beside_contour {
             let word = self.report.at().cycle.as_ref().map_or_else(String::new, |(key, _)| key.to_string());
-            self.not_beside_contour(word)?;
+            self.not_compensated(word)?;
         }
         self.no_unexecuted()?;
         self.has_axes_to(machine)?;
@@ -179,6 +183,9 @@ impl Drives<'_, '_> {
         self.world.machine = machine;
         let path = self.world.path_of_tip(path);
         let turned = self.on_diameter(to);
+        if self.blank.is_some() && turned.is_some() && !is_rapid(kind) {
+            self.cut_blank(&path);
+        }
         self.report.report_move(kind, from, to, machine, feed, path, turned);
         Ok(())
     }

@@ -50,7 +50,7 @@ impl Drives<'_, '_> {
     /// contact in program coordinates. `turned` is by how much the spindle is turned from the calibration angle;
     /// without it a probe that is tracked is turned into the direction.
     pub(crate) fn probe(&mut self, towards: DVec3, turned: Option<f64>) -> Done<DVec3> {
-        self.not_beside_contour("TCH PROBE")?;
+        self.not_compensated("TCH PROBE")?;
         let probe = self.world.probe()?;
         let from = self.world.here + self.world.up() * probe.effective_radius;
         let way = towards - from;
@@ -82,7 +82,7 @@ impl Drives<'_, '_> {
     /// it touched: the tool tip in the machine with the head at 0, and what turning the head has done to the offset of
     /// the ball.
     pub(crate) fn touch_along(&mut self, way: DVec3) -> Done<DVec3> {
-        self.not_beside_contour("TCH PROBE")?;
+        self.not_compensated("TCH PROBE")?;
         let probe = self.world.probe()?;
         let direction = self.world.system.back().vector(way).normalize();
         if let Some(turned) = self.world.tracked(&probe, way) {
@@ -198,7 +198,7 @@ impl Drives<'_, '_> {
         let (here, machine) = (self.world.here, self.world.machine);
         self.world.pressed = None;
         if stopped != machine {
-            let feed = self.world.scene.machine.rapid_feed(machine - stopped);
+            let feed = self.world.rapid_feed(machine - stopped);
             let (from, swung) = (self.world.to_program(stopped), self.world.swung());
             let path = Path::line(stopped + swung, machine + swung);
             self.report.report(EventKind::Move {

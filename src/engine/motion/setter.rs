@@ -16,6 +16,7 @@ use crate::engine::report::fault::Fault;
 use crate::engine::scene::{Edge, ToolSetter, TrueTool};
 use crate::engine::solid::Path;
 use crate::engine::world::setter::{Course, Measured, Pose};
+use crate::engine::world::setter_leaning::Leaning;
 
 /// Ways that are shorter, mm, are none.
 const NOTHING: f64 = 1e-9;
@@ -25,6 +26,16 @@ const CHORD: f64 = 1e-4;
 const ASKEW: f64 = 1e-9;
 /// Two directions are the same if the cosine of the angle between them is not below this.
 const STRAIGHT: f64 = 1.0 - 1e-9;
+
+/// Whether a spindle with these axes is not at right angles to the face.
+fn leans(axes: [DVec3; 3]) -> bool {
+    axes[2].distance(DVec3::Z) > ASKEW
+}
+
+/// By how much a spindle is turned whose main axis is that, degrees.
+fn turned_by(main: DVec3) -> f64 {
+    if main.truncate() == DVec2::X { 0.0 } else { atan2d(main.y, main.x) }
+}
 
 impl Drives<'_, '_> {
     /// The tool setter.
@@ -49,25 +60,31 @@ impl Drives<'_, '_> {
         Ok(self.tool_setter()?.mounted())
     }
 
-    /// By how much the spindle is turned against these directions by a head, degrees; an error where the tool is not at
-    /// right angles to the face.
-    fn turned_by(&self, head: Option<Frame>) -> Result<f64, Fault> {
+    /// Main, minor and tool axis of a spindle in a head, as main, minor and tool coordinate in these directions.
+    fn spindle_axes(&self, head: Option<Frame>) -> Result<[DVec3; 3], Fault> {
         let (plane, back) = (self.world.system.plane, self.setter_frame()?.inverse());
-        let [main, tool] = [plane.main, plane.tool].map(|axis| {
+        Ok([plane.main, plane.secondary, plane.tool].map(|axis| {
             let unit = axis.unit();
-            back.vector(head.map_or(unit, |head| head.vector(unit)))
-        });
-        if tool.distance(plane.tool.unit()) > ASKEW {
+            let seen = back.vector(head.map_or(unit, |head| head.vector(unit)));
+            plane.flat(seen).extend(plane.tool.of(seen))
+        }))
+    }
+
+    /// By how much the spindle is turned against these directions by the head as the control knows it, degrees; an error
+    /// where the tool is not at right angles to the face.
+    fn turned_by_head(&self) -> Result<f64, Fault> {
+        let [main, _, tool] = self.spindle_axes(self.world.head)?;
+        if tool.distance(DVec3::Z) > ASKEW {
             return Err(Fault::control("tool-setter-askew"));
         }
-        let main = plane.flat(main);
-        Ok(if main == DVec2::X { 0.0 } else { atan2d(main.y, main.x) })
+        Ok(turned_by(main))
     }
 
     /// The true tip of a tool as the table has it, while the linear axes are there, seen from the centre of the face.
     fn from_face(&self, setter: &ToolSetter, machine: DVec3) -> DVec3 {
         let swung = self.world.true_head.map_or(DVec3::ZERO, |head| self.world.swing(&head));
-        setter.mounted().inverse().vector(machine + swung - setter.at)
+        let drift = self.world.scene.truth.as_ref().map_or(DVec3::ZERO, |truth| truth.drift);
+        setter.mounted().inverse().vector(machine + swung + drift - setter.at)
     }
 
     /// The tip of the tool in the directions of the setter, as the control knows it.
@@ -87,7 +104,7 @@ impl Drives<'_, '_> {
         if plane_is_askew || unknown {
             return Err(Fault::unsupported("unsupported-transformation").arg("name", "tilting"));
         }
-        self.turned_by(world.head)?;
+        self.turned_by_head()?;
         Ok(self.setter_frame()?.inverse().point(world.machine + world.swung()))
     }
 
@@ -100,7 +117,7 @@ impl Drives<'_, '_> {
     /// Where the first edge is from the main direction of the setter while the spindle is at 0: what the control finds
     /// while it touches with the tool turning.
     pub(crate) fn first_edge(&self) -> Result<f64, Fault> {
-        let turned = self.turned_by(self.world.head)?;
+        let turned = self.turned_by_head()?;
         Ok(turned + self.world.tool().map_or(0.0, |tool| self.true_tool(&tool).first))
     }
 
@@ -120,11 +137,8 @@ impl Drives<'_, '_> {
             first: true_tool.first,
             misaligned: true_tool.misaligned,
         };
-        let turned = self.turned_by(self.world.true_head)?;
-        let pose = match pose {
-            Pose::At(angle) => Pose::At(angle + turned),
-            Pose::Turning => Pose::Turning,
-        };
+        self.turned_by_head()?;
+        let axes = self.spindle_axes(self.world.true_head)?;
         let plane = self.world.system.plane;
         let machine = self.world.machine;
         let length = way.length();
@@ -134,10 +148,23 @@ impl Drives<'_, '_> {
         // The spindle is as far above the tip as the table says that the tool is long.
         let spindle = up + tool.length;
         // It triggers once the face, or its side, is pushed in so far.
-        let found = if plane.tool.of(direction).abs() > 0.5 {
-            measured.length_over(setter.plate, axis, pose).map(|long| spindle - long + setter.pre_travel)
+        let is_down = plane.tool.of(direction).abs() > 0.5;
+        let pushed = if is_down { setter.plate } else { setter.plate.smaller(setter.pre_travel) };
+        let found = if leans(axes) {
+            let nose = axis.extend(up) + axes[2] * tool.length;
+            let along = plane.flat(direction).extend(plane.tool.of(direction));
+            let way = Leaning { measured, axes }.way_to(pushed, nose, along, pose);
+            way.map(|way| if is_down { way + setter.pre_travel } else { way })
         } else {
-            measured.way_to_side(setter.plate.smaller(setter.pre_travel), axis, plane.flat(direction), -spindle, pose)
+            let pose = match pose {
+                Pose::At(angle) => Pose::At(angle + turned_by(axes[0])),
+                Pose::Turning => Pose::Turning,
+            };
+            if is_down {
+                measured.length_over(pushed, axis, pose).map(|long| spindle - long + setter.pre_travel)
+            } else {
+                measured.way_to_side(pushed, axis, plane.flat(direction), -spindle, pose)
+            }
         };
         if found.is_some_and(|gone| gone < -NOTHING) {
             return Err(Fault::control("probe-deflected").into());
@@ -161,13 +188,12 @@ impl Drives<'_, '_> {
     }
 
     /// An error if the tool gets into the tool setter on a path of its tip in the machine. Back from where it touched it
-    /// may go. While the tool is not at right angles to the face the setter is not looked at.
+    /// may go. While the head is not turned so that the tool is at right angles to the face, the setter is not looked at.
     pub(crate) fn meets_setter(&mut self, path: &Path) -> Done {
         let touched = self.world.at_setter.take();
         let Some(setter) = self.world.scene.setter.as_ref() else { return Ok(()) };
-        let Some(tool) = self.world.tool().filter(|_| self.turned_by(self.world.true_head).is_ok()) else {
-            return Ok(());
-        };
+        let Some(tool) = self.world.tool().filter(|_| self.turned_by_head().is_ok()) else { return Ok(()) };
+        let axes = self.spindle_axes(self.world.true_head)?;
         let back = |from: DVec3, to: DVec3| {
             touched.is_some_and(|touched| (from - to).normalize_or_zero().dot(touched) >= STRAIGHT)
         };
@@ -177,9 +203,11 @@ impl Drives<'_, '_> {
         let (true_tool, plane) = (self.true_tool(&tool), self.world.system.plane);
         let (round, first, misaligned) = (true, true_tool.first, true_tool.misaligned);
         let measured = Measured { tool: &tool, edges: &true_tool.edges, round, first, misaligned };
+        // The spindle nose beside the centre of the face and above it.
         let at = |share: f64| {
-            let from_face = self.from_face(setter, path.at(share));
-            (plane.flat(from_face), plane.tool.of(from_face) + tool.length)
+            let tip = self.from_face(setter, path.at(share));
+            let nose = plane.flat(tip).extend(plane.tool.of(tip)) + axes[2] * tool.length;
+            (nose.truncate(), nose.z)
         };
         let (pieces, nearer) = match *path {
             Path::Line { .. } => (1.0, 0.0),
@@ -192,13 +220,21 @@ impl Drives<'_, '_> {
         // What is far from all of the path is far from each piece of it.
         let (middle, half) = (path.at(0.5), 0.5 * path.length());
         let widest = true_tool.edges.iter().map(|edge| edge.radius).fold(0.0, f64::max) + misaligned.length() + nearer;
-        if plane.flat(self.from_face(setter, middle)).length() > half + widest + setter.plate.reach() {
+        let longest = true_tool.edges.iter().map(|edge| edge.length).fold(tool.length, f64::max);
+        let leaning = axes[2].truncate().length() * longest;
+        if plane.flat(self.from_face(setter, middle)).length() > half + widest + leaning + setter.plate.reach() {
             return Ok(());
         }
         for piece in 0..pieces as u32 {
             let share = |piece: u32| f64::from(piece) / pieces;
             let course = Course { from: at(share(piece)), to: at(share(piece + 1)) };
-            if measured.meets(setter.plate, &course, nearer) {
+            let meets = if leans(axes) {
+                let leaning = Leaning { measured, axes };
+                leaning.meets(setter.plate, leaning.noses(&course), nearer)
+            } else {
+                measured.meets(setter.plate, &course, nearer)
+            };
+            if meets {
                 let from = self.world.to_program(path.at(share(piece)));
                 let fault = Fault::control("tool-setter-collision");
                 return Err(fault.arg("x", from.x).arg("y", from.y).arg("z", from.z).into());

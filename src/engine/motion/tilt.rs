@@ -85,9 +85,28 @@ impl Drives<'_, '_> {
         let plane = plane * system.plane.tool.of(system.mirror().0);
         let plane = machine.table(datum).inverse().vector(plane);
         let tilts = |axis: &RotaryMachineAxis| self.world.tilts(axis.axis);
+        let reached = self.reaching(plane).into_iter().filter_map(|angles| {
+            let all = angles.iter().fold(datum, |all, (axis, angle)| axis.axis.with(all, *angle));
+            let straight = machine.table(all).vector(plane) - machine.head(all).vector(tool);
+            let within = angles.iter().all(|(axis, angle)| axis.reaches(*angle));
+            let position = (all - datum) * system.mirror().1;
+            let angle = master(machine, &tilts).map_or(0.0, |axis| axis.axis.of(position));
+            let asked = positive.is_none_or(|positive| if positive { angle > -SAME } else { angle < SAME });
+            (straight.length() < 1e-6 && within && asked).then_some(position)
+        });
+        let nearer = reached.reduce(|a, b| if b.length_squared() < a.length_squared() - SAME { b } else { a });
+        nearer.ok_or_else(|| Fault::control("tilting-unreachable"))
+    }
+
+    /// The angles of rotary axes, in machine coordinates, with which the tool is along a direction of the workpiece, seen
+    /// while all axes of the table are at 0. They still have to be proven: the head may have been turned before.
+    fn reaching(&self, plane: DVec3) -> Vec<Vec<(&RotaryMachineAxis, f64)>> {
+        let machine = self.world.kinematics();
+        let tool = machine.spindle.unit();
+        let tilts = |axis: &RotaryMachineAxis| self.world.tilts(axis.axis);
         let of =
             |carried| machine.rotary.iter().filter(|axis| axis.carries == carried && tilts(axis)).collect::<Vec<_>>();
-        let found: Vec<Vec<(&RotaryMachineAxis, f64)>> = match (&*of(Carried::Workpiece), &*of(Carried::Tool)) {
+        match (&*of(Carried::Workpiece), &*of(Carried::Tool)) {
             ([], []) => vec![Vec::new()],
             ([one], []) => vec![vec![(*one, angle_about(about(one), plane, tool))]],
             ([], [one]) => vec![vec![(*one, angle_about(about(one), tool, plane))]],
@@ -104,18 +123,42 @@ impl Drives<'_, '_> {
                 .map(|(a, b)| vec![(*table, a), (*head, b)])
                 .collect(),
             _ => Vec::new(),
-        };
-        let reached = found.into_iter().filter_map(|angles| {
-            let all = angles.iter().fold(datum, |all, (axis, angle)| axis.axis.with(all, *angle));
-            let straight = machine.table(all).vector(plane) - machine.head(all).vector(tool);
-            let within = angles.iter().all(|(axis, angle)| axis.reaches(*angle));
-            let position = (all - datum) * system.mirror().1;
-            let angle = master(machine, &tilts).map_or(0.0, |axis| axis.axis.of(position));
-            let asked = positive.is_none_or(|positive| if positive { angle > -SAME } else { angle < SAME });
-            (straight.length() < 1e-6 && within && asked).then_some(position)
+        }
+    }
+
+    /// Where the rotary axes go so that the tool is along a direction of the program, in machine coordinates: of the
+    /// positions that do it the one with the shortest way; an axis that does not matter stays.
+    pub(crate) fn turns_along(&self, direction: DVec3) -> Result<Vec<(RotaryAxis, f64)>, Fault> {
+        let (system, machine) = (&self.world.system, self.world.kinematics());
+        let (tool, datum, now) = (machine.spindle.unit(), system.angle_datum(), self.world.angles);
+        let wanted = system.table.inverse().of(*system.frame()).vector(direction).normalize();
+        let wanted = machine.table(datum).inverse().vector(wanted);
+        let off = |all: DVec3| (machine.table(all).vector(wanted) - machine.head(all).vector(tool)).length();
+        if off(now) < SAME {
+            return Ok(Vec::new());
+        }
+        let positions = self.reaching(wanted).into_iter().filter_map(|angles| {
+            let mut all = angles.iter().fold(now, |all, (axis, angle)| axis.axis.with(all, *angle));
+            if off(all) > STRAIGHT {
+                return None;
+            }
+            for (own, _) in &angles {
+                let stays = own.axis.with(all, own.axis.of(now));
+                // Nearest to where it is, by whole turns.
+                let angle = own.axis.of(all);
+                let turns = libm::round((own.axis.of(now) - angle) / 360.0);
+                let near = [turns, turns - 1.0, turns + 1.0].map(|turns| angle + 360.0 * turns);
+                let way = |angle: f64| (angle - own.axis.of(now)).abs();
+                let reached = near.into_iter().filter(|angle| own.reaches(*angle));
+                let nearest = reached.min_by(|a, b| way(*a).total_cmp(&way(*b)))?;
+                all = if off(stays) < SAME { stays } else { own.axis.with(all, nearest) };
+            }
+            Some(all)
         });
-        let nearer = reached.reduce(|a, b| if b.length_squared() < a.length_squared() - SAME { b } else { a });
-        nearer.ok_or_else(|| Fault::control("tilting-unreachable"))
+        let far = |all: &DVec3| (*all - now).abs().max_element();
+        let nearer = positions.reduce(|a, b| if far(&b) < far(&a) - SAME { b } else { a });
+        let all = nearer.ok_or_else(|| Fault::control("tool-direction-unreachable"))?;
+        Ok(machine.rotary.iter().map(|own| (own.axis, own.axis.of(all))).collect())
     }
 
     /// The positions with the table turned so that the main axis of the plane is that of the machine, where an axis

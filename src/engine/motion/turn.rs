@@ -60,6 +60,10 @@ impl Drives<'_, '_> {
         if moving.is_empty() {
             return self.straight_to(to, machine, speed);
         }
+        if self.world.parallels.drive() {
+            // Which of them the table or the head would carry, nothing says.
+            return Err(Fault::unsupported("unsupported-block").arg("word", "FUNCTION PARAXMODE").into());
+        }
         self.count_move()?;
         self.not_beside_contour(moving.iter().map(|axis| axis.letter()).collect::<String>())?;
         self.no_unexecuted()?;
@@ -79,7 +83,7 @@ impl Drives<'_, '_> {
             let (from, swung) = (self.world.machine + self.world.swung(), self.swung_after(after));
             let path = BallPath::line(from, end + swung);
             let (kind, feed) = match speed {
-                Speed::Rapid => (MoveKind::Rapid, self.world.scene.machine.rapid_feed(end - self.world.machine)),
+                Speed::Rapid => (MoveKind::Rapid, self.world.rapid_feed(end - self.world.machine)),
                 Speed::Feed(feed) => (MoveKind::Feed, rates.map_or(feed, |(linear, _)| linear)),
             };
             self.world.pressed = None;
@@ -182,7 +186,7 @@ impl Drives<'_, '_> {
                 return Err(fault);
             }
             let reach = course.axes_reach(middle, half);
-            if reach >= AT_LIMIT && self.world.scene.machine.room(at) < reach {
+            if reach >= AT_LIMIT && self.world.scene.machine.room(self.world.parallels.linear(at)) < reach {
                 open.extend([(middle + half / 2.0, half / 2.0), (middle - half / 2.0, half / 2.0)]);
             }
         }

@@ -42,6 +42,13 @@ pub(super) struct Piece {
     pub(super) shape: Shape,
 }
 
+/// Places at which two shapes may meet: none, one or two.
+pub(super) type Places = std::iter::Take<std::array::IntoIter<f64, 2>>;
+
+fn places(at: [f64; 2], count: usize) -> Places {
+    at.into_iter().take(count)
+}
+
 impl Shape {
     pub(super) fn height(&self, x: f64) -> f64 {
         match *self {
@@ -61,15 +68,14 @@ impl Shape {
     }
 
     /// Where it may have the height of a line.
-    fn meets_line(&self, through: DVec2, slope: f64) -> Vec<f64> {
+    fn meets_line(&self, through: DVec2, slope: f64) -> Places {
         match *self {
             Self::Line { through: own, slope: steep } => {
                 let apart = steep - slope;
                 if apart.abs() < SAME {
-                    Vec::new()
-                } else {
-                    vec![(through.y - own.y + steep * own.x - slope * through.x) / apart]
+                    return places([0.0; 2], 0);
                 }
+                places([(through.y - own.y + steep * own.x - slope * through.x) / apart; 2], 1)
             }
             Self::Arc { centre, radius, .. } => {
                 // The distance of the centre from the line, and half of the chord.
@@ -77,34 +83,34 @@ impl Shape {
                 let off = (through.y + slope * (centre.x - through.x) - centre.y) / length;
                 let half = radius * radius - off * off;
                 if half < 0.0 {
-                    return Vec::new();
+                    return places([0.0; 2], 0);
                 }
                 let (half, foot) = (libm::sqrt(half), centre.x - off * slope / length);
-                vec![foot - half / length, foot + half / length]
+                places([foot - half / length, foot + half / length], 2)
             }
         }
     }
 
     /// Where the two may have the same height.
-    pub(super) fn meets(&self, other: &Self) -> Vec<f64> {
+    pub(super) fn meets(&self, other: &Self) -> Places {
         match (*self, *other) {
             (Self::Line { through, slope }, _) => other.meets_line(through, slope),
             (_, Self::Line { through, slope }) => self.meets_line(through, slope),
             (Self::Arc { centre: a, radius: ra, .. }, Self::Arc { centre: b, radius: rb, .. }) => {
                 let (way, apart) = (b - a, a.distance(b));
                 if apart < SAME || apart > ra + rb + SAME || apart < (ra - rb).abs() - SAME {
-                    return Vec::new();
+                    return places([0.0; 2], 0);
                 }
                 let along = (apart * apart + ra * ra - rb * rb) / (2.0 * apart);
                 let half = libm::sqrt((ra * ra - along * along).max(0.0));
                 let (foot, across) = (a + way * (along / apart), way.perp() * (half / apart));
-                vec![foot.x + across.x, foot.x - across.x]
+                places([foot.x + across.x, foot.x - across.x], 2)
             }
         }
     }
 
     /// The edge from one place to another further in the direction of `x`.
-    fn edge(&self, from: f64, to: f64) -> Edge {
+    pub(super) fn edge(&self, from: f64, to: f64) -> Edge {
         let end = DVec2::new(to, self.height(to));
         match *self {
             Self::Line { .. } => Edge::Line(end),
@@ -189,25 +195,31 @@ impl Envelope {
     /// Where it is not higher than a level, between two places: pairs of beginning and end in their order.
     pub fn below(&self, level: f64, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
         let first = self.pieces.partition_point(|piece| piece.to < from);
-        let mut places = vec![from, to];
-        for piece in self.pieces.iter().skip(first).take_while(|piece| piece.from <= to) {
-            places.extend([piece.from, piece.to]);
-            let roots = piece.shape.meets_line(DVec2::new(0.0, level), 0.0);
-            places.extend(roots.into_iter().filter(|x| (piece.from..=piece.to).contains(x)));
-        }
-        places.retain(|x| (from..=to).contains(x));
-        places.sort_by(f64::total_cmp);
         let mut found: Vec<[f64; 2]> = Vec::new();
-        for pair in places.windows(2) {
-            let &[a, b] = pair else { continue };
-            let free = self.height(a.midpoint(b)).is_none_or(|height| height <= level + SAME);
-            if b - a <= SAME || !free {
-                continue;
+        let mut free = |a: f64, b: f64| match found.last_mut() {
+            _ if b - a <= SAME => {}
+            Some(last) if a - last[1] <= SAME => last[1] = b,
+            _ => found.push([a, b]),
+        };
+        let mut at = from;
+        for piece in self.pieces.iter().skip(first).take_while(|piece| piece.from <= to) {
+            let (begin, end) = (piece.from.max(from), piece.to.min(to));
+            // What is between two pieces by rounding alone is as high as they are.
+            if begin - at > SAME && self.height(at.midpoint(begin)).is_none_or(|height| height <= level + SAME) {
+                free(at, begin);
             }
-            match found.last_mut() {
-                Some(last) if a - last[1] <= SAME => last[1] = b,
-                _ => found.push([a, b]),
+            at = begin;
+            for x in piece.shape.meets_line(DVec2::new(0.0, level), 0.0).chain([end]) {
+                if at <= x && x <= end {
+                    if piece.shape.height(at.midpoint(x)) <= level + SAME {
+                        free(at, x);
+                    }
+                    at = x;
+                }
             }
+        }
+        if to - at > SAME && self.height(at.midpoint(to)).is_none_or(|height| height <= level + SAME) {
+            free(at, to);
         }
         found
     }
@@ -280,6 +292,38 @@ impl Envelope {
             edges.push(Edge::Line(to));
         }
         Way { start: from, edges: straightened(from, edges) }
+    }
+
+    /// Where it is higher than another one and than a level, by more than a margin, between two places: pairs of beginning
+    /// and end in their order.
+    pub fn higher_than(&self, other: &Self, level: f64, margin: f64, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+        let mut places = vec![from, to];
+        let first = other.pieces.partition_point(|piece| piece.to < from);
+        let others = || other.pieces.iter().skip(first).take_while(|piece| piece.from <= to);
+        places.extend(others().flat_map(|piece| [piece.from, piece.to]));
+        let first = self.pieces.partition_point(|piece| piece.to < from);
+        for piece in self.pieces.iter().skip(first).take_while(|piece| piece.from <= to) {
+            places.extend([piece.from, piece.to]);
+            places.extend(piece.shape.meets_line(DVec2::new(0.0, level + margin), 0.0));
+            let under = others().filter(|own| own.from <= piece.to && own.to >= piece.from);
+            places.extend(under.flat_map(|own| own.shape.moved(DVec2::Y * margin).meets(&piece.shape)));
+        }
+        places.retain(|x| (from..=to).contains(x));
+        places.sort_by(f64::total_cmp);
+        let mut found: Vec<[f64; 2]> = Vec::new();
+        for pair in places.windows(2) {
+            let &[a, b] = pair else { continue };
+            let middle = a.midpoint(b);
+            let least = other.height(middle).map_or(level, |height| height.max(level));
+            if b - a <= SAME || self.height(middle).is_none_or(|height| height <= least + margin) {
+                continue;
+            }
+            match found.last_mut() {
+                Some(last) if a - last[1] <= SAME => last[1] = b,
+                _ => found.push([a, b]),
+            }
+        }
+        found
     }
 
     /// By how much it is higher than another one between two places, at the most.
@@ -438,29 +482,39 @@ fn ray(through: DVec2, down: DVec2) -> Piece {
 }
 
 /// The highest of the pieces at every place.
-fn highest(pieces: &[Piece]) -> Vec<Piece> {
+pub(super) fn highest(pieces: &[Piece]) -> Vec<Piece> {
     let mut places: Vec<f64> = pieces.iter().flat_map(|piece| [piece.from, piece.to]).collect();
     for (index, one) in pieces.iter().enumerate() {
         for other in pieces.iter().skip(index + 1) {
             let (from, to) = (one.from.max(other.from), one.to.min(other.to));
             if from < to {
-                let found = one.shape.meets(&other.shape).into_iter();
+                let found = one.shape.meets(&other.shape);
                 places.extend(found.filter(|x| (from..=to).contains(x)));
             }
         }
     }
     places.sort_unstable_by(f64::total_cmp);
     let mut found: Vec<Piece> = Vec::new();
+    // Those that reach the place, in their order; the next ones by where they begin.
+    let mut waiting: Vec<usize> = (0..pieces.len()).collect();
+    waiting.sort_by(|a, b| pieces[*b].from.total_cmp(&pieces[*a].from));
+    let mut here: Vec<usize> = Vec::with_capacity(pieces.len());
     for pair in places.windows(2) {
         let &[from, to] = pair else { continue };
         if to - from <= SAME {
             continue;
         }
         let middle = from.midpoint(to);
+        here.retain(|piece| middle <= pieces[*piece].to);
+        while let Some(next) = waiting.pop_if(|next| pieces[*next].from <= middle) {
+            if middle <= pieces[next].to {
+                here.insert(here.partition_point(|piece| *piece < next), next);
+            }
+        }
         // What touches the piece before only goes on with it, as far as that goes.
         let before = found.last().filter(|last| from - last.to <= SAME).map(|last| last.shape);
         let (mut top, mut goes_far): (Option<(f64, Shape)>, bool) = (None, false);
-        for piece in pieces.iter().filter(|piece| piece.from <= middle && middle <= piece.to) {
+        for piece in here.iter().map(|piece| &pieces[*piece]) {
             let height = piece.shape.height(middle);
             if top.is_none_or(|(best, _)| height >= best) {
                 top = Some((height, piece.shape));

@@ -7,13 +7,15 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use super::profile::{Piece, Shape};
+use super::profile::{Piece, Shape, highest};
 use super::sweep::Swept;
 use super::{Edge, Way};
 use crate::base::expr::{atan2d, cosd};
 
 /// What is thinner or shorter, mm, is nothing.
 pub(super) const THIN: f64 = 1e-9;
+/// So far below all of a section its outline goes where it has nothing, mm.
+const DEEP: f64 = 20_000.0;
 /// Cells are looked through for such that belong together when there are so many, or twice as many as the last time.
 const MANY: usize = 64;
 
@@ -66,6 +68,18 @@ impl Cell {
     /// The greatest thickness of it, as its ends and its middle have it.
     pub fn greatest(&self) -> f64 {
         [self.from, self.from.midpoint(self.to), self.to].map(|x| self.thickness(x)).into_iter().fold(0.0, f64::max)
+    }
+
+    /// The closed way around it.
+    fn boundary(&self) -> Way {
+        let point = |shape: &Shape, x| DVec2::new(x, shape.height(x));
+        let start = point(&self.low, self.from);
+        let upper = Way { start: point(&self.high, self.from), edges: vec![self.high.edge(self.from, self.to)] };
+        let upper = upper.reversed();
+        let mut edges = vec![self.low.edge(self.from, self.to), Edge::Line(upper.start)];
+        edges.extend(upper.edges);
+        edges.push(Edge::Line(start));
+        Way { start, edges }
     }
 
     /// Its corners, and the middles of its sides.
@@ -148,18 +162,47 @@ impl Section {
 
     /// What a closed way encloses that does not cross itself; the way is closed by a line if it is open.
     pub fn within(way: &Way) -> Self {
-        let (mut at, mut pieces) = (way.start, Vec::new());
-        for edge in way.edges.iter().copied().chain([Edge::Line(way.start)]) {
-            match edge {
-                Edge::Line(to) => line(at, to, &mut pieces),
-                Edge::Arc { centre, sweep, .. } => {
-                    let arm = at - centre;
-                    arc(centre, arm.length(), [atan2d(arm.y, arm.x), sweep], &mut pieces);
-                }
-            }
-            at = edge.to();
-        }
+        let mut pieces = Vec::new();
+        around(way.start, &way.edges, &mut pieces);
+        around(way.end(), &[Edge::Line(way.start)], &mut pieces);
         Self { cells: between(&pieces), seen: 0 }
+    }
+
+    /// The way along what of it is furthest out, as something sees it, from low to high `x`; where it has nothing, that
+    /// is far below. Nothing of a section that is empty.
+    pub fn outline(&self, seen: &dyn Fn(&Way) -> Way) -> Option<Way> {
+        let mut pieces = Vec::new();
+        for cell in self.in_order() {
+            let way = seen(&cell.boundary());
+            around(way.start, &way.edges, &mut pieces);
+        }
+        let pieces = highest(&pieces);
+        let ends = pieces.iter().flat_map(|piece| [piece.from, piece.to].map(|x| piece.shape.height(x)));
+        let floor = ends.reduce(f64::min)? - DEEP;
+        let start = DVec2::new(pieces.first()?.from, floor);
+        let (mut at, mut edges) = (start, Vec::with_capacity(2 * pieces.len() + 2));
+        let mut go = |edges: &mut Vec<Edge>, to: DVec2| {
+            if at.distance(to) > THIN {
+                edges.push(Edge::Line(to));
+            }
+            at = to;
+        };
+        for piece in &pieces {
+            let begin = DVec2::new(piece.from, piece.shape.height(piece.from));
+            if let Some(last) = edges.last().map(Edge::to)
+                && begin.x - last.x > THIN
+            {
+                go(&mut edges, DVec2::new(last.x, floor));
+                go(&mut edges, DVec2::new(begin.x, floor));
+            }
+            go(&mut edges, begin);
+            let edge = piece.shape.edge(piece.from, piece.to);
+            edges.push(edge);
+            go(&mut edges, edge.to());
+        }
+        let last = edges.last().map(Edge::to)?;
+        edges.push(Edge::Line(DVec2::new(last.x, floor)));
+        Some(Way { start, edges })
     }
 
     /// Its cells.
@@ -212,7 +255,7 @@ impl Section {
             let mut places = vec![cell.from, cell.to];
             for shape in [cell.low, cell.high] {
                 let level = Shape::Line { through: DVec2::new(0.0, radius), slope: 0.0 };
-                places.extend(shape.meets(&level).into_iter().filter(|x| cell.from < *x && *x < cell.to));
+                places.extend(shape.meets(&level).filter(|x| cell.from < *x && *x < cell.to));
             }
             places.sort_by(f64::total_cmp);
             for pair in places.windows(2) {
@@ -409,6 +452,21 @@ pub(super) fn between(pieces: &[Piece]) -> Vec<Cell> {
         }
     }
     cells
+}
+
+/// Adds edges one after another.
+fn around(start: DVec2, edges: &[Edge], pieces: &mut Vec<Piece>) {
+    let mut at = start;
+    for edge in edges {
+        match *edge {
+            Edge::Line(to) => line(at, to, pieces),
+            Edge::Arc { centre, sweep, .. } => {
+                let arm = at - centre;
+                arc(centre, arm.length(), [atan2d(arm.y, arm.x), sweep], pieces);
+            }
+        }
+        at = edge.to();
+    }
 }
 
 /// Adds a line; what goes straight up or down bounds cells by its place.

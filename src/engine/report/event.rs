@@ -111,6 +111,8 @@ pub struct Coordinates {
     pub tilt: Option<DVec3>,
     /// Whether the tool tip is held on the workpiece while rotary axes turn.
     pub tip_held: bool,
+    /// Whether positions count from where the rotary axes have brought tool and workpiece.
+    pub axes_counted: bool,
     /// From program to machine coordinates: three rows, the last number of each is the shift.
     pub matrix: [[f64; 4]; 3],
     /// Where the rotary axes have the coordinate 0, in machine coordinates.

@@ -205,7 +205,11 @@ fn changed(object: &mut impl Object, system: &Coordinates) {
     if system.tip_held {
         object.truth("tcpm", true);
     }
-    if !mirrored.is_empty() || factor != 1.0 || axes.is_some() || system.tilt.is_some() || system.tip_held {
+    if system.axes_counted {
+        object.truth("axes_counted", true);
+    }
+    let on_workpiece = system.tilt.is_some() || system.tip_held || system.axes_counted;
+    if !mirrored.is_empty() || factor != 1.0 || axes.is_some() || on_workpiece {
         object.rows("matrix", &system.matrix);
     }
 }

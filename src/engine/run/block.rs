@@ -103,7 +103,11 @@ impl<'e> Run<'_, 'e> {
             BlockKind::Statement(statement) if statement.kind == StatementKind::Fselect => self.selection()?,
             BlockKind::Statement(statement) if self.is_form_element(statement) => self.form_element(statement)?,
             BlockKind::Statement(statement) if self.drives.beside_contour => {
-                self.drives.not_beside_contour(self.slice(statement.head).trim())?;
+                let head = self.slice(statement.head).trim();
+                match statement.kind {
+                    StatementKind::Plane => self.drives.not_compensated(head)?,
+                    _ => self.drives.not_beside_contour(head)?,
+                }
             }
             BlockKind::Statement(_) if self.switches_mode(block)? => {}
             BlockKind::Statement(statement) if statement.kind == StatementKind::Function => {
@@ -340,6 +344,7 @@ impl<'e> Run<'_, 'e> {
                 Effect::TurnWorkpiece(direction) if direction != 0 => self.drives.turn_workpiece(direction)?,
                 Effect::PerRevolution(on) => self.drives.switched.per_revolution = on,
                 Effect::HoldTip(true) => self.drives.hold_tip(true)?,
+                Effect::CountAxes(true) => self.drives.count_axes(true)?,
                 Effect::Orient => self.drives.orient(self.drives.switched.orientation),
                 Effect::SpindleAndCoolant(direction) => {
                     self.drives.spindle(direction);
@@ -394,6 +399,7 @@ impl<'e> Run<'_, 'e> {
     /// axis, at rapid traverse where no feed is written. Only where the tool is along an axis of the machine.
     fn retract(&mut self, function: &MFunction) -> Done {
         let leans = self.drives.world.system.is_on_workpiece() || self.drives.world.head.is_some();
+        let leans = leans || self.drives.world.parallels.drive();
         let length = function.with.map(|with| self.slice(with).to_ascii_uppercase());
         let written = length.as_deref().and_then(|with| with.trim().strip_prefix("MB")).map(str::trim);
         let (length, feed) = match written.and_then(|written| written.split_once('F')) {
@@ -450,6 +456,9 @@ impl<'e> Run<'_, 'e> {
         }
         if has(Effect::HoldTip(false)) {
             self.drives.hold_tip(false)?;
+        }
+        if has(Effect::CountAxes(false)) {
+            self.drives.count_axes(false)?;
         }
         if has(Effect::Stop) {
             self.stop()?;

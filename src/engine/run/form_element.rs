@@ -34,7 +34,7 @@ impl Run<'_, '_> {
             (true, "THREAD") => Break::Undercut(self.undercut(Form::Thread, words)?),
             (false, "RADIAL") => Break::Recess(self.recess(true, words)?),
             (false, "AXIAL") => Break::Recess(self.recess(false, words)?),
-            (true, other) => return Err(refused(undercut, other).into()),
+            (true, other) => return Err(Fault::unsupported("undercut-form").arg("form", other).into()),
             (false, other) => return Err(refused(recess, other).into()),
         };
         self.contour.has_corner()?;

@@ -14,11 +14,7 @@ use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::{OFF_CIRCLE, Speed, Turn};
 use crate::engine::report::ending::{Done, Leave};
 use crate::engine::report::fault::Fault;
-use crate::engine::table::TableKind;
 use crate::program::syntax::{Approach, Axis, Coord, Motion, Path};
-
-/// Lengths of directions that differ by less are the same.
-const SAME_SIZE: f64 = 1e-9;
 
 impl Run<'_, '_> {
     /// Executes a motion block. Whether it positions the tool.
@@ -43,6 +39,9 @@ impl Run<'_, '_> {
         let speed = self.speed(motion.feed.as_ref());
         self.modal.rapid = speed == Ok(Speed::Rapid);
         let unsupported = |word: &'static str| Err(Fault::unsupported("unsupported-path").arg("word", word).into());
+        if self.drives.world.parallels.drive() {
+            self.only_driven(motion, in_machine)?;
+        }
         if let Some(word) = motion.coords.iter().find(|coord| parallel(coord.axis).is_some()) {
             let machine = &self.drives.world.scene.machine;
             if parallel(word.axis).is_some_and(|letter| machine.parallel(letter).is_some()) {
@@ -91,7 +90,7 @@ impl Run<'_, '_> {
             }
             Path::Ln => self.line_with_normal(motion, speed)?,
             Path::Fl | Path::Flt | Path::Fc | Path::Fct => self.free_element(motion, speed)?,
-            Path::Spl => return unsupported("SPL"),
+            Path::Spl => self.spline(motion, speed)?,
         }
         Ok(true)
     }
@@ -119,7 +118,7 @@ impl Run<'_, '_> {
     }
 
     /// The speed of a straight way on which the tool does not go down faster than `M103` lets it.
-    fn plunging_speed(&self, to: DVec3, speed: Result<Speed, Fault>) -> Result<Speed, Fault> {
+    pub(super) fn plunging_speed(&self, to: DVec3, speed: Result<Speed, Fault>) -> Result<Speed, Fault> {
         let (Some(factor), Ok(Speed::Feed(feed))) = (self.modal.plunge_factor, &speed) else { return speed };
         let way = to - self.programmed();
         let down = -self.drives.world.system.plane.tool.of(way);
@@ -176,6 +175,7 @@ impl Run<'_, '_> {
         let turns = self.turn_target(&turning, in_machine)?;
         if in_machine {
             let from = self.second_datum(motion, turns.is_empty())?;
+            let from = from + self.drives.world.parallels.carried();
             let to = self.target(&coords, self.drives.world.machine - from)? + from;
             return self.drives.turn_and_go(&turns, self.drives.world.to_program(to), Some(to), speed, None);
         }
@@ -246,57 +246,8 @@ impl Run<'_, '_> {
         self.drives.turn_and_go(&[], self.drives.world.to_program(to), Some(to), speed, None)
     }
 
-    /// `LN`: a straight line whose block gives the direction across the surface, too. A tool with oversizes touches the
-    /// surface where the tool without them does; the program describes the way of the one without.
-    fn line_with_normal(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
-        let refused = || Fault::unsupported("unsupported-path").arg("word", "LN");
-        let turns_tool = motion.words.iter().any(|word| self.slice(word.name).to_ascii_uppercase().starts_with('T'));
-        if turns_tool || self.is_in_contour(motion) {
-            return Err(refused().into());
-        }
-        let nominal = self.target(&motion.coords, self.programmed())?;
-        let (radius, corner) = self.oversizes()?;
-        if (radius, corner) == (0.0, 0.0) {
-            return self.straight_block(motion, nominal, speed);
-        }
-        let system = &self.drives.world.system;
-        let up = system.plane.tool.unit();
-        let normal = self.surface_normal(motion)?;
-        // Scaled the oversizes would be, too; below the tool nothing of it touches the surface.
-        let unscaled = (system.frame().vector(normal).length() - 1.0).abs() < SAME_SIZE;
-        if !unscaled || normal.dot(up) < -SAME_SIZE {
-            return Err(refused().into());
-        }
-        // The centre of the rounding, of the ring on which it lies, and back to the tip below it.
-        let across = normal.reject_from_normalized(up).normalize_or_zero();
-        let to = nominal + (normal - up) * corner + across * (radius - corner);
-        self.contour.forget();
-        self.drives.straight_to(to, None, speed)?;
-        self.contour.went_along(nominal, self.drives.world.here);
-        Ok(())
-    }
-
-    /// The direction out of the surface, of length 1: `NX`, `NY`, `NZ`.
-    fn surface_normal(&self, motion: &Motion) -> Result<DVec3, Fault> {
-        let part = |name: &str| {
-            let word = motion.words.iter().find(|word| self.slice(word.name).trim().eq_ignore_ascii_case(name));
-            word.map_or(Ok(0.0), |word| self.number_of(&word.value))
-        };
-        let normal = DVec3::new(part("NX")?, part("NY")?, part("NZ")?);
-        if normal.length() > 0.0 { Ok(normal.normalize()) } else { Err(Fault::program("value-missing")) }
-    }
-
-    /// The oversizes of the tool in radius and corner radius, those of the table and of the call together, mm. Its length
-    /// is compensated whatever it is.
-    fn oversizes(&self) -> Result<(f64, f64), Fault> {
-        let Some(tool) = self.drives.world.tool() else { return Ok((0.0, 0.0)) };
-        let table = self.drives.world.table(TableKind::Tool)?;
-        let oversize = |column| table.number(tool.number, column).map(Option::unwrap_or_default);
-        Ok((oversize("DR")? + tool.deltas.0, oversize("DR2")?))
-    }
-
     /// Where the rotary axes of a block go, in machine coordinates.
-    fn turn_target(&self, coords: &[Coord], in_machine: bool) -> Result<Vec<(RotaryAxis, f64)>, Fault> {
+    pub(super) fn turn_target(&self, coords: &[Coord], in_machine: bool) -> Result<Vec<(RotaryAxis, f64)>, Fault> {
         let system = &self.drives.world.system;
         let (datum, signs) =
             if in_machine { (DVec3::ZERO, DVec3::ONE) } else { (system.angle_datum(), system.mirror().1) };
@@ -441,7 +392,7 @@ impl Run<'_, '_> {
     }
 
     /// Whether a block belongs to a contour that waits, or begins one.
-    fn is_in_contour(&self, motion: &Motion) -> bool {
+    pub(super) fn is_in_contour(&self, motion: &Motion) -> bool {
         self.contour.takes(motion, self.block_place())
     }
 

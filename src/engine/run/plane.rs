@@ -94,7 +94,7 @@ impl Run<'_, '_> {
     pub(super) fn plane(&mut self, statement: &Statement) -> Done {
         let head = self.slice(statement.head).to_ascii_uppercase();
         let form = head.split_ascii_whitespace().nth(1).unwrap_or_default();
-        self.drives.not_beside_contour("PLANE")?;
+        self.drives.not_compensated("PLANE")?;
         let words = self.words_of_plane(&statement.words)?;
         let angles = self.tilt_of(form, &words)?;
         let positions = if form == "AXIAL" { Some(self.positions_of_axes(&words)) } else { None };
@@ -105,6 +105,7 @@ impl Run<'_, '_> {
         self.drives.world.system.unexecuted.remove(&Transformation::Tilting);
         self.drives.world.carry_system();
         self.drives.world.system.set_tilt(angles);
+        self.drives.counted_alone()?;
         self.drives.transformed(before);
         let to = match (positions, words.solution) {
             (Some(positions), _) => positions,

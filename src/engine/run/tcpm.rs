@@ -3,6 +3,8 @@
 //!
 //! Invariant: while it is held, the system is part of the workpiece and the control reckons with how the tool is; a
 //! word that asks for more is a fault, never ignored.
+use std::collections::BTreeSet;
+
 use crate::engine::flow::state::Run;
 use crate::engine::report::ending::Done;
 use crate::engine::report::event::EventKind;
@@ -34,15 +36,24 @@ impl Run<'_, '_> {
                 }
                 self.drives.hold_tip(true)
             }
-            "TURNDATA" => self.turning_data(statement),
+            "TURNDATA" | "TURNDATABLANK" => self.turning_data(statement),
             // How the feed is kept, and what is displayed: the tool goes the same way.
             "FEED" | "COUNT" | "LIFTOFF" | "AFC" => Ok(self.report_function(block)),
-            "PARAXCOMP" if !words.any(|(name, _)| name == "MOVE") => Ok(self.report_function(block)),
-            "PARAXMODE" if words.next().is_some_and(|(name, _)| name == "OFF") => Ok(self.report_function(block)),
+            "PARAXCOMP" => {
+                self.compensate_parallel(statement)?;
+                Ok(self.report_function(block))
+            }
+            "PARAXMODE" if !statement.words.is_empty() => {
+                self.choose_axes(statement)?;
+                Ok(self.report_function(block))
+            }
             "DWELL" => self.dwell(statement),
             _ if head.replace(' ', "").starts_with("FUNCTIONS-PULSE") => Ok(self.report_function(block)),
             "RESET" if words.clone().all(|(name, _)| name == "TCPM") => self.drives.hold_tip(false),
             "RESET" if words.next().is_some_and(|(name, _)| RESETS.contains(&name.as_str())) => {
+                if statement.words.iter().any(|word| self.slice(word.name).trim().eq_ignore_ascii_case("PARAXCOMP")) {
+                    self.drives.world.parallels.compensate(BTreeSet::new());
+                }
                 Ok(self.report_function(block))
             }
             _ => {

@@ -11,8 +11,8 @@ use crate::engine::world::insert::Aligned;
 use crate::program::syntax::{Statement, ValueKind};
 
 impl Run<'_, '_> {
-    /// `FUNCTION TURNDATA SPIN VCONST:ON VC:150 SMAX:2000`, `FUNCTION TURNDATA SPIN VCONST:OFF S500` and
-    /// `FUNCTION TURNDATA BLANK OFF`.
+    /// `FUNCTION TURNDATA SPIN VCONST:ON VC:150 SMAX:2000`, `FUNCTION TURNDATA SPIN VCONST:OFF S500`,
+    /// `FUNCTION TURNDATA BLANK LBL 20` and the corrections.
     pub(super) fn turning_data(&mut self, statement: &Statement) -> Done {
         let refused = |word: &str| Fault::unsupported("unsupported-block").arg("word", format!("TURNDATA {word}"));
         let mut words = statement.words.iter();
@@ -21,11 +21,12 @@ impl Run<'_, '_> {
         if let Some(system) = first.strip_prefix("CORR-") {
             return self.correct_insert(statement, system);
         }
+        // It is printed without a space between the words, too (TNC 640 manual, line 7365).
+        if self.slice(statement.head).trim_end().to_ascii_uppercase().ends_with("BLANK") {
+            return self.describe_blank(&statement.words);
+        }
         if first == "BLANK" {
-            // How the control changes cycles to suit a blank is not described (TNC 640 manual, lines 7328-7340).
-            let named = statement.words.iter().flat_map(|word| [self.slice(word.name), self.slice(word.value.span)]);
-            let is_off = named.into_iter().any(|text| text.trim().eq_ignore_ascii_case("OFF"));
-            return if is_off { Ok(()) } else { Err(Fault::unsupported("blank-form-update").into()) };
+            return self.describe_blank(statement.words.get(1..).unwrap_or_default());
         }
         if first != "SPIN" {
             return Err(refused(&first).into());

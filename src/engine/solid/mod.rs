@@ -33,12 +33,14 @@ mod ray;
 mod shaft;
 mod shape;
 mod surface;
+mod turned;
 
 pub use body::Body;
 pub use contact::{Contact, Nearest};
 pub use mesh::Mesh;
 pub use path::Path;
 pub use shape::Shape;
+pub use turned::{HalfWay, Shaped, Taken};
 
 use glam::DVec3;
 

@@ -6,14 +6,14 @@
 use super::Blank;
 use super::follow::{Machining, NOTHING, TOGETHER};
 use super::report::Place;
-use super::turned::{Body, Shaped};
+use super::turned::Body;
 use super::{SKIN, Stock};
 use crate::engine::geometry::Frame;
 use crate::engine::machine::{Insert, InsertForm};
 use crate::engine::region::section::Cell;
 use crate::engine::region::sweep::TipWay;
 use crate::engine::report::event::FindingKind;
-use crate::engine::solid::Path;
+use crate::engine::solid::{Path, Shaped};
 
 /// A move in turning.
 #[derive(Clone, Debug)]

@@ -308,6 +308,13 @@ pub trait Kept {
     /// Reports an area (mm²) about a point, main, minor and tool coordinate, in which a tool leaves material.
     fn note_left(&mut self, area: f64, at: DVec3);
 
+    /// The blank that turning updates, along what is left of it furthest out, as `seen` sees a way with `x` along the rotary
+    /// axis and radii as `y`; nothing if none is updated, or nothing is left.
+    fn outline_of_blank(&self, seen: &dyn Fn(&Way) -> Way) -> Option<Way>;
+
+    /// Whether turning updates a blank.
+    fn updates_blank(&self) -> bool;
+
     /// What is recessed from now on; strategies over contours see it.
     fn keep_groove(&mut self, groove: Groove);
 

@@ -162,7 +162,9 @@ fn around(control: &mut dyn Control, with: &Around, first: bool, manner: &Manner
     }
     let right = DVec2::new(start.away.y, -start.away.x);
     let clockwise = right.dot(direction) >= 0.0;
-    let samples = Level { control: &*control, range: &range, clockwise }.trace(start, stepping(manner))?;
+    let accuracy = control.setting("contour-line-accuracy").unwrap_or(0.0);
+    let level = Level { control: &*control, range: &range, clockwise, accuracy };
+    let samples = level.trace(start, stepping(manner))?;
     let mut spent = Spent { limit: (with.limit > 0.0).then_some(with.limit), ..Spent::default() };
     let feeds = if first { manner.first_feed } else { manner.feed };
     take(control, &samples, manner, range.height, feeds, &mut spent)?;

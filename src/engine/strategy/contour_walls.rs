@@ -17,8 +17,8 @@ use crate::engine::report::fault::Fault;
 
 /// The arc onto a wall and away from it has at most so many tool radii; where there is less room it is halved.
 const JOIN: f64 = 1.0;
-/// An arc onto a wall is not made smaller than this, in tool radii.
-const LEAST_JOIN: f64 = 0.05;
+/// An arc onto a wall is not made smaller than this, in tool radii: where it has no room the tool goes down at the wall.
+const LEAST_JOIN: f64 = 1e-3;
 /// The feed that means rapid traverse.
 const RAPID: f64 = 99_999.999;
 /// What calculation may add to a distance, mm.
@@ -148,19 +148,22 @@ impl OverContours for FollowContourSide {
         pen.line(before.extend(pen.here().z), RAPID);
         pen.line(before.extend(self.above), RAPID);
         pen.line(before.extend(self.level), self.plunging_feed);
-        let quarter = Edge::Arc { to: start, centre, sweep: 90.0 * side };
-        draw(&quarter, self.level, self.at, pen);
+        if join > 0.0 {
+            draw(&Edge::Arc { to: start, centre, sweep: 90.0 * side }, self.level, self.at, pen);
+        }
         for edge in wall.edges() {
             draw(&edge, self.level, self.at, pen);
         }
-        draw(&Edge::Arc { to: after, centre, sweep: 90.0 * side }, self.level, self.at, pen);
+        if join > 0.0 {
+            draw(&Edge::Arc { to: after, centre, sweep: 90.0 * side }, self.level, self.at, pen);
+        }
         pen.down(self.height, RAPID);
         Ok(())
     }
 }
 
 /// A wall from where there is most room for an arc onto it, with the radius of that: the circle of the arc stays in the
-/// region, which lies on the side 1 (left) or -1 of the wall. Tried in the middle of each edge.
+/// region, which lies on the side 1 (left) or -1 of the wall. Tried in the middle of each edge; 0 where it has no room.
 fn joined(centres: &Region, wall: &Boundary, side: f64, [most, least]: [f64; 2]) -> (Boundary, f64) {
     let near = Nearest::of(centres);
     let mut at = wall.start();
@@ -184,5 +187,5 @@ fn joined(centres: &Region, wall: &Boundary, side: f64, [most, least]: [f64; 2])
         }
         radius /= 2.0;
     }
-    (wall.clone(), least)
+    (wall.clone(), 0.0)
 }

@@ -462,7 +462,7 @@ fn along(control: &mut dyn Control, to: DVec2, from: DVec2, manner: &Manner) -> 
         let (from, to) = (DVec2::new(from.y, 0.0), DVec2::new(to.y, 0.0));
         let profile = Profile { control: &*control, from, to, top: range.height, floor, ceiling, turned: Some(chart) };
         let samples = profile.trace(stepping(manner))?;
-        take_turned(control, &chart, &samples, manner, range.height, &mut Spent::default())?;
+        take_turned(control, &chart, &samples, manner, [floor, range.height], &mut Spent::default())?;
         return Ok(samples);
     }
     let (from, to) = flat;

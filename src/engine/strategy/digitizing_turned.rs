@@ -224,16 +224,17 @@ pub(super) fn once_around(
     let turned = Some(chart);
     let profile = Profile { control: &*control, from, to, top, floor, ceiling: f64::INFINITY, turned };
     let samples = profile.trace(stepping(manner))?;
-    take_turned(control, &chart, &samples, manner, top, spent)
+    take_turned(control, &chart, &samples, manner, [floor, top], spent)
 }
 
-/// Takes the points of a line along the rotary axis: the stylus is before the first of them.
+/// Takes the points of a line along the rotary axis: the stylus is before the first of them. Where it only grazes what it
+/// was to touch, it goes on to what is below, down to the end of the range.
 pub(super) fn take_turned(
     control: &mut dyn Control,
     chart: &Chart,
     samples: &[Sample],
     manner: &Manner,
-    top: f64,
+    [floor, top]: [f64; 2],
     spent: &mut Spent,
 ) -> Done {
     let travel = manner.travel.unwrap_or(OFF).max(OFF);
@@ -267,12 +268,17 @@ pub(super) fn take_turned(
             store(control, chart.place(height));
             continue;
         }
-        let reach = travel + travel.max(manner.points);
-        if !probe(control, -chart.up * reach, manner.feed)? {
-            return Err(Fault::control("probe-no-contact").arg("distance", reach).into());
+        let touched = probe(control, -chart.up * (before - floor), manner.feed)?;
+        let (stopped, _) = control.stylus()?;
+        let reached = (control.in_plane(stopped) - chart.base).dot(chart.up);
+        spent.add(before - reached, manner.feed)?;
+        if touched {
+            control.retract(travel)?;
+        } else if chart.around {
+            return Err(lost(control, chart.place(floor)).into());
+        } else {
+            store(control, chart.place(floor));
         }
-        spent.add(travel, manner.feed)?;
-        control.retract(travel)?;
     }
     Ok(())
 }

@@ -27,6 +27,8 @@ const WALL: f64 = 1e-6;
 const DEEPER: f64 = 1e-6;
 /// What stays beyond what a nose leaves is reported if it is more than this, mm.
 const REPORTED: f64 = 1e-3;
+/// What is higher by no more than this, mm, is touched and not cut.
+const TOUCHES: f64 = 1e-6;
 
 /// The places of the tip that leave an allowance.
 #[derive(Clone, Debug)]
@@ -186,9 +188,40 @@ pub struct Groove {
     pub over: f64,
     /// What roughing leaves on the floor, mm.
     pub allowance: f64,
+    /// What is left of the blank, where turning updates it: the heights at which the insert touches it.
+    pub material: Option<Envelope>,
 }
 
 impl Groove {
+    /// The cuts of roughing at a level: pairs of beginning and end; of a blank only where something of it is left.
+    pub fn cuts(&self, level: f64) -> Vec<[f64; 2]> {
+        let whole = self.rough.cuts(level);
+        let Some(material) = &self.material else { return whole };
+        let left = |[from, to]: [f64; 2]| {
+            if to - from < ONE {
+                return self.touches(from.midpoint(to)).is_some_and(|top| top > level + TOUCHES).then_some([from, to]);
+            }
+            let spans = material.higher_than(&self.rough.envelope, level, TOUCHES, [from, to]);
+            Some([spans.first()?[0], spans.last()?[1]])
+        };
+        whole.into_iter().filter_map(left).collect()
+    }
+
+    /// Where the insert touches the blank at a place.
+    pub fn touches(&self, x: f64) -> Option<f64> {
+        let material = self.material.as_ref()?;
+        [x - SIDE, x, x + SIDE].into_iter().filter_map(|x| material.height(x)).reduce(f64::max)
+    }
+
+    /// The height at which roughing begins: that at which the tool goes across, of a blank what of it is above the groove.
+    pub fn top(&self) -> f64 {
+        let Some(material) = &self.material else { return self.over };
+        let (rough, range) = (&self.rough, [self.rough.begin.x - SIDE, self.rough.end.x + SIDE]);
+        let spans = material.higher_than(&rough.envelope, rough.floor, TOUCHES, range);
+        let tops = spans.iter().filter_map(|span| material.summit(*span)).map(|top| top.y);
+        tops.fold(rough.floor, f64::max)
+    }
+
     /// What roughing leaves, or what finishing leaves.
     pub const fn reach(&self, rough: bool) -> &Reach {
         if rough { &self.rough } else { &self.finished }

@@ -15,7 +15,7 @@ use crate::base::expr::tand;
 use crate::engine::machine::TurningInsert;
 use crate::engine::region::Way;
 use crate::engine::region::groove::CuttingEdge;
-use crate::engine::region::profile::{Allowance, GoesBack};
+use crate::engine::region::profile::{Allowance, Envelope, GoesBack};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
 
@@ -110,6 +110,11 @@ pub(super) fn cutting_edge(control: &dyn Control, sight: Sight) -> Result<(Cutti
     Ok((CuttingEdge { width, radius }, width * (1.0 - seen.x) / 2.0))
 }
 
+/// Whether turning updates a blank, and what is left of it as cuts see it.
+pub(super) fn blank_of(control: &dyn Control, sight: Sight) -> Option<Option<Way>> {
+    control.updates_blank().then(|| control.outline_of_blank(&|way| sight.seen_way(way)))
+}
+
 /// What is to be recessed of a profile, and how.
 pub(super) struct Wanted {
     pub sight: Sight,
@@ -124,6 +129,8 @@ pub(super) struct Wanted {
     pub largest_infeed: Option<f64>,
     /// The cutting limit: the lowest height, and the place with whether what is beyond it stays.
     pub limit: (Option<f64>, Option<(f64, bool)>),
+    /// Whether turning updates a blank, and what is left of it as cuts see it.
+    pub blank: Option<Option<Way>>,
 }
 
 impl Wanted {
@@ -148,16 +155,26 @@ impl Wanted {
         let ((rough, more), (finished, least)) = (reach(allowance)?, reach(left)?);
         let rough = rough.limited(self.edge, self.limit, far);
         let finished = finished.limited(self.edge, self.limit, far);
+        let none = Allowance { along: 0.0, away: 0.0 };
+        let material = match &self.blank {
+            None => None,
+            Some(None) => Some(Envelope::default()),
+            Some(Some(outline)) => Some(self.edge.over(outline, none, 0.0)?),
+        };
+        let top = material
+            .as_ref()
+            .and_then(|own| own.summit([rough.begin.x - self.edge.width, rough.end.x + self.edge.width]));
         let highest = self.profile.edges.iter().map(|edge| edge.to().y).fold(self.profile.start.y, f64::max);
         let groove = Groove {
             sight: self.sight,
             edge: self.edge,
             lead: self.lead,
-            over: self.start.y.max(highest),
+            over: self.start.y.max(highest).max(top.map_or(highest, |top| top.y)),
             rough,
             finished,
             start: self.start,
             allowance: allowance.away.max(0.0),
+            material,
         };
         Ok((groove, more.max(least)))
     }
@@ -165,16 +182,17 @@ impl Wanted {
     /// The levels and places of a groove.
     pub(super) fn results(&self, groove: &Groove, left: f64) -> Result<GrooveResults, Fault> {
         let (rough, sight) = (&groove.rough, groove.sight);
-        let whole = (groove.over - rough.floor).max(0.0);
+        let top = groove.top();
+        let whole = (top - rough.floor).max(0.0);
         let infeed = match self.largest_infeed {
             None => whole,
             Some(depth) if depth > 0.0 => whole / libm::ceil(whole / depth - SPARE).max(1.0),
             Some(depth) => return Err(Fault::program("parameter-out-of-range").arg("q", "").arg("value", depth)),
         };
-        let first_depth = groove.over - infeed;
+        let first_depth = top - infeed;
         let apart = SIDE_INFEED * self.edge.width;
         let (first, before, last) = if self.largest_infeed.is_some() {
-            let cuts = rough.cuts(first_depth);
+            let cuts = groove.cuts(first_depth);
             let first = cuts.first().map_or(rough.feet[0], |cut| cut[0]);
             (first, 0.0, cuts.last().map_or(rough.feet[1], |cut| cut[1]))
         } else {
@@ -190,7 +208,7 @@ impl Wanted {
         };
         let scale = sight.level(1.0).abs();
         Ok(GrooveResults {
-            top: sight.level(groove.over),
+            top: sight.level(top),
             first_depth: sight.level(first_depth),
             rough_floor: sight.level(rough.floor),
             infeed: infeed * scale,
@@ -304,6 +322,7 @@ impl Action for RecessGrooveOfContour {
             allowances: [(self.allowance_diameter, self.allowance_z), (self.left_on_diameter, self.left_in_z)],
             largest_infeed: self.largest_infeed,
             limit: (height, side),
+            blank: blank_of(control, sight),
         };
         let (groove, left) = wanted.groove().map_err(|GoesBack| shape_impossible(0.0, 0.0))?;
         if groove.rough.floor > groove.over - FITS {
@@ -331,6 +350,7 @@ impl Action for RecessGroove {
             allowances: [(self.allowance_diameter, self.allowance_z), (self.left_on_diameter, self.left_in_z)],
             largest_infeed: self.largest_infeed,
             limit: (None, None),
+            blank: blank_of(control, sight),
         };
         let (groove, left) = wanted.groove().map_err(|GoesBack| shape_impossible(0.0, 0.0))?;
         let floor = sight.seen(self.end_diameter / 2.0, self.end_z).y;

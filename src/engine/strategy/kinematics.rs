@@ -174,6 +174,10 @@ impl<'c> Work<'c> {
         feed: Mm<f64>,
         reference: f64,
     ) -> Result<Self, Fault> {
+        let tool = control.plane().tool;
+        if tool != Axis::Z {
+            return Err(Fault::control("kinematics-tool-axis").arg("axis", tool.letter().to_string()));
+        }
         if let Some(number) = control.limit("rotary-axis-m-function").filter(|number| *number >= 0.0) {
             return Err(Fault::unsupported("unsupported-m").arg("word", format!("M{number}")));
         }

@@ -15,6 +15,8 @@ use crate::engine::report::fault::Fault;
 const RAPID: f64 = 99_999.999;
 /// What calculation may add to a height, mm.
 const SPARE: f64 = 1e-9;
+/// What is higher by no more than this, mm, is touched and not cut.
+const TOUCHES: f64 = 1e-6;
 /// More infeeds for one recess than this are refused.
 const MAX_INFEEDS: f64 = 10_000.0;
 /// So much of the straight part of a cutting edge cuts may be shorter at most (TNC 640 manual, line 8720).
@@ -191,9 +193,17 @@ impl OverContours for RecessPass {
         if (top.y - bottom) / infeed > MAX_INFEEDS {
             return Err(too_many(MAX_INFEEDS));
         }
-        let mut reached = top.y;
+        // Where nothing of a blank is left there is nothing to recess; the first infeed counts from where there is.
+        let mut reached = match &groove.material {
+            None => top.y,
+            Some(_) => groove.touches(top.x).unwrap_or(bottom).min(top.y),
+        };
+        if reached <= bottom + TOUCHES && groove.material.is_some() {
+            return Ok(());
+        }
+        let mut first = true;
         while reached > bottom + SPARE {
-            if reached < top.y {
+            if !std::mem::take(&mut first) {
                 groove.line(pen, top, RAPID);
             }
             reached = (reached - infeed).max(bottom);
@@ -210,7 +220,7 @@ impl OverContours for RecessToLevel {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let groove = groove(contours)?;
         let level = groove.sight.height(self.level).max(groove.rough.floor);
-        let cuts = groove.rough.cuts(level);
+        let cuts = groove.cuts(level);
         let first = if goes_on(self.cut, self.one_way) { cuts.first() } else { cuts.last() };
         if let Some(&[from, to]) = first {
             let here = groove.here(pen);
@@ -231,7 +241,7 @@ impl OverContours for TurnRecessPass {
         let groove = groove(contours)?;
         let level = groove.sight.height(self.level).max(groove.rough.floor);
         let height = level + self.compensation.max(-groove.allowance);
-        let mut cuts = groove.rough.cuts(level);
+        let mut cuts = groove.cuts(level);
         if !goes_on(self.cut, self.one_way) {
             cuts.reverse();
             cuts.iter_mut().for_each(|cut| cut.reverse());
@@ -257,7 +267,7 @@ impl OverContours for LiftAndReturn {
         let groove = groove(contours)?;
         let level = groove.sight.height(self.level).max(groove.rough.floor);
         let here = groove.here(pen);
-        if let Some(&[from, to]) = groove.rough.cuts(level).first() {
+        if let Some(&[from, to]) = groove.cuts(level).first() {
             let one = here.x <= to + SPARE && self.clearance > 0.0;
             let height = if one { (here.y + self.clearance).min(groove.over.max(here.y)) } else { groove.over };
             groove.line(pen, DVec2::new(here.x, height.max(here.y)), self.at);

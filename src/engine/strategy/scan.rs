@@ -319,6 +319,8 @@ pub(super) struct Level<'c> {
     pub range: &'c Range,
     /// Whether the material is on the right of the way of the stylus.
     pub clockwise: bool,
+    /// A place that is so near to the first one is there, mm.
+    pub accuracy: f64,
 }
 
 impl Level<'_> {
@@ -349,10 +351,16 @@ impl Level<'_> {
     /// All places from the first one around the part and back to it, at most that far from each other.
     pub(super) fn trace(&self, first: Sample, spacing: f64) -> Result<Vec<Sample>, Fault> {
         let mut all = vec![first];
+        let mut has_left = false;
         while all.len() < MOST {
             let Some(now) = all.last().copied() else { break };
             let back = (now.at - first.at).length();
-            if all.len() > 2 && back <= spacing + SAME && self.is_next(&now, &first, back)? {
+            if has_left && back <= self.accuracy {
+                return Ok(all);
+            }
+            has_left |= back > self.accuracy.max(spacing);
+            let near = all.len() > 2 && back <= spacing + SAME;
+            if near && self.is_next(&now, &first, back)? {
                 all.extend(self.inside_corner(&now, &first, spacing)?);
                 all.push(first);
                 return Ok(all);

@@ -33,6 +33,8 @@ strategy! {
     MeasureLengthOfTeeth = "measure-length-of-teeth" {
         /// 0: the longest edge counts; else the one that differs most from the tool table.
         check: f64 = Number,
+        /// How many edges can be measured one by one.
+        most: Option<f64> = Number,
     }
 }
 
@@ -48,6 +50,8 @@ strategy! {
         rotating: Mm<f64> = Length,
         /// 0: the widest edge counts; else the one that differs most from the tool table.
         check: f64 = Number,
+        /// How many edges can be measured one by one.
+        most: Option<f64> = Number,
     }
 }
 
@@ -189,6 +193,15 @@ impl<'c> Work<'c> {
         Ok(self.column("CUT")?.unwrap_or_default())
     }
 
+    /// An error of more edges than can be measured one by one.
+    fn can_measure_edges(&self, most: Option<f64>) -> Result<(), Fault> {
+        let count = self.edges()?;
+        match most.filter(|most| count > *most) {
+            Some(most) => Err(Fault::control("tool-edges-too-many").arg("count", count).arg("most", most)),
+            None => Ok(()),
+        }
+    }
+
     /// How far the tool is put aside when its length is measured: by its radius where nothing else is entered.
     fn aside(&self) -> Result<f64, Fault> {
         Ok(self.column("R-OFFS")?.unwrap_or_else(|| self.control.reckoned().0))
@@ -310,6 +323,7 @@ impl Action for MeasureLengthOfTeeth {
     type Results = LengthResults;
 
     fn act(&self, control: &mut dyn Control) -> Done<LengthResults> {
+        Work::new(control)?.can_measure_edges(self.most)?;
         ApproachToolSetterSide {}.act(control)?;
         let mut work = Work::new(control)?;
         let inwards = -work.control.plane().main.unit();
@@ -353,6 +367,7 @@ impl Action for MeasureRadiiOfTeeth {
 
     fn act(&self, control: &mut dyn Control) -> Done<RadiusResults> {
         let mut work = Work::new(control)?;
+        work.can_measure_edges(self.most)?;
         let inwards = -work.control.plane().main.unit();
         let mut radii = Vec::new();
         for angle in work.angles()? {

@@ -3,6 +3,8 @@
 //! Cuts go along the rotary axis, or across it. Either way `x` of the half plane grows in the direction of the feed, and
 //! `y` away from the part. Positions are those of the tip of the insert. Unless the tool table says otherwise, it is as far
 //! in front of the centre of its nose and below it as the nose has radius. Invariant: coordinates of the main axis are radii here.
+use std::sync::Arc;
+
 use glam::{DVec2, DVec3};
 
 use super::pen::Pen;
@@ -13,6 +15,8 @@ use crate::engine::region::{Edge, Way};
 pub(super) const TIP: DVec2 = DVec2::new(1.0, -1.0);
 /// Places that are nearer to each other are one, mm.
 const COUNTS: f64 = 1e-6;
+/// What is higher by no more than this, mm, is touched and not cut.
+const TOUCHES: f64 = 1e-6;
 /// A place so far in front of a wall is not on it, mm.
 const SIDE: f64 = 1e-8;
 /// What stays beyond what the nose alone leaves is reported if it is more than this, mm.
@@ -117,6 +121,26 @@ pub struct Turned {
     pub blank: f64,
     /// Whether what is above the contour is cut along it, too, where no level comes to it.
     pub along_contour: bool,
+    /// What is left of the blank, where turning updates it: the heights at which the tip touches it.
+    pub material: Option<Arc<Envelope>>,
+}
+
+/// A cut at a level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cut {
+    /// Where it begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// Whether it begins where there is neither blank nor contour.
+    pub begins_free: bool,
+}
+
+impl Cut {
+    /// Beginning and end.
+    pub const fn range(&self) -> [f64; 2] {
+        [self.from, self.to]
+    }
 }
 
 /// How a contour is cut.
@@ -178,7 +202,10 @@ impl Turned {
         };
         let whole = lengthened(profile, before, leaving * longer);
         let envelope = Envelope::over(&whole, allowance, Insert { radius, ..insert }, tip)?;
-        let nose = Envelope::over(&whole, allowance, Insert { radius, ..nose }, tip)?;
+        let nose = match nose == insert {
+            true => envelope.clone(),
+            false => Envelope::over(&whole, allowance, Insert { radius, ..nose }, tip)?,
+        };
         let touching = |at: DVec2, along: DVec2| {
             // Of the two corners of an allowance the one that is further out counts.
             let side = if along.y.abs() < COUNTS { 0.0 } else { -along.y.signum() };
@@ -208,6 +235,7 @@ impl Turned {
             cuts_beside: Vec::new(),
             blank: 0.0,
             along_contour: false,
+            material: None,
         })
     }
 
@@ -218,6 +246,24 @@ impl Turned {
         self.begin.y = self.begin.y.max(level);
         self.end.y = self.end.y.max(level);
         self
+    }
+
+    /// The same of what is left of a blank, if there is one, that an insert meets with its tip there.
+    ///
+    /// # Errors
+    /// The insert cannot be over it.
+    pub fn of_blank(mut self, material: Option<&Arc<Envelope>>) -> Self {
+        self.material = material.cloned();
+        self
+    }
+
+    /// Where an insert touches what is left of a blank; all of it is gone without an outline.
+    ///
+    /// # Errors
+    /// The outline goes back where it begins or ends.
+    pub fn over_blank(outline: Option<Way>, insert: Insert, tip: DVec2) -> Result<Envelope, GoesBack> {
+        let none = Allowance { along: 0.0, away: 0.0 };
+        outline.map_or_else(|| Ok(Envelope::default()), |outline| Envelope::over(&outline, none, insert, tip))
     }
 
     /// Where cuts begin: where the cycle began, or, where that is within the part, the clearance before it.
@@ -243,7 +289,70 @@ impl Turned {
 
     /// The height at which the tool crosses what it does not cut.
     pub fn over(&self) -> f64 {
-        self.start.y.max(self.highest + self.blank) + self.clearance
+        let begin = self.beginning().x.min(self.begin.x);
+        let material = self.material.as_ref().and_then(|material| material.summit([begin, self.limit.max(begin)]));
+        let highest = (self.highest + self.blank).max(material.map_or(f64::NEG_INFINITY, |top| top.y));
+        self.start.y.max(highest) + self.clearance
+    }
+
+    /// The heights between which there is something to cut: where the cycle began and the lowest place of the contour, of a
+    /// blank what of it is above the contour.
+    pub fn heights(&self) -> [f64; 2] {
+        let (from, bottom) = (self.beginning().y, self.bottom());
+        let Some(material) = &self.material else { return [from, bottom] };
+        let spans = self.touched(bottom, [self.beginning().x, self.limit]);
+        let top = spans.iter().filter_map(|span| material.summit(*span)).map(|top| top.y).reduce(f64::max);
+        let low = spans.iter().filter_map(|span| self.envelope.lowest(*span)).reduce(f64::min);
+        let to = low.map_or(bottom, |low| low.max(bottom));
+        [top.unwrap_or(to).max(to), to]
+    }
+
+    /// Where there is something of the blank above a level and above the contour, between two places.
+    fn touched(&self, level: f64, range: [f64; 2]) -> Vec<[f64; 2]> {
+        let material = self.material.as_ref().filter(|_| range[0] < range[1]);
+        material.map_or_else(Vec::new, |own| own.higher_than(&self.envelope, level, TOUCHES, range))
+    }
+
+    /// The part of the contour along which there is something of the blank, with the clearance at both ends; without a
+    /// blank all of it.
+    pub fn along_blank(&self) -> Option<[f64; 2]> {
+        let whole = [self.begin.x, self.end.x];
+        if self.material.is_none() {
+            return Some(whole);
+        }
+        let spans = self.touched(f64::NEG_INFINITY, whole);
+        let (first, last) = (spans.first()?[0], spans.last()?[1]);
+        Some([(first - self.clearance).max(whole[0]), (last + self.clearance).min(whole[1])])
+    }
+
+    /// The cuts at a level after one at another level: of a blank only where something of it is left, with the clearance
+    /// before and after it.
+    pub fn cuts_after(&self, level: f64, before: f64) -> Vec<Cut> {
+        let whole = self.cuts(level);
+        if self.material.is_none() {
+            return whole.into_iter().map(|[from, to]| Cut { from, to, begins_free: false }).collect();
+        }
+        let mut found = Vec::new();
+        for (number, [from, to]) in whole.iter().copied().enumerate() {
+            // What the cut before has left beside this one belongs to it: the tool follows the contour there.
+            let outer = self.cut_at(before, from.midpoint(to)).unwrap_or([from, to]);
+            let after = number.checked_sub(1).and_then(|last| whole.get(last)).map_or(outer[0], |last| last[1]);
+            let until = whole.get(number + 1).map_or(outer[1], |next| next[0]);
+            let range = [outer[0].max(after).min(from), outer[1].min(until).max(to)];
+            let mut lumps: Vec<[f64; 2]> = Vec::new();
+            for span in self.touched(level, range) {
+                match lumps.last_mut() {
+                    Some(last) if span[0] - last[1] <= 2.0 * self.clearance => last[1] = span[1],
+                    _ => lumps.push(span),
+                }
+            }
+            for [first, last] in lumps {
+                let begins_free = first - self.clearance > from;
+                let begin = if begins_free { (first - self.clearance).min(to) } else { from };
+                found.push(Cut { from: begin, to: (last + self.clearance).min(to).max(begin), begins_free });
+            }
+        }
+        found
     }
 
     /// The cuts at a level: pairs of beginning and end.

@@ -150,11 +150,34 @@ fn plunge(turned: &Turned, pen: &mut Pen, cut: [f64; 2], (level, before): (f64, 
         turned.follow_down(pen, DVec2::new(cut[0], level), feed, down);
         return;
     }
-    let material = if turned.along_contour { from.y.max(before) } else { from.y };
+    let top = match (&turned.material, above) {
+        (Some(material), _) => material.height(from.x).unwrap_or(from.y),
+        // In front of the first cut there may be material as high as the contour.
+        (None, None) => turned.highest,
+        (None, Some(_)) => from.y,
+    };
+    let material = from.y.max(if turned.along_contour { before } else { top.min(before) });
     turned.line(pen, DVec2::new(from.x, over), RAPID);
     turned.line(pen, DVec2::new(from.x, (material + turned.clearance).min(over)), RAPID);
     turned.line(pen, from, feed);
     turned.follow_down(pen, DVec2::new(cut[0], level), feed, down);
+}
+
+/// To the beginning of a cut where there is neither blank nor contour: over what is in front of it, and down.
+fn come_down(turned: &Turned, pen: &mut Pen, to: DVec2, feed: f64) {
+    let (here, near) = (turned.here(pen), to.y + turned.clearance);
+    // In front of all cuts the tool comes at the height of the cut.
+    let open =
+        turned.cut_at(to.y, to.x).is_some_and(|cut| turned.is_open(cut)) && here.x <= turned.beginning().x + SPARE;
+    let first = turned.material.as_ref().and_then(|own| own.summit([turned.beginning().x, to.x]));
+    let over = match open && first.is_none_or(|first| first.y <= to.y + SPARE) {
+        true => near,
+        false => turned.over().max(here.y),
+    };
+    turned.line(pen, DVec2::new(here.x, over), RAPID);
+    turned.line(pen, DVec2::new(to.x, over), RAPID);
+    turned.line(pen, DVec2::new(to.x, near.min(over)), RAPID);
+    turned.line(pen, to, feed);
 }
 
 impl OverContours for ClearTurningArea {
@@ -175,9 +198,10 @@ impl OverContours for InfeedToTurningLevel {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let turned = turned(contours)?;
         let (level, before) = (turned.sight.height(self.level), turned.sight.height(self.before));
-        match turned.cuts(level).first() {
+        match turned.cuts_after(level, before).first() {
             None => {}
-            Some(cut) if turned.is_open(*cut) => {
+            Some(cut) if cut.begins_free => come_down(turned, pen, DVec2::new(cut.from, level), self.at),
+            Some(cut) if turned.is_open(cut.range()) => {
                 let (here, x) = (turned.here(pen), turned.beginning().x);
                 if here.x > x + SPARE {
                     turned.line(pen, DVec2::new(here.x, turned.over().max(here.y)), RAPID);
@@ -185,7 +209,7 @@ impl OverContours for InfeedToTurningLevel {
                 }
                 turned.line(pen, DVec2::new(turned.here(pen).x, level), RAPID);
             }
-            Some(cut) => plunge(turned, pen, *cut, (level, before), (self.at, down(self.plunging, self.at))),
+            Some(cut) => plunge(turned, pen, cut.range(), (level, before), (self.at, down(self.plunging, self.at))),
         }
         Ok(())
     }
@@ -195,7 +219,14 @@ impl OverContours for RoughTurningLevel {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let turned = turned(contours)?;
         let (level, before) = (turned.sight.height(self.level), turned.sight.height(self.before));
-        for (number, cut) in turned.cuts(level).into_iter().enumerate() {
+        for (number, next) in turned.cuts_after(level, before).into_iter().enumerate() {
+            let cut = next.range();
+            if number > 0 && next.begins_free {
+                lift(turned, pen, before, self.at);
+                come_down(turned, pen, DVec2::new(next.from, level), self.at);
+                turned.line(pen, DVec2::new(next.to, level), self.at);
+                continue;
+            }
             let here = turned.here(pen);
             let together = turned.along_contour
                 && turned.cut_at(before, here.x).is_some_and(|[from, to]| from <= cut[0] && cut[0] <= to);
@@ -218,7 +249,10 @@ impl OverContours for FollowTurnedContour {
         if (here.y - turned.sight.height(self.from)).abs() > SPARE {
             return Ok(());
         }
-        if let Some([_, end]) = turned.cut_at(before, here.x) {
+        // A cut that ended where nothing of a blank is left is not at the contour.
+        if turned.material.is_some() && turned.cut_at(here.y, here.x).is_none_or(|[_, end]| here.x < end - NEAR) {
+            lift(turned, pen, before, self.at);
+        } else if let Some([_, end]) = turned.cut_at(before, here.x) {
             turned.follow(pen, DVec2::new(end, before), self.at);
         }
         Ok(())
@@ -239,6 +273,9 @@ impl OverContours for ReturnToStartOfCut {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let turned = turned(contours)?;
         let (here, to) = (turned.here(pen), turned.beginning());
+        if turned.material.is_some() && here.x <= to.x + SPARE {
+            return Ok(());
+        }
         // Along a surface the tool does not go at rapid traverse.
         let free =
             turned.cuts(here.y - TOUCHING).first().is_some_and(|cut| turned.is_open(*cut) && here.x <= cut[1] + NEAR);

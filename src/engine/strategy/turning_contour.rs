@@ -13,7 +13,7 @@ use super::pen::{Cutter, Pen};
 use super::signature::{results, strategy};
 use super::turned::{Cutting, Sight, Turned, direction, highest};
 use super::turning::turned;
-use super::turning_shape::{area_of, insert_of};
+use super::turning_shape::{area_of, insert_of, material_of};
 use crate::base::expr::{atan2d, tand};
 use crate::engine::region::profile::{Allowance, GoesBack, Insert, monotone};
 use crate::engine::region::{Edge, Way};
@@ -199,12 +199,14 @@ impl Action for AreaOfTurningContour {
             insert.edges = Some((front, back.max(NEVER_DOWN)));
             nose.edges = Some((UPRIGHT, NEVER_DOWN));
         }
+        let material = material_of(control, sight, whole, tip)?;
         // Where the contour begins by going down, it goes down from what is in front of it.
         let solid = profile.edges.first().is_some_and(|edge| direction(profile.start, edge, false).y < -SAME);
         let of = |grown: f64| {
             let cutting = Cutting { allowance: self.allowance(), insert, tip, nose, grown };
             let turned = Turned::of(sight, &profile, &cutting, (start, self.clearance), solid);
             let turned = turned.map_err(|GoesBack| shape_impossible(0.0, 0.0))?;
+            let turned = turned.of_blank(material.as_ref());
             Ok::<_, Fault>(if limited && start.y >= limit.y { turned.raised(limit.y) } else { turned })
         };
         let mut turned = of(0.0)?;
@@ -316,6 +318,15 @@ fn beside(contours: &Contours, cut: f64) -> Result<(&Turned, &Turned), Fault> {
 impl OverContours for InfeedToParallelCut {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let (whole, cut) = beside(contours, self.cut)?;
+        let Some([from, _]) = cut.along_blank() else { return Ok(()) };
+        if from > cut.begin.x + SAME {
+            let to = DVec2::new(from, cut.envelope.height(from).unwrap_or(cut.begin.y));
+            let over = whole.over().max(whole.here(pen).y);
+            whole.line(pen, DVec2::new(whole.here(pen).x, over), RAPID);
+            whole.line(pen, DVec2::new(from, over), RAPID);
+            whole.line(pen, DVec2::new(from, (to.y + cut.clearance).min(over)), RAPID);
+            return Ok(());
+        }
         // What the cut before has left, or the blank, is as far in front of this cut.
         let before = (self.cut >= 2.0).then(|| whole.cuts_beside.get((self.cut - 2.0) as usize)).flatten();
         let thick = before.map_or(whole.blank, |before| before.begin.distance(cut.begin));
@@ -334,12 +345,23 @@ impl OverContours for InfeedToParallelCut {
 impl OverContours for CutParallelToContour {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let (whole, cut) = beside(contours, self.cut)?;
+        let Some([from, until]) = cut.along_blank() else { return Ok(()) };
+        let at = |x: f64, end: DVec2| match cut.envelope.height(x) {
+            Some(height) if (x - end.x).abs() > SAME => DVec2::new(x, height),
+            _ => end,
+        };
+        let (begin, end) = (at(from, cut.begin), at(until, cut.end));
+        if from > cut.begin.x + SAME {
+            whole.line(pen, begin, self.at);
+            cut.follow(pen, end, self.at);
+            return Ok(());
+        }
         let here = whole.here(pen);
         if here.y > cut.begin.y {
             whole.line(pen, DVec2::new(cut.begin.x, here.y), self.at);
         }
         whole.line(pen, cut.begin, self.at);
-        cut.follow(pen, cut.end, self.at);
+        cut.follow(pen, end, self.at);
         Ok(())
     }
 }
@@ -357,6 +379,9 @@ impl OverContours for ReturnToParallelCut {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let whole = turned(contours)?;
         let (here, x) = (whole.here(pen), whole.beginning().x);
+        if whole.material.is_some() && here.x <= x + SAME {
+            return Ok(());
+        }
         let over = whole.over().max(here.y);
         whole.line(pen, DVec2::new(here.x, over), RAPID);
         whole.line(pen, DVec2::new(x, over), RAPID);

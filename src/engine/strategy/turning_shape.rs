@@ -3,6 +3,7 @@
 //! The end point of the contour is the corner between the surface that the cuts follow and the wall at which they end
 //! (TNC 640 manual, lines 7553-7666); the wall goes out to where the contour begins. Invariant: nothing moves.
 use std::f64::consts::SQRT_2;
+use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
@@ -13,7 +14,7 @@ use super::signature::{results, strategy};
 use super::turned::{Sight, Turned};
 use crate::base::expr::{atan2d, tand};
 use crate::engine::machine::TurningInsert;
-use crate::engine::region::profile::{Allowance, GoesBack, Insert};
+use crate::engine::region::profile::{Allowance, Envelope, GoesBack, Insert};
 use crate::engine::region::{Edge, Way};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -82,6 +83,21 @@ pub(super) fn insert_of(control: &dyn Control, sight: Sight) -> Result<(Insert, 
     Ok((sight.insert(own.radius, own.angle, own.point), tip))
 }
 
+/// Where the insert touches the blank that turning updates, if it does.
+pub(super) fn material_of(
+    control: &dyn Control,
+    sight: Sight,
+    insert: Insert,
+    tip: DVec2,
+) -> Result<Option<Arc<Envelope>>, Fault> {
+    if !control.updates_blank() {
+        return Ok(None);
+    }
+    let outline = control.outline_of_blank(&|way| sight.seen_way(way));
+    let found = Turned::over_blank(outline, insert, tip).map_err(|GoesBack| shape_impossible(0.0, 0.0))?;
+    Ok(Some(Arc::new(found)))
+}
+
 /// The fault of an insert that does not point to the part, or not in the direction of the cuts.
 pub(super) fn points_elsewhere(insert: &TurningInsert) -> Fault {
     Fault::control("insert-direction").arg("tool", insert.tool).arg("orientation", insert.orientation())
@@ -89,7 +105,7 @@ pub(super) fn points_elsewhere(insert: &TurningInsert) -> Fault {
 
 /// The area of what is turned, with infeeds that are all the same and not greater than a depth.
 pub(super) fn area_of(turned: &Turned, depth: f64) -> Result<TurnedArea, Fault> {
-    let (from, to) = (turned.beginning().y, turned.bottom());
+    let [from, to] = turned.heights();
     let whole = from - to;
     if !(depth > 0.0) {
         return Err(Fault::program("parameter-out-of-range").arg("q", "").arg("value", depth));
@@ -159,6 +175,7 @@ impl Action for TurnShoulder {
         let turned =
             Turned::new(sight, &profile, (allowance, insert, tip), (start, self.clearance), self.plunges == Some(true));
         let turned = turned.map_err(|GoesBack| shape_impossible(0.0, 0.0))?;
+        let turned = turned.of_blank(material_of(control, sight, insert, tip)?.as_ref());
         let area = area_of(&turned, self.depth)?;
         control.keep_turned(turned);
         hold(control, sight, Held::Pointed(insert, tip))?;

@@ -50,6 +50,9 @@ pub struct System {
     pub table: Frame,
     /// Whether the tool tip is held on the workpiece while rotary axes turn (M128, FUNCTION TCPM).
     pub tip_held: bool,
+    /// Whether positions count from where the rotary axes have brought tool and workpiece (M144): the linear axes do not
+    /// go with them.
+    pub axes_counted: bool,
     /// Whether the workpiece is turned (`FUNCTION MODE TURN`): coordinates of X are diameters in programs.
     pub turning: bool,
     /// While a contour in the development of a cylinder is read whose coordinates of X are degrees: mm in a degree.
@@ -75,6 +78,7 @@ impl System {
             plane,
             table: Frame::IDENTITY,
             tip_held: false,
+            axes_counted: false,
             turning: false,
             unrolled: None,
             unexecuted: BTreeSet::new(),
@@ -256,6 +260,11 @@ impl System {
         self.rebuild();
     }
 
+    pub(crate) fn set_axes_counted(&mut self, counted: bool) {
+        self.axes_counted = counted;
+        self.rebuild();
+    }
+
     pub(crate) fn set_table(&mut self, table: Frame) {
         self.table = table;
         self.rebuild();
@@ -263,9 +272,9 @@ impl System {
 
     /// Ends everything that programs change on top of the preset. Whether there was anything.
     pub(crate) fn end_changes(&mut self) -> bool {
-        let any = !self.changes.is_empty() || self.angle_shift != DVec3::ZERO || self.tip_held;
+        let any = !self.changes.is_empty() || self.angle_shift != DVec3::ZERO || self.tip_held || self.axes_counted;
         self.changes.clear();
-        self.tip_held = false;
+        (self.tip_held, self.axes_counted) = (false, false);
         self.angle_shift = DVec3::ZERO;
         self.rebuild();
         any
@@ -287,7 +296,12 @@ impl System {
 
     /// Whether the system is part of the workpiece, and the control reckons with how the tool is.
     pub fn is_on_workpiece(&self) -> bool {
-        self.tip_held || self.tilt().is_some()
+        self.knows_tool() || self.tilt().is_some()
+    }
+
+    /// Whether the control reckons with how the tool is, wherever the working plane is.
+    pub const fn knows_tool(&self) -> bool {
+        self.tip_held || self.axes_counted
     }
 
     /// The preset; of a system on the workpiece where the table has put it.
@@ -368,6 +382,7 @@ impl System {
             scaling: self.scaling(),
             tilt: self.tilt(),
             tip_held: self.tip_held,
+            axes_counted: self.axes_counted,
             matrix: self.frame.rows(),
             angles: self.angle_datum(),
         }

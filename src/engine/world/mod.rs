@@ -4,6 +4,8 @@
 //! is `engine::motion`.
 pub(crate) mod coordinates;
 pub(crate) mod insert;
+pub(crate) mod parallel;
 pub(crate) mod setter;
+pub(crate) mod setter_leaning;
 pub(crate) mod state;
 pub(crate) mod stylus;

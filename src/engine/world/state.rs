@@ -15,6 +15,7 @@ use crate::engine::solid::Path as BallPath;
 use crate::engine::table::{Table, TableError, TableKind};
 use crate::engine::world::coordinates::System;
 use crate::engine::world::insert::Aligned;
+use crate::engine::world::parallel::Parallels;
 use crate::engine::world::stylus::{OfMachine, ProbeData};
 
 /// How far away a tool is that stands aside, mm.
@@ -64,8 +65,8 @@ pub(crate) struct World<'s> {
     pub machine: DVec3,
     /// The rotary axes in machine coordinates, degrees.
     pub angles: DVec3,
-    /// The parallel axes by their letters: where they are, mm.
-    pub(crate) parallel: BTreeMap<char, f64>,
+    /// The parallel axes.
+    pub(crate) parallels: Parallels,
     /// How far the table has turned the parts since the start, as a frame from the machine to where they were then;
     /// nothing while it is as at the start.
     parts: Option<Frame>,
@@ -131,12 +132,7 @@ impl<'s> World<'s> {
             here: DVec3::ZERO,
             machine: scene.start,
             angles: scene.start_angles,
-            parallel: scene
-                .machine
-                .parallel
-                .iter()
-                .map(|axis| (axis.letter, 0.0_f64.clamp(axis.min, axis.max)))
-                .collect(),
+            parallels: Parallels::new(&scene.machine.parallel),
             parts: None,
             head: None,
             true_head: None,
@@ -555,18 +551,26 @@ impl<'s> World<'s> {
 
     /// An error where a position in machine coordinates takes an axis beyond its limits.
     pub(crate) fn within_limits(&self, machine: DVec3) -> Result<(), Fault> {
-        if self.scene.machine.beyond_limits(machine).is_none() {
-            return Ok(());
-        }
         self.beyond_limits(machine).map_or(Ok(()), Err)
     }
 
     /// The first axis that a position in machine coordinates takes beyond its limits.
     pub(crate) fn beyond_limits(&self, machine: DVec3) -> Option<Fault> {
-        let axis = self.scene.machine.beyond_limits(machine)?;
-        let letter = axis.axis.letter().to_string();
-        let fault = Fault::control("axis-limit").arg("axis", letter).arg("found", axis.axis.of(machine));
-        Some(fault.arg("min", axis.min).arg("max", axis.max).arg("unit", "mm"))
+        let fault = |letter: char, found: f64, min: f64, max: f64| {
+            let fault = Fault::control("axis-limit").arg("axis", letter.to_string()).arg("found", found);
+            fault.arg("min", min).arg("max", max).arg("unit", "mm")
+        };
+        if let Some((axis, found)) = self.parallels.beyond(&self.scene.machine, machine) {
+            return Some(fault(axis.letter, found, axis.min, axis.max));
+        }
+        let linear = self.parallels.linear(machine);
+        let axis = self.scene.machine.beyond_limits(linear)?;
+        Some(fault(axis.axis.letter(), axis.axis.of(linear), axis.min, axis.max))
+    }
+
+    /// The rapid rate of a way of the tool tip in the machine, mm/min.
+    pub(crate) fn rapid_feed(&self, way: DVec3) -> f64 {
+        self.parallels.rapid_feed(&self.scene.machine, way)
     }
 
     /// The first rotary axis that angles in machine coordinates take beyond its limits.

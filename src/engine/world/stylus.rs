@@ -196,10 +196,10 @@ impl World<'_> {
     }
 
     /// The direction from the tool tip to the ball centre as the control believes it, in program coordinates: that of
-    /// the tool axis, unless the control holds the tip and reckons with how the tool is.
+    /// the tool axis, unless the control reckons with how the tool is.
     pub(crate) fn up(&self) -> DVec3 {
         let system = &self.system;
-        if system.tip_held { system.back().vector(self.tool_axis()) } else { system.plane.tool.unit() }
+        if system.knows_tool() { system.back().vector(self.tool_axis()) } else { system.plane.tool.unit() }
     }
 
     /// The true centre of the ball, in machine coordinates, when the tool tip is believed to be there. A head that is

@@ -138,7 +138,10 @@ fn number(chars: &[char], from: usize, language: &str, facts: &mut BTreeMap<Kind
     let begins = two_before.is_none_or(|c| !c.is_alphanumeric() && c != '¤');
     let minus = matches!(before, Some('-' | '\u{2212}')) && begins;
     let value: f64 = digits.parse().unwrap_or(0.0);
-    let number = if minus { format!("\u{2212}{value}") } else { format!("{value}") };
+    // A number that begins with 0 names something, such as a software version.
+    let named = digits.len() > 1 && digits.starts_with('0') && !digits.contains('.');
+    let shown = if named { digits } else { format!("{value}") };
+    let number = if minus { format!("\u{2212}{shown}") } else { shown };
     facts.entry(Kind::Number).or_default().push(number);
     let mut unit_at = to;
     while chars.get(unit_at).is_some_and(|c| matches!(c, ' ' | '\u{a0}' | '\u{202f}')) {

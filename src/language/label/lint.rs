@@ -7,7 +7,8 @@ use crate::spec::{Catalogue, Name, OnControl, Param, Shape};
 /// Signs that labels may contain besides letters, digits and blanks.
 pub const SIGNS: &str = ".,:;-–+/=()?'\"º°ª%#&";
 
-/// Checks every label and NC name for every control and language: character set, case and length.
+/// Checks every label, NC name and prompt for every control and language: length, and of what programs contain character set
+/// and case.
 /// Texts that are missing are reported by those who print them.
 pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     let mut found = Vec::new();
@@ -20,18 +21,44 @@ pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
 }
 
 fn check_control(on: &OnControl, language: &Language, found: &mut Vec<Diagnostic>) {
+    let [cycle_name, prompt] =
+        [&on.control.cycle_name, &on.control.prompt].map(|rules| rules.as_ref().map(|it| it.max_length));
     for cycle in on.cycles.values() {
         let vocabulary = Vocabulary::of(on, cycle, language);
         let text = CycleText::new(on, cycle, language, &vocabulary);
-        let name = Label { says: &text.nc_name(), key: Some(format!("cycle-{}.nc", cycle.name())), most: None };
+        let name = Label { says: &text.nc_name(), key: Some(format!("cycle-{}.nc", cycle.name())), most: cycle_name };
         check_label(&text, &name, &cycle.file.name, found);
         for param in &cycle.params {
             if let Some(label) = text.label_of(param) {
                 let most = param.field.is_none().then_some(on.control.label.max_length);
                 check_label(&text, &Label { says: &label, key: key_of(param), most }, &param.is, found);
             }
+            if let Some(most) = prompt {
+                check_prompt(&text, param, most, found);
+            }
         }
     }
+}
+
+/// The question of the dialog, which is the name of the parameter where no other one is printed.
+fn check_prompt(text: &CycleText, param: &Param, most: u32, found: &mut Vec<Diagnostic>) {
+    let prompt = text.prompt_of(param);
+    let length = prompt.chars().count();
+    if length <= most as usize {
+        return;
+    }
+    let scope = Scope::new(text.cycle.name(), text.on.id());
+    let name = format!("parameter-{}", param.is.as_str());
+    let keys = [format!("{name}.prompt"), name];
+    let own = keys.iter().find_map(|key| Some((key, text.language.raw(Key::from(key), scope)?.1)));
+    let place = own.as_ref().map_or_else(|| param.is.place.clone(), |(_, place)| place.clone());
+    let diagnostic = Diagnostic::error("prompt-too-long", place).arg("label", prompt.as_ref());
+    let diagnostic = diagnostic.arg("language", text.language.tag()).arg("cycle", text.cycle.key.to_string());
+    let diagnostic = diagnostic.arg("control", text.on.id()).arg("length", length).arg("most", f64::from(most));
+    found.push(match own {
+        Some((key, _)) => diagnostic.arg("key", key.as_str()),
+        None => diagnostic,
+    });
 }
 
 /// The text in which the label of a parameter is; nothing if the specification has it.

@@ -33,9 +33,7 @@ impl<'a> CycleText<'a> {
         let name = self.get(&id, &param.is.place);
         let label = self.label(param, &id);
         let label_aliases = self.label_aliases_of(param);
-        let prompt = self.find(&format!("{id}.prompt"));
-        let prompt =
-            prompt.unwrap_or_else(|| self.general("prompt-from-name", &Args::new().text("name", name.as_ref())));
+        let prompt = self.prompt(&id, &name);
         ParamText {
             q: param.label_in(self.cycle.key.number),
             label,
@@ -46,6 +44,16 @@ impl<'a> CycleText<'a> {
             choices: param.choices.iter().map(|choice| (choice.value.as_str(), self.choice(&choice.choice))).collect(),
             name,
         }
+    }
+
+    /// The question with which the dialog asks for a parameter of the cycle.
+    pub fn prompt_of(&self, param: &'a Param) -> Cow<'a, str> {
+        self.prompt(&format!("parameter-{}", param.is.as_str()), &self.name_of(param))
+    }
+
+    fn prompt(&self, id: &str, name: &str) -> Cow<'a, str> {
+        let printed = self.find(&format!("{id}.prompt"));
+        printed.unwrap_or_else(|| self.general("prompt-from-name", &Args::new().text("name", name)))
     }
 
     /// The name of a parameter of the cycle.

@@ -41,7 +41,8 @@ pub(super) fn seen_from(aside: f64, above: f64) -> [DVec3; 3] {
     [right, away * sind(above) + DVec3::Z * cosd(above), DVec3::Z * sind(above) - away * cosd(above)]
 }
 
-fn directions() -> [DVec3; 3] {
+/// The same for the reader of a figure.
+pub(super) fn directions() -> [DVec3; 3] {
     seen_from(ASIDE, ABOVE)
 }
 

@@ -31,6 +31,8 @@ pub(super) struct Measured {
     pub(super) of: String,
     /// The datum of the touch probe that is added to it.
     pub(super) plus: Option<String>,
+    /// The parameter that it makes less.
+    pub(super) reduces: Option<String>,
     /// Whether `of` is the id of a field.
     pub(super) field: bool,
     /// How it is measured.
@@ -218,6 +220,7 @@ fn one(
     let measured = Measured {
         of: name(dimension),
         plus: dimension.plus.as_ref().map(|datum| datum.as_str().to_owned()),
+        reduces: dimension.reduces.map(|whole| whole.to_string()),
         field: dimension.q.is_none(),
         kind,
         along: axis,

@@ -18,6 +18,7 @@ mod relief;
 mod rotary;
 mod scan;
 mod setter;
+mod setter_turned;
 mod sheet;
 mod shot;
 mod slabs;
@@ -194,13 +195,14 @@ impl Figure<'_> {
             _ if measured.is_half() => format!("\u{2300} {}", measured.of),
             _ => measured.of.clone(),
         });
-        let labels = labels.zip(&self.measured).map(|(label, measured)| match &measured.plus {
+        let labels = labels.zip(&self.measured).map(|(label, measured)| {
             // Labels beside the drawing are narrow, those above and below it are low.
-            Some(datum) => {
-                let gap = if frame::direction(measured, self.declared.view) == Some(1) { '\n' } else { ' ' };
-                format!("{}{gap}+ {label}", text.datum(datum))
+            let gap = if frame::direction(measured, self.declared.view) == Some(1) { '\n' } else { ' ' };
+            match (&measured.plus, &measured.reduces) {
+                (Some(datum), _) => format!("{}{gap}+ {label}", text.datum(datum)),
+                (None, Some(whole)) => format!("{whole}{gap}\u{2212} {label}"),
+                (None, None) => label,
             }
-            None => label,
         });
         let links = params.iter().map(|param| param.as_ref().map(|param| param.row.clone()));
         let links: Vec<Option<String>> = links.map(|link| link.filter(|_| medium == Medium::Page)).collect();
@@ -231,7 +233,7 @@ impl Figure<'_> {
             params.iter().flatten().map(|param| format!("{}: {}", param.shown, param.name)).collect();
         let [w, h] = [drawn.size.x, drawn.size.y].map(short);
         // Screen readers do not look into an image; links they must find.
-        let role = if words.links.iter().any(Option::is_some) { "group" } else { "img" };
+        let role = if words.links.iter().any(Option::is_some) { "document" } else { "img" };
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ciklo-figure\" role=\"{role}\" viewBox=\"0 0 {w} {h}\" \
              width=\"{w}\" height=\"{h}\">\n<title>{}</title>\n<desc>{}</desc>\n",

@@ -69,9 +69,28 @@ fn line_width(text: &str) -> f64 {
 
 /// A coordinate with one place, without what is not needed.
 pub(super) fn short(value: f64) -> String {
-    let text = format!("{value:.1}");
-    let text = text.strip_suffix(".0").unwrap_or(&text);
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    tenth(tenths(value))
+}
+
+/// The number of tenths that is nearest.
+fn tenths(value: f64) -> i64 {
+    (value * 10.0).round() as i64
+}
+
+/// A number of tenths, without what is not needed.
+fn tenth(value: i64) -> String {
+    let (sign, whole, rest) = (if value < 0 { "-" } else { "" }, value.abs() / 10, value.abs() % 10);
+    match (whole, rest) {
+        (whole, 0) => format!("{sign}{whole}"),
+        (0, rest) => format!("{sign}.{rest}"),
+        (whole, rest) => format!("{sign}{whole}.{rest}"),
+    }
+}
+
+/// Two numbers of tenths; a sign parts them as well as a blank.
+fn pair([x, y]: [i64; 2]) -> String {
+    let gap = if y < 0 { "" } else { " " };
+    format!("{}{gap}{}", tenth(x), tenth(y))
 }
 
 /// A sheet with what is drawn on it so far.
@@ -109,6 +128,24 @@ impl Pen {
             data.push('Z');
         }
         data
+    }
+
+    /// A closed outline by the differences between its places, which is shorter; nothing if they are all the same.
+    pub(super) fn outline(points: &[DVec2]) -> String {
+        let mut places = points.iter().map(|p| [p.x, p.y].map(tenths));
+        let Some(first) = places.next() else { return String::new() };
+        let (mut data, mut last) = (format!("M{}", pair(first)), first);
+        for place in places {
+            let way = [place[0] - last[0], place[1] - last[1]];
+            last = place;
+            match way {
+                [0, 0] => {}
+                [across, 0] => data.push_str(&format!("h{}", tenth(across))),
+                [0, down] => data.push_str(&format!("v{}", tenth(down))),
+                _ => data.push_str(&format!("l{}", pair(way))),
+            }
+        }
+        if data.contains(['h', 'v', 'l']) { data + "Z" } else { String::new() }
     }
 
     pub(super) fn path(&mut self, class: &str, data: &str) {

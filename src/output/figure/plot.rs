@@ -25,6 +25,10 @@ const FOOT: f64 = 64.0;
 const AROUND: f64 = 0.35;
 /// Ways are looked at in so many pieces at most, to see what of them is hidden.
 const PIECES: f64 = 60_000.0;
+/// What surfaces of the part look like: each has its colour, some a dark edge.
+const SURFACES: &str = "<style>.ciklo-figure .w path{fill:currentColor;fill-rule:evenodd;stroke:currentColor;\
+                        stroke-width:.6}.ciklo-figure .w .we{stroke:#555}</style>\n<g class=\"w\">\n";
+
 /// Arrowheads are so far from each other, in pixels, on pieces that are as long as the second number.
 const APART: f64 = 40.0;
 const LONG: f64 = 22.0;
@@ -197,19 +201,18 @@ impl<'s> Sheet<'s> {
         if self.view == View::Side {
             return self.silhouette(stock);
         }
+        // There are many of them, so what they share is written once.
+        self.pen.body.push_str(SURFACES);
         for surface in relief::surfaces(stock, self.directions[2]) {
             let lines = surface.lines.iter();
             let data: String =
-                lines.map(|line| Pen::data(&line.iter().map(|p| self.at(*p)).collect::<Vec<_>>(), true)).collect();
-            if data.contains('L') {
-                let grey = grey(surface.light);
-                let edge = if surface.edged { "#555" } else { grey.as_str() };
-                let _ = writeln!(
-                    self.pen.body,
-                    "<path style=\"fill:{grey};fill-rule:evenodd;stroke:{edge};stroke-width:.6\" d=\"{data}\"/>"
-                );
+                lines.map(|line| Pen::outline(&line.iter().map(|p| self.at(*p)).collect::<Vec<_>>())).collect();
+            if !data.is_empty() {
+                let class = if surface.edged { " class=\"we\"" } else { "" };
+                let _ = writeln!(self.pen.body, "<path{class} color=\"{}\" d=\"{data}\"/>", grey(surface.light));
             }
         }
+        self.pen.body.push_str("</g>\n");
     }
 
     /// The part from the side: the highest and lowest ends over each place of the main axis, the lowest top dashed, and

@@ -15,10 +15,12 @@ use crate::engine::scene::{Plate, Scene};
 use crate::spec::FigureView;
 
 /// The height of the plate, and how much of the setter is drawn below its face, as parts of half its width.
-const PLATE: f64 = 0.34;
-const DRAWN: f64 = 1.1;
+pub(super) const PLATE: f64 = 0.34;
+pub(super) const DRAWN: f64 = 1.1;
 /// The same for the post that carries the plate.
-const POST: f64 = 0.38;
+pub(super) const POST: f64 = 0.38;
+/// Directions that differ by less are the same.
+const ASKEW: f64 = 1e-9;
 
 /// A tool setter in the coordinates of the shot.
 #[derive(Clone, Debug)]
@@ -28,32 +30,47 @@ pub(super) struct Setter {
     /// Half its width.
     pub(super) half: f64,
     /// The corners of a cube; none of a disc.
-    corners: Vec<DVec3>,
+    pub(super) corners: Vec<DVec3>,
+    /// Its main, minor and tool axis.
+    pub(super) axes: [DVec3; 3],
 }
 
 impl Setter {
     /// The setter of a scene; `own` is from the machine to the coordinates of the shot.
     pub(super) fn of(scene: &Scene, plane: WorkingPlane, own: &dyn Fn(DVec3) -> DVec3) -> Option<Self> {
         let setter = scene.setter.as_ref()?;
+        let mounted = setter.mounted();
+        let seen = |way: DVec3| own(mounted.vector(way)) - own(DVec3::ZERO);
+        let axes = [plane.main, plane.secondary, plane.tool].map(|axis| seen(axis.unit()));
         let (half, corners) = match setter.plate {
             Plate::Disc(radius) => (radius, Vec::new()),
             Plate::Cube(half) => {
-                let corner = |x: f64, y: f64| own(setter.at + plane.lift(DVec2::new(x, y) * half, 0.0));
+                let corner = |x: f64, y: f64| own(setter.at + mounted.vector(plane.lift(DVec2::new(x, y) * half, 0.0)));
                 (half, vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)])
             }
         };
-        Some(Self { at: own(setter.at), half, corners })
+        Some(Self { at: own(setter.at), half, corners, axes })
+    }
+
+    /// Whether it is mounted in the directions of the figure.
+    pub(super) fn is_upright(&self) -> bool {
+        let units = [DVec3::X, DVec3::Y, DVec3::Z];
+        self.axes.iter().zip(units).all(|(axis, unit)| axis.distance(unit) < ASKEW)
     }
 
     /// Places that a drawing of it must show.
-    pub(super) fn bounds(&self) -> [DVec3; 2] {
+    pub(super) fn bounds(&self) -> Vec<DVec3> {
+        if !self.is_upright() {
+            return self.corners_turned().collect();
+        }
         let wide = DVec3::new(self.half, self.half, 0.0);
-        [self.at - wide - DVec3::Z * self.half * DRAWN, self.at + wide]
+        vec![self.at - wide - DVec3::Z * self.half * DRAWN, self.at + wide]
     }
 
     /// Whether a stroke is in the plane through its centre that is seen from the side.
     pub(super) fn is_in_plane(&self, stroke: &Stroke) -> bool {
-        stroke.points.iter().all(|p| (p.y - self.at.y).abs() < self.half / 2.0)
+        let minor = if self.is_upright() { DVec3::Y } else { self.axes[1] };
+        stroke.points.iter().all(|p| (*p - self.at).dot(minor).abs() < self.half / 2.0)
     }
 
     /// Where a tool touches it that went along a stroke.
@@ -61,6 +78,15 @@ impl Setter {
         let (from, tip) = (*stroke.points.first()?, *stroke.points.last()?);
         let way = tip - from;
         let radius = stroke.tool.radius;
+        if !self.is_upright() {
+            let up = self.axes[2];
+            let deep = (tip - self.at).dot(up);
+            let aside = (self.at - tip).reject_from_normalized(up);
+            return Some(match way.reject_from_normalized(up).length() > way.dot(up).abs() {
+                true => tip + way.normalize() * radius - up * (deep / 2.0),
+                false => tip - up * deep + aside.clamp_length_max(radius),
+            });
+        }
         Some(if way.truncate().length() > way.z.abs() {
             // With its side, as deep as the tip is below the face.
             (tip + way.normalize() * radius).with_z((tip.z + self.at.z) / 2.0)
@@ -83,10 +109,16 @@ pub(super) fn touches(shot: &Shot) -> impl Iterator<Item = &Stroke> {
 
 /// Places around the tools where they touched the setter.
 pub(super) fn around(shot: &Shot) -> impl Iterator<Item = DVec3> {
-    let wide = |stroke: &Stroke| DVec3::new(stroke.tool.radius, stroke.tool.radius, 0.0);
-    touches(shot)
-        .filter_map(move |stroke| Some((*stroke.points.last()?, wide(stroke))))
-        .flat_map(|(p, r)| [p - r, p + r])
+    touches(shot).flat_map(move |stroke| {
+        let Some(tip) = stroke.points.last().copied() else { return Vec::new() };
+        match shot.setter.as_ref().filter(|setter| !setter.is_upright()) {
+            Some(setter) => setter.tool_turned(&stroke.tool, tip),
+            None => {
+                let wide = DVec3::new(stroke.tool.radius, stroke.tool.radius, 0.0);
+                vec![tip - wide, tip + wide]
+            }
+        }
+    })
 }
 
 /// The places at which tools touched the setter.

@@ -14,7 +14,7 @@ use super::slice::{self, Face, Outline};
 use super::stroke::{Stroke, Way};
 use super::subject::{Subject, Words, depth, flat};
 use super::window::Window;
-use super::{axonometric, bar, cylinder, rotary, scan, setter, turned, way};
+use super::{axonometric, bar, cylinder, rotary, scan, setter, setter_turned, turned, way};
 use crate::base::expr::tand;
 use crate::spec::{Along, FigureView};
 
@@ -94,7 +94,11 @@ impl Sheet<'_> {
     fn workpiece(&mut self, faces: &[Face]) {
         if let Some(setter) = &self.subject.shot.setter {
             let camera = self.frame.camera;
-            return setter::draw(&mut self.pen, setter, self.view, &|p| camera.place(flat(p, self.view)));
+            let at = |p: DVec3| camera.place(flat(p, self.view));
+            return match setter.is_upright() {
+                true => setter::draw(&mut self.pen, setter, self.view, &at),
+                false => setter_turned::draw(&mut self.pen, setter, self.view, &at),
+            };
         }
         if !faces.is_empty() {
             return self.parts(faces);
@@ -234,6 +238,10 @@ impl Sheet<'_> {
         if !self.frame.paper().holds(place) || radius <= 0.0 {
             return;
         }
+        if let Some(setter) = self.subject.shot.setter.as_ref().filter(|setter| !setter.is_upright()) {
+            let (camera, view) = (self.frame.camera, self.view);
+            return setter_turned::tool(&mut self.pen, setter, &tool, tip, &|p| camera.place(flat(p, view)));
+        }
         if self.is_from_above() {
             self.pen.circle("t", place, radius);
             if self.subject.shot.setter.is_none() {
@@ -275,7 +283,11 @@ impl Sheet<'_> {
     /// What else is to be seen of a tool at a tool setter.
     fn poses(&mut self) {
         let (camera, view, top) = (self.frame.camera, self.view, self.frame.paper().min.y);
-        setter::poses(&mut self.pen, self.subject.shot, view, top, &|p| camera.place(flat(p, view)));
+        let (shot, at) = (self.subject.shot, |p: DVec3| camera.place(flat(p, view)));
+        match shot.setter.as_ref().filter(|setter| !setter.is_upright()) {
+            Some(setter) => setter_turned::poses(&mut self.pen, shot, setter, &at),
+            None => setter::poses(&mut self.pen, shot, view, top, &at),
+        }
     }
 
     /// The ways of the tool. Ways up and down over one another are drawn side by side.

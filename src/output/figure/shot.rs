@@ -11,11 +11,11 @@ use super::rotary::{self, Rotary};
 use super::setter::Setter;
 use super::stroke::{Stroke, Turning, Way};
 use crate::base::diag::{Diagnostic, Place};
-use crate::base::expr::{Dialect, Value, parse};
+use crate::base::expr::{self, Dialect, Env, EvalError, OnlyParameters, QRef, Value, parse};
 use crate::engine::geometry::{Axis, Frame, WorkingPlane};
 use crate::engine::machine::Tool;
 use crate::engine::plan::{self, Watch};
-use crate::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Noted};
+use crate::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Noted, Status};
 use crate::engine::scene::Scene;
 use crate::engine::solid::{Body, Path, Shape};
 use crate::program::syntax;
@@ -158,6 +158,25 @@ fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
     places
 }
 
+/// The value of an expression that names nothing of a run.
+fn constant(formula: &Formula) -> Option<Value> {
+    struct Nothing;
+    impl Env for Nothing {
+        fn slot(&self, _: usize) -> &Value {
+            // No name has a slot here, so nothing asks for one.
+            const NONE: &Value = &Value::Number(f64::NAN);
+            NONE
+        }
+        fn number(&self, q: QRef) -> Result<f64, EvalError> {
+            Err(EvalError::Undefined(q))
+        }
+        fn text(&self, q: QRef) -> Result<Arc<str>, EvalError> {
+            Err(EvalError::Undefined(q))
+        }
+    }
+    expr::compile(&formula.expr, &OnlyParameters).ok()?.eval(&Nothing).ok()
+}
+
 /// The expression that is the value of a parameter or field.
 fn value_of(dimension: &Dimension) -> Option<Formula> {
     if dimension.value.is_some() {
@@ -168,9 +187,10 @@ fn value_of(dimension: &Dimension) -> Option<Formula> {
         (None, Some(field)) => field.as_str().replace('-', "_"),
         (None, None) => return None,
     };
-    let text = match &dimension.plus {
-        Some(datum) => format!("{text} + probe.{}", datum.as_str().replace('-', "_")),
-        None => text,
+    let text = match (&dimension.plus, dimension.reduces) {
+        (Some(datum), _) => format!("{text} + probe.{}", datum.as_str().replace('-', "_")),
+        (None, Some(whole)) => format!("{whole} - {text}"),
+        (None, None) => text,
     };
     let expr = parse(&text, Dialect::Spec).ok()?;
     Some(Formula { expr, text: text.into(), place: dimension.place.clone() })
@@ -207,8 +227,8 @@ fn noted<'n>(notes: &'n [Noted], index: usize, asked: &Asked) -> Option<&'n Note
     notes.iter().filter(|note| note.watch == index).nth(asked.pass.saturating_sub(1))
 }
 
-/// The example with the values of the figure in place of its own, and `each` as it is chosen.
-fn altered(example: &Example, figure: &Figure, chosen: Option<&str>) -> Example {
+/// The example with the values of the figure in place of its own, and `each` as it is chosen, in a program as well.
+fn altered(cycle: &Cycle, example: &Example, figure: &Figure, chosen: Option<&str>) -> Example {
     let mut example = example.clone();
     let mut set = |name: &str, value: &Name| match example.given.0.iter_mut().find(|(own, _)| own.as_str() == name) {
         Some((_, own)) => *own = value.clone(),
@@ -221,12 +241,31 @@ fn altered(example: &Example, figure: &Figure, chosen: Option<&str>) -> Example 
         set(&q.to_string(), &Name { text: value.into(), place: figure.place.clone() });
     }
     if let Some(program) = &figure.program {
-        example.program = Some(program.clone());
+        let mut program = program.clone();
+        if let (Some(q), Some(value)) = (figure.each, chosen) {
+            program.text = with_choice(&program.text, cycle, &q.to_string(), value).into();
+        }
+        example.program = Some(program);
     }
     if let (Some(own), Some(scene)) = (&figure.scene, &mut example.scene) {
         replace(&mut scene.0, &own.0);
     }
     example
+}
+
+/// The program with another value of a parameter wherever it defines the cycle in one line.
+fn with_choice(program: &str, cycle: &Cycle, q: &str, value: &str) -> String {
+    let head = format!("{} {} ", cycle.key.keyword.as_str(), cycle.key.number);
+    let parameter = format!("{q}=");
+    let word = |word: &str| match word.starts_with(&parameter) {
+        true => format!("{parameter}{value}"),
+        false => word.to_owned(),
+    };
+    let line = |line: &str| match line.contains(&head) {
+        true => line.split(' ').map(word).collect::<Vec<_>>().join(" "),
+        false => line.to_owned(),
+    };
+    program.lines().map(|text| line(text) + "\n").collect()
 }
 
 /// Puts the entries of a mapping in place of those of another one.
@@ -263,19 +302,22 @@ pub(super) fn take(
     if !mistakes.is_empty() {
         return Err(mistakes);
     }
-    let (program, scene) = conform::ready(world, on, cycle, &altered(example, figure, chosen))?;
+    let (program, called, scene) = conform::ready(world, on, cycle, &altered(cycle, example, figure, chosen))?;
     let program = syntax::parse(&program);
     let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(world.catalogue);
-    let engine = engine.watching(runner.key, &watches);
+    let engine = engine.with_programs(&called).watching(runner.key, &watches);
     let mut events = Vec::new();
     let outcome = engine.run(&mut |event| events.push(event));
-    let Some(moment) = asked.first().and_then(|own| noted(&outcome.noted, 0, own)) else {
+    let moment = asked.first().and_then(|own| noted(&outcome.noted, 0, own));
+    // A whole program that executes the cycle nowhere is shown at its end.
+    let without = moment.is_none() && figure.whole && outcome.status == Status::Done;
+    let Some(seen) = moment.map(|moment| moment.events).or(without.then_some(events.len())) else {
         let reason = outcome.fault.as_ref().map_or_else(|| outcome.status.as_str().to_owned(), |f| f.code.to_string());
         return Err(vec![wrong("figure-moment-never", &figure.place).arg("reason", reason)]);
     };
     let mut film = Film::new(&scene, Some(runner), figure.whole);
     film.table = (figure.view == FigureView::Rotary).then(|| Table::new(&scene));
-    let end = if figure.whole { events.len() } else { moment.events.min(events.len()) };
+    let end = if figure.whole { events.len() } else { seen.min(events.len()) };
     let (before, after) = events.split_at(end);
     before.iter().for_each(|event| film.see(event));
     film.now = Some(film.strokes.len());
@@ -297,7 +339,8 @@ pub(super) fn take(
         let mut values: [Option<Value>; 4] = Default::default();
         let note = noted(&outcome.noted, index, asked);
         if index == 0 {
-            shot.own = vec![None; own_places(figure).len()];
+            let constants = own_places(figure).into_iter().map(|own| own.filter(|_| without).and_then(constant));
+            shot.own = constants.collect();
         }
         for (value, slot) in note.iter().flat_map(|note| &note.values).zip(&asked.slots) {
             match index {

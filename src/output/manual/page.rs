@@ -39,9 +39,12 @@ impl Site<'_> {
     /// The name in the language of a cycle that this control only names: that of a control which describes it.
     pub(super) fn name_elsewhere(&self, section: &Section, key: CycleKey) -> Option<String> {
         let described = self.catalogue.controls.values().find_map(|on| Some((on, on.cycles.get(&key)?)));
-        let (on, cycle) = described?;
-        let id = format!("cycle-{}", cycle.name());
-        section.language.plain(&id, &Scope::new(cycle.name(), on.id())).ok().map(|name| name.into_owned())
+        let (id, scope) = match described {
+            Some((on, cycle)) => (format!("cycle-{}", cycle.name()), Scope::new(cycle.name(), on.id())),
+            // No specification describes it: `named-cycl-def-39`.
+            None => (format!("named-{}", key.to_string().to_lowercase().replace(' ', "-")), Scope::NONE),
+        };
+        section.language.plain(&id, &scope).ok().map(|name| name.into_owned())
     }
 
     /// Lines that a manual prints around a block, with the names and labels of the language.

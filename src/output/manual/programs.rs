@@ -6,7 +6,7 @@ use minijinja::{Value, context};
 
 use super::page::{Here, link};
 use super::section::Section;
-use super::view::{FigureView, WorkedView};
+use super::view::{CalledView, FigureView, WorkedView};
 use super::{Site, defined, highlight};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::Args;
@@ -64,16 +64,21 @@ fn view(site: &Site, section: &Section, worked: &Worked) -> Result<WorkedView, V
     if !faults.is_empty() {
         return Err(faults);
     }
-    let lines: Vec<String> = worked.text().lines().map(str::to_owned).collect();
-    let relabelled = site.relabelled(section, &lines);
-    let program = Worked::with_comments(&relabelled, &|id| text(format!("comment-{id}")).unwrap_or_default());
+    let shown = |program: &str| {
+        let lines: Vec<String> = program.lines().map(str::to_owned).collect();
+        let relabelled = site.relabelled(section, &lines);
+        let program = Worked::with_comments(&relabelled, &|id| text(format!("comment-{id}")).unwrap_or_default());
+        Value::from_safe_string(highlight::html(&program, &|_| false))
+    };
+    let called = worked.called().map(|(name, text)| CalledView { name: name.to_owned(), program: shown(text) });
     let entries = defined::cycles(worked).into_iter().filter_map(|key| section.entry(key));
     Ok(WorkedView {
         id: worked.name().to_owned(),
         href: href(worked),
         title: text(format!("program-{}", worked.name()))?,
         shows: text(format!("program-{}.shows", worked.name()))?,
-        program: Value::from_safe_string(highlight::html(&program, &|_| false)),
+        program: shown(worked.text()),
+        called: called.collect(),
         cycles: entries.map(link).collect(),
         figures: Vec::new(),
     })

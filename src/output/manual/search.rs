@@ -142,12 +142,21 @@ struct Reader {
 /// Elements whose text is on other pages or a title, or is a program.
 const SKIPPED: [&str; 5] = ["nav", "pre", "thead", "svg", "h1"];
 
+/// Where a drawing ends.
+const DRAWN: &[u8] = b"</svg>";
+
 impl Reader {
     fn read(&mut self, html: &str) {
         let mut rest = html;
         while let Some((text, after)) = rest.split_once('<') {
             self.text(text);
             let Some((tag, after)) = after.split_once('>') else { break };
+            // A drawing has neither sentences nor places, and it is long.
+            if tag.starts_with("svg ") {
+                let end = memchr::memmem::find(after.as_bytes(), DRAWN);
+                rest = end.and_then(|end| after.get(end + DRAWN.len()..)).unwrap_or_default();
+                continue;
+            }
             self.tag(tag);
             rest = after;
         }

@@ -236,6 +236,13 @@ pub(super) struct ExampleView {
     pub(super) iso: Option<Html>,
 }
 
+/// A program that a worked program calls.
+#[derive(Serialize)]
+pub(super) struct CalledView {
+    pub(super) name: String,
+    pub(super) program: Html,
+}
+
 /// A worked program.
 #[derive(Serialize)]
 pub(super) struct WorkedView {
@@ -246,6 +253,8 @@ pub(super) struct WorkedView {
     /// What it shows, in a sentence.
     pub(super) shows: String,
     pub(super) program: Html,
+    /// The programs that it calls.
+    pub(super) called: Vec<CalledView>,
     /// The cycles that it defines.
     pub(super) cycles: Vec<LinkView>,
     pub(super) figures: Vec<FigureView>,

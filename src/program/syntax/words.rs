@@ -13,6 +13,8 @@ pub(super) enum Takes {
     Nothing,
     /// A number or a parameter.
     Value,
+    /// A number, perhaps with an exponent (`-0.413 E+2`), or a parameter.
+    Exponent,
     /// A number or a parameter, or nothing.
     Maybe,
     /// A sign.
@@ -68,6 +70,10 @@ fn value(cursor: &mut Cursor<'_>, takes: Takes) -> Read<Value> {
             let _ = cursor.opt_mark(b':') || cursor.opt_mark(b'=');
             opt_value(cursor)?.ok_or_else(|| cursor.expected("value"))
         }
+        Takes::Exponent => {
+            let value = opt_value(cursor)?.ok_or_else(|| cursor.expected("value"))?;
+            with_exponent(cursor, value)
+        }
         Takes::Maybe => Ok(opt_value(cursor)?.unwrap_or(missing)),
         Takes::Sign => match sign(cursor) {
             Some(value) => Ok(value),
@@ -82,6 +88,26 @@ fn value(cursor: &mut Cursor<'_>, takes: Takes) -> Read<Value> {
             if printed.start == printed.end { Err(cursor.expected("name")) } else { Ok(word_value(cursor, printed)) }
         }
     }
+}
+
+/// A number with the exponent after it, if there is one.
+fn with_exponent(cursor: &mut Cursor<'_>, value: Value) -> Read<Value> {
+    let ValueKind::Number(number) = value.kind else { return Ok(value) };
+    let mut ahead = *cursor;
+    ahead.blanks();
+    if !matches!(ahead.byte(), b'E' | b'e') {
+        return Ok(value);
+    }
+    ahead.at += 1;
+    let negative = ahead.byte() == b'-';
+    ahead.at += usize::from(matches!(ahead.byte(), b'+' | b'-'));
+    let Some(exponent) = ahead.opt_whole() else { return Err(ahead.expected("number")) };
+    let sign = if negative { "-" } else { "" };
+    // Read as one number, it is rounded once.
+    let scaled = format!("{number}e{sign}{exponent}").parse::<f64>().ok().filter(|scaled| scaled.is_finite());
+    let Some(scaled) = scaled else { return Err(cursor.expected("value")) };
+    *cursor = ahead;
+    Ok(Value { span: Span::new(value.span.start, ahead.at), kind: ValueKind::Number(scaled) })
 }
 
 fn sign(cursor: &mut Cursor<'_>) -> Option<Value> {

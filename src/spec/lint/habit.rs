@@ -1,5 +1,5 @@
 //! What the catalogue does everywhere else: the Q number of a meaning, the value of a choice, the limits
-//! of a quantity. Where one cycle does otherwise, it is more often a slip than a fact.
+//! of a quantity, the formula of a named value. Where one cycle does otherwise, it is more often a slip than a fact.
 //!
 //! Invariant: nothing is known here beforehand; the other cycles of the same control are the measure.
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,6 +18,7 @@ pub(super) fn habits(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
         numbers(on, catalogue, found);
         choices(on, found);
         limits(on, catalogue, found);
+        formulas(on, found);
         on.cycles.values().for_each(|cycle| conditions(cycle, found));
     }
 }
@@ -110,6 +111,60 @@ fn limits(on: &OnControl, catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
                 );
             }
         }
+    }
+}
+
+/// A formula with each Q number as what it means in the cycle; without the numbers, formulas of the same form are the same.
+fn worded(cycle: &Cycle, formula: &str) -> (String, Vec<(QRef, String)>) {
+    let (mut form, mut means) = (String::new(), Vec::new());
+    let mut rest = formula;
+    while let Some(first) = rest.chars().next() {
+        let is_word = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.');
+        let length = rest.find(|c| !is_word(c)).unwrap_or(rest.len()).max(first.len_utf8());
+        let (word, after) = rest.split_at(length);
+        match QRef::parse(word) {
+            Some(q) => {
+                form.push('Q');
+                means.push((q, cycle.param(q).map_or_else(|| q.to_string(), |param| param.is.as_str().to_owned())));
+            }
+            None => form.push_str(word),
+        }
+        rest = after;
+    }
+    (form, means)
+}
+
+/// A value of the same name is calculated in the same way in several cycles, and in one from another parameter, though that
+/// has the usual one as well.
+fn formulas(on: &OnControl, found: &mut Vec<Diagnostic>) {
+    type Uses = BTreeMap<Vec<String>, usize>;
+    let lets =
+        || on.cycles.values().flat_map(|cycle| cycle.file.lets.0.iter().map(move |(name, own)| (cycle, name, own)));
+    let words = |means: &[(QRef, String)]| means.iter().map(|(_, is)| is.clone()).collect::<Vec<_>>();
+    let mut known: BTreeMap<(String, String), Uses> = BTreeMap::new();
+    for (cycle, name, formula) in lets() {
+        let (form, means) = worded(cycle, &formula.text);
+        *known.entry((name.as_str().to_owned(), form)).or_default().entry(words(&means)).or_default() += 1;
+    }
+    for (cycle, name, formula) in lets() {
+        let (form, means) = worded(cycle, &formula.text);
+        let Some(uses) = known.get(&(name.as_str().to_owned(), form)) else { continue };
+        let Some((most, count)) = usual(uses) else { continue };
+        let own = uses.get(&words(&means)).copied().unwrap_or(0);
+        if count < HABIT || own >= HABIT {
+            continue;
+        }
+        let differ: Vec<_> = means.iter().zip(&most).filter(|((_, is), usual)| is != *usual).collect();
+        let [((q, _), usual)] = differ.as_slice() else { continue };
+        let Some(other) = cycle.params.iter().find(|param| param.is.as_str() == usual.as_str()) else { continue };
+        found.push(
+            Diagnostic::error("spec-odd-formula", formula.place.clone())
+                .arg("cycle", cycle.key.to_string())
+                .arg("name", name.as_str())
+                .arg("q", q.to_string())
+                .arg("usual", other.q.map_or_else(|| usual.to_string(), |q| q.to_string()))
+                .related("said-here", other.place.clone()),
+        );
     }
 }
 

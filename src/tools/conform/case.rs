@@ -1,6 +1,7 @@
 //! One case: its program made, run and compared.
 //!
 //! Invariant: the frame around a definition is the same for every cycle; nothing depends on a cycle's number.
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::expect::Expectation;
@@ -9,11 +10,11 @@ use super::report::{CaseReport, Clause, Mismatch, Verdict};
 use super::{LogTexts, World, show};
 use crate::base::diag::{Diagnostic, Source};
 use crate::engine::plan::{self, Plan};
-use crate::engine::run::{Engine, Event, Outcome, Shown, Status};
+use crate::engine::run::{Engine, Event, Outcome, Programs, Shown, Status, program_key};
 use crate::engine::scene::Scene;
 use crate::language::label::{Request, block};
 use crate::language::locale::{Language, SOURCE_LANGUAGE};
-use crate::program::syntax;
+use crate::program::syntax::{self, Program};
 use crate::spec::{Cycle, Example, Kind, Node, OnControl, TakesEffect};
 
 /// Executes a case.
@@ -29,11 +30,13 @@ pub(super) fn execute(
         return (verdict(Verdict::Skipped { reason: reason.clone() }), Shown::default(), found);
     }
     match prepare(world, on, cycle, example) {
-        Ok(Prepared { program, scene, expectation, language }) => {
+        Ok(Prepared { program, called, scene, expectation, language }) => {
             let texts = LogTexts::new(language, on.id(), world.files);
             let program = syntax::parse(&program);
+            let called = Called::new(&called);
             let mut events: Vec<Event> = Vec::new();
             let engine = Engine::new(&program, on, &scene, &texts).with_catalogue(world.catalogue);
+            let engine = engine.with_programs(&called);
             let mut machining = match expectation.part.as_ref().map(|_| Part::follow(&program, &scene)).transpose() {
                 Ok(machining) => machining,
                 Err(mistake) => {
@@ -78,9 +81,27 @@ pub(super) fn report(on: &OnControl, cycle: &Cycle, example: &Example, verdict: 
     }
 }
 
+/// The programs that a case calls.
+pub struct Called(BTreeMap<String, Program>);
+
+impl Called {
+    /// Those with these texts, by the names of the sources.
+    pub fn new(sources: &[Arc<Source>]) -> Self {
+        Self(sources.iter().map(|source| (program_key(source.name()), syntax::parse(source))).collect())
+    }
+}
+
+impl Programs for Called {
+    fn program(&self, key: &str) -> Option<&Program> {
+        self.0.get(key)
+    }
+}
+
 /// A case made ready.
 pub(super) struct Prepared<'w> {
     pub(super) program: Arc<Source>,
+    /// The programs that it calls.
+    pub(super) called: Vec<Arc<Source>>,
     pub(super) scene: Scene,
     pub(super) expectation: Expectation,
     pub(super) language: &'w Language,
@@ -115,7 +136,8 @@ pub(super) fn prepare<'w>(
         None => framed(on, cycle, example, &scene, language)?,
     };
     let program = Source::new(format!("{}.H", example.name.as_str().to_ascii_uppercase()), text);
-    Ok(Prepared { program, scene, expectation, language })
+    let called = example.programs.0.iter().map(|(name, text)| Source::new(name.as_str(), text.as_str())).collect();
+    Ok(Prepared { program, called, scene, expectation, language })
 }
 
 /// The definition with its values in the usual frame: a tool is called before, and the cycle if it wants a call.

@@ -105,6 +105,7 @@ fn judge(job: &Job<'_>, prepared: &Prepared<'_>, id: u64, partner: &mut Patience
         case: job.example.name.as_str().to_owned(),
         language: prepared.language.tag().to_owned(),
         program: prepared.program.text().to_owned(),
+        programs: prepared.called.iter().map(|own| (own.name().to_owned(), own.text().to_owned())).collect(),
         scene: Request::scene(job.example.scene.as_ref().map(|tree| &tree.0)),
         tables: Request::tables(&prepared.scene),
     };

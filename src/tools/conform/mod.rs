@@ -15,6 +15,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+pub use case::Called;
 pub use foreign::{Partner, Silence, run as run_foreign};
 pub use protocol::{Answer, CellWritten, CycleName, Moved, PROTOCOL, Request, serve};
 pub use report::{CaseReport, Clause, CycleReport, FORMAT, Mismatch, Report, Summary, Verdict, junit};
@@ -135,6 +136,8 @@ pub struct Executed<'w> {
     pub name: &'w str,
     /// The program.
     pub program: Arc<Source>,
+    /// The programs that it calls, by their names.
+    pub called: Vec<Arc<Source>>,
     /// The scene.
     pub scene: Scene,
 }
@@ -144,8 +147,8 @@ pub struct Executed<'w> {
 pub fn executed<'w>(world: &World<'w>, controls: &[&str]) -> Vec<Executed<'w>> {
     let ready = |job: Job<'w>| {
         let Job { on, cycle, example } = job;
-        let case::Prepared { program, scene, .. } = case::prepare(world, on, cycle, example).ok()?;
-        Some(Executed { on, cycle, name: example.name.as_str(), program, scene })
+        let case::Prepared { program, called, scene, .. } = case::prepare(world, on, cycle, example).ok()?;
+        Some(Executed { on, cycle, name: example.name.as_str(), program, called, scene })
     };
     let jobs = jobs(world, &Selection::of(controls)).into_iter();
     jobs.filter(|job| job.example.skip.is_none()).filter_map(ready).collect()
@@ -213,7 +216,7 @@ fn cycle_report(on: &OnControl, cycle: &Cycle, seen: &Shown) -> CycleReport {
     }
 }
 
-/// The program and the scene of an example.
+/// The program, the programs that it calls, and the scene of an example.
 ///
 /// # Errors
 /// A scene or values that are wrong.
@@ -222,7 +225,7 @@ pub fn ready(
     on: &OnControl,
     cycle: &Cycle,
     example: &Example,
-) -> std::result::Result<(Arc<Source>, Scene), Vec<Diagnostic>> {
-    let case::Prepared { program, scene, .. } = case::prepare(world, on, cycle, example)?;
-    Ok((program, scene))
+) -> std::result::Result<(Arc<Source>, Called, Scene), Vec<Diagnostic>> {
+    let case::Prepared { program, called, scene, .. } = case::prepare(world, on, cycle, example)?;
+    Ok((program, Called::new(&called), scene))
 }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use super::expect::spindle_words;
-use super::{LogTexts, World};
+use super::{Called, LogTexts, World};
 use crate::base::diag::Source;
 use crate::base::expr::QRef;
 use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
@@ -44,6 +44,9 @@ pub struct Request {
     pub language: String,
     /// The text of the program.
     pub program: String,
+    /// The programs that it calls, by their names.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub programs: BTreeMap<String, String>,
     /// The scene, as `docs/scene.md` describes it.
     pub scene: Value,
     /// The tables of the scene as files of the control, by their names.
@@ -181,8 +184,11 @@ fn answer(world: &World<'_>, request: &Request) -> Answer {
     let texts = LogTexts::new(language, on.id(), world.files);
     let name = format!("{}.H", request.case.to_ascii_uppercase());
     let program = syntax::parse(&Source::new(name, request.program.as_str()));
+    let called: Vec<_> =
+        request.programs.iter().map(|(name, text)| Source::new(name.as_str(), text.as_str())).collect();
+    let called = Called::new(&called);
     let mut events: Vec<Event> = Vec::new();
-    let engine = Engine::new(&program, on, &scene, &texts).with_catalogue(world.catalogue);
+    let engine = Engine::new(&program, on, &scene, &texts).with_catalogue(world.catalogue).with_programs(&called);
     let outcome = engine.run(&mut |event| events.push(event));
     answer_of(request.id, key, &scene, &outcome, &events)
 }

@@ -31,7 +31,7 @@ pub struct About<'c> {
     uses: HashMap<String, BTreeMap<&'c str, Vec<CycleKey>>>,
     /// Units, and ranges with the controls that print them, of a parameter.
     values: HashMap<String, Values<'c>>,
-    /// The greatest length of a label, of those of the controls that have the parameter.
+    /// The greatest length of labels, prompts, and names of cycles, of those of the controls that have them, by key.
     most: HashMap<String, u32>,
 }
 
@@ -64,11 +64,21 @@ impl<'c> About<'c> {
     fn parameters(&mut self, on: &'c OnControl, cycle: &'c Cycle, source: &Language) {
         let vocabulary = Vocabulary::of(on, cycle, source);
         let text = CycleText::new(on, cycle, source, &vocabulary);
+        let control = &on.control;
+        if let Some(rules) = &control.cycle_name {
+            self.limit(format!("cycle-{}.nc", cycle.name()), rules.max_length);
+        }
         for param in &cycle.params {
             let id = format!("parameter-{}", param.is.as_str());
             if param.field.is_none() {
-                let most = self.most.entry(id.clone()).or_insert(on.control.label.max_length);
-                *most = on.control.label.max_length.min(*most);
+                self.limit(format!("{id}.label"), control.label.max_length);
+            }
+            if let Some(rules) = &control.prompt {
+                // Where no other prompt is printed, it is the name with a sign behind it.
+                let more = text.prompt_of(param).chars().count().saturating_sub(text.name_of(param).chars().count());
+                if text.find(&format!("{id}.prompt")).is_none() {
+                    self.limit(id.clone(), rules.max_length.saturating_sub(more as u32));
+                }
             }
             let values = self.values.entry(id).or_default();
             values.units.extend(text.unit(param.quantity).map(|unit| unit.into_owned()));
@@ -78,9 +88,15 @@ impl<'c> About<'c> {
         }
     }
 
+    fn limit(&mut self, key: String, most: u32) {
+        self.most.entry(key).and_modify(|known| *known = most.min(*known)).or_insert(most);
+    }
+
     /// The greatest number of characters of a text, where there is one.
     pub fn most(&self, message: &str, key: &str) -> Option<u32> {
-        self.most.get(message).copied().filter(|_| key.ends_with(".label"))
+        let attribute = key.rsplit_once('.').map_or("", |(_, attribute)| attribute);
+        let own = if attribute.is_empty() { message.to_owned() } else { format!("{message}.{attribute}") };
+        self.most.get(&own).copied()
     }
 
     /// What is said about the text with this key of this message.
@@ -96,11 +112,16 @@ impl<'c> About<'c> {
                 all.push(Remark::Said("cli-texts-note-range", args));
             }
         }
-        if let Some(most) = self.most(message, key) {
-            let args = vec![("most", most.to_string()), ("signs", SIGNS.to_owned())];
-            all.push(Remark::Said("cli-texts-note-label", args));
-        } else if key.ends_with(".nc") || key.ends_with(".word") {
-            all.push(Remark::Said("cli-texts-note-capitals", vec![("signs", SIGNS.to_owned())]));
+        let is_printed = [".label", ".nc", ".word"].iter().any(|attribute| key.ends_with(attribute));
+        match self.most(message, key).map(|most| ("most", most.to_string())) {
+            Some(most) if is_printed => {
+                all.push(Remark::Said("cli-texts-note-label", vec![most, ("signs", SIGNS.to_owned())]));
+            }
+            Some(most) => all.push(Remark::Said("cli-texts-note-length", vec![most])),
+            None if is_printed => {
+                all.push(Remark::Said("cli-texts-note-capitals", vec![("signs", SIGNS.to_owned())]));
+            }
+            None => {}
         }
         // A variant is for the cycle and the control that its key names.
         let whole = key.split('.').next().unwrap_or_default();

@@ -91,8 +91,11 @@ impl Entry {
 
 /// The units of a file.
 pub(super) fn read(text: &str) -> Result<Returned, Unreadable> {
-    let header = text.lines().find_map(|line| line.strip_prefix("\"Language: "));
-    let language = header.and_then(|rest| rest.split(['\\', '"']).next()).map(|tag| tag.trim().replace('_', "-"));
+    let field =
+        |line: &'_ str| line.strip_prefix("msgstr ").unwrap_or(line).strip_prefix("\"Language: ").map(str::to_owned);
+    let header = text.lines().find_map(field);
+    let language =
+        header.as_deref().and_then(|rest| rest.split(['\\', '"']).next()).map(|tag| tag.trim().replace('_', "-"));
     let mut units = Vec::new();
     let mut entry = Entry::default();
     let mut field = "";

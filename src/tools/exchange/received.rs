@@ -29,6 +29,14 @@ pub struct Received {
 }
 
 impl Received {
+    /// Takes the unit for final if it has a translation, whatever state it has: some tools keep none. The words of the
+    /// source are no translation.
+    pub fn settle(&mut self) {
+        let is_translated =
+            self.target.as_ref().is_some_and(|target| !target.is_empty() && Some(target) != self.source.as_ref());
+        self.is_final |= is_translated;
+    }
+
     /// The same unit without the line breaks and blanks with which a tool has laid out its elements. Only where the source
     /// is then that of today, and neither text has lines of its own, is that certain.
     pub(super) fn as_laid_out(self, source: &[Piece], target: &[Piece]) -> Self {

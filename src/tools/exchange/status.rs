@@ -8,8 +8,8 @@ use crate::language::locale::{Finding, LocaleError, Locales, Meanings, SourceTex
 use crate::language::{consistency, label};
 use crate::spec::{self, Catalogue, Cycle, OnControl};
 
-/// What a code of a finding begins with where a label is longer than a control takes.
-const TOO_LONG: &str = "label-too-long";
+/// Findings about texts that are longer than a control takes.
+const TOO_LONG: [&str; 2] = ["label-too-long", "prompt-too-long"];
 
 /// Why a text is open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -41,7 +41,7 @@ pub struct Count {
     pub unaccepted: usize,
     /// Those with the words of the source.
     pub same_as_source: usize,
-    /// Labels that are longer than a control takes.
+    /// Labels, names and prompts that are longer than a control takes.
     pub over_long: usize,
     /// Words of the source texts that are missing or stale.
     pub words_to_do: usize,
@@ -175,7 +175,7 @@ impl TooLong {
     fn of(catalogue: &Catalogue, locales: &Locales, tag: &str) -> Self {
         let mut all = Self::default();
         let prefix = format!("locales/{tag}/");
-        for found in label::check(catalogue, locales).iter().filter(|found| found.code == TOO_LONG) {
+        for found in label::check(catalogue, locales).iter().filter(|found| TOO_LONG.contains(&found.code)) {
             let Some(place) = found.place.as_ref().filter(|place| place.source.name().starts_with(&prefix)) else {
                 continue;
             };

@@ -55,7 +55,11 @@ fn first(text: &mut String, unit: &Unit) {
     let mut data = Codes::default();
     let _ = writeln!(text, "        <source>{}</source>", inline(&unit.source, &mut data, false));
     if !unit.target.is_empty() {
-        let state = if unit.state.is_none() { "final" } else { "needs-review-translation" };
+        let state = match unit.state {
+            None => "final",
+            Some(State::Missing) => "needs-translation",
+            Some(_) => "needs-review-translation",
+        };
         let _ = writeln!(text, "        <target state=\"{state}\">{}</target>", inline(&unit.target, &mut data, false));
     }
     for note in &unit.notes {
@@ -121,7 +125,7 @@ fn inline(pieces: &[Piece], codes: &mut Codes, two: bool) -> String {
                 let reads = escape(readable(code));
                 let code = escape(code);
                 let _ = match two {
-                    true => write!(text, "<ph id=\"{id}\" dataRef=\"d{number}\" equiv=\"{reads}\"/>"),
+                    true => write!(text, "<ph id=\"{id}\" dataRef=\"d{number}\" equiv=\"{reads}\" disp=\"{code}\"/>"),
                     false => write!(text, "<ph id=\"{id}\" equiv-text=\"{reads}\">{code}</ph>"),
                 };
             }
@@ -203,7 +207,8 @@ fn pieces(node: &Node, data: &HashMap<&str, String>) -> Option<Vec<Piece>> {
             "" => all.push(Piece::Text(child.words.clone())),
             "mrk" => all.extend(pieces(child, data)?),
             "ph" => all.push(Piece::Code(match child.attribute("dataRef") {
-                Some(id) => data.get(id)?.clone(),
+                // Some tools lose the original data, and keep what is displayed.
+                Some(id) => data.get(id).map(String::as_str).or(child.attribute("disp"))?.to_owned(),
                 None => child.text(),
             })),
             _ => return None,

@@ -12,4 +12,14 @@ L Z+60 U+3 FMAX
 FUNCTION PARAXCOMP OFF
 FUNCTION PARAXMODE OFF
 W+0 F100 ; [a block of the axis alone: 100]
+FUNCTION PARAXCOMP MOVE W
+L W-10 F200 ; [Z takes the way back, from 60 to 70: the tool stays]
+FUNCTION PARAXCOMP OFF
+L Z+50 M91 FMAX ; [the axis Z goes from 70 to 50, the tool with it from 60 to 40]
+FUNCTION PARAXMODE X Y W
+L X+0 Z+30 F1000 ; [W moves, by 10 from -10 to -20]
+L Z+70 FMAX ; [W alone is the rapid rate]
+FUNCTION PARAXMODE OFF
+L W+21 F100 ; [by itself again, from 20]
+L Z+60 F1000 ; [Z]
 END PGM PARALLEL MM

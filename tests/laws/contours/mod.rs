@@ -4,8 +4,8 @@
 //! neighbours is refused; every way to a contour and away from it lies where its words say.
 //!
 //! Distances are calculated here from points, with plain trigonometry. Roundings and chamfers are proven first, on the
-//! path without compensation, against the corners of the outline. `CASES=2000 cargo test --release --test laws contours`
-//! tries more of them.
+//! path without compensation, against the corners of the outline.
+//! `CIKLO_SEARCH=1 CIKLO_CASES=2000 cargo test --release --test laws contours` tries more of them.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 mod free;
 mod leads;

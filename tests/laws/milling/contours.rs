@@ -6,12 +6,13 @@
 //! its stock is used.
 use std::fmt::Write as _;
 
+use ciklo::engine::geometry::Axis;
 use ciklo::engine::run::{Event, EventKind, MoveKind, Status};
 use ciklo::engine::solid::Path;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
-use super::job::{FINISH, Job, MILL, PLUNGE, beside, definition, job, mm};
+use super::job::{FINISH, Job, MILL, PLUNGE, View, beside, definition, job, mm};
 
 /// What a path along offsets of lines and arcs, and chords of arcs, may miss, mm.
 const SLACK: f64 = 0.02;
@@ -355,5 +356,43 @@ laws! {
     fn contour_pockets(job in job(), case in case()) {
         let job = Job { edges: 60.0, ..job };
         leaves(&job, &case)?;
+    }
+}
+
+/// The centre of the tool had room for a tenth of a millimetre, and the arc onto the wall in cycle 24 more, through the
+/// wall.
+#[test]
+fn the_way_onto_a_wall_stays_in_a_nook() {
+    let job = Job {
+        axis: Axis::X,
+        view: View::PLAIN,
+        radius: 5.19,
+        corner: 0.0,
+        angle: 2.0,
+        edges: 60.0,
+        surface: 0.0,
+        clearance: 1.0,
+        second: 0.0,
+        depth: 0.5,
+        infeed: 0.8,
+        climb: -1.0,
+        half: DVec2::splat(55.0),
+        round: false,
+    };
+    let radii = vec![12.0, 12.0, 19.13, 24.45, 24.74, 12.0, 12.0, 12.0, 12.0, 12.0, 12.0];
+    let island = Star { centre: DVec2::new(0.0, 1.95), radii: vec![5.27] };
+    let case = Case {
+        first: Star { centre: DVec2::new(2.62, -5.97), radii },
+        more: vec![More { star: island, is_pocket: false, depth: None }],
+        listed: false,
+        overlap: 0.3,
+        side: 0.0,
+        floor: 0.0,
+        rounding: 0.0,
+        strokes: false,
+        finishes: true,
+    };
+    if let Err(error) = leaves(&job, &case) {
+        panic!("{error}");
     }
 }

@@ -19,8 +19,10 @@ use crate::base::expr::{cosd, sind};
 use crate::engine::contour::element::{length, turn_between, turned};
 use crate::engine::geometry::left_of;
 
-/// Systems with more unknowns are not solved.
-const MOST_UNKNOWNS: usize = 48;
+/// Systems with more unknowns that all depend on each other are not solved.
+const MOST_UNKNOWNS: usize = 96;
+/// Of more unknowns it is not looked for which of them are determined.
+const MOST_OPEN: usize = 512;
 /// More solutions than that are none: they belong to a system that is not determined.
 const MOST_SOLUTIONS: usize = 32;
 /// So many starts at least find nothing new before the search ends.
@@ -106,8 +108,10 @@ impl State {
     /// What open elements determine together, in each of its solutions; nothing where they determine nothing.
     pub(super) fn system(&self, given: &[Given]) -> Option<Vec<Solution>> {
         let whole = System::new(self, given, Layout::of(self, given, None)?);
-        let part = whole.determined_part()?;
-        let system = System::new(self, given, part);
+        let part = System::new(self, given, whole.determined_part()?);
+        // One that is too large may fall into several that share nothing but what is known: the first of them.
+        let system =
+            if part.layout.count <= MOST_UNKNOWNS { part } else { System::new(self, given, part.first_part()?) };
         let mut solutions = system.solutions()?;
         solutions.sort_by(|a, b| self.before(given, a, b));
         Some(solutions)
@@ -187,7 +191,7 @@ impl Layout {
             (0..state.elements.len()).map(|i| place(state.curve(i).is_some(), asked(true, i), size(i))).collect();
         let points =
             (0..state.joints.len()).map(|joint| place(state.at(joint).is_some(), asked(false, joint), 2)).collect();
-        (count > 0 && count <= MOST_UNKNOWNS).then_some(Self { curves, points, count })
+        (count > 0 && count <= MOST_OPEN).then_some(Self { curves, points, count })
     }
 }
 
@@ -284,8 +288,14 @@ impl<'a> System<'a> {
             if let Some(begin) = own.closes.and_then(|joint| self.at(joint, x)) {
                 found.extend([to.x - begin.x, to.y - begin.y]);
             }
-            if let Some((from, far)) = from.zip(own.length) {
-                found.push(((to - from).length_squared() - far * far) / (2.0 * self.size));
+            match (from.zip(own.length), own.heading) {
+                // Where a line has a direction it goes that far ahead, and not back.
+                (Some((from, far)), Some(Datum { value, from: None })) if !own.is_arc => {
+                    let left = to - from - DVec2::new(cosd(value), sind(value)) * far;
+                    found.extend([left.x, left.y]);
+                }
+                (Some((from, far)), _) => found.push(((to - from).length_squared() - far * far) / (2.0 * self.size)),
+                _ => {}
             }
         }
     }
@@ -397,6 +407,42 @@ impl<'a> System<'a> {
                 } else {
                     whole(&self.layout.points[number], 2)
                 }
+            }),
+        )
+    }
+
+    /// The layout of the first unknowns that depend on each other, and on no others, and are not too many.
+    fn first_part(&self) -> Option<Layout> {
+        let jacobian = self.jacobian(&self.start(&mut Numbers(2)));
+        // Of each unknown the first one on which it depends so far.
+        let mut firsts: Vec<usize> = (0..self.layout.count).collect();
+        let mut join = |a: usize, b: usize| {
+            let (a, b) = (firsts[a], firsts[b]);
+            let (low, high) = (a.min(b), a.max(b));
+            firsts.iter_mut().filter(|first| **first == high).for_each(|first| *first = low);
+        };
+        for row in 0..jacobian.rows() {
+            let mut columns = jacobian.row(row).iter().enumerate().filter(|(_, own)| own.abs() > 1e-12);
+            if let Some((first, _)) = columns.next() {
+                columns.for_each(|(column, _)| join(first, column));
+            }
+        }
+        let curves =
+            self.layout.curves.iter().enumerate().map(|(i, place)| (place, if is_arc(self.given, i) { 3 } else { 2 }));
+        let points = self.layout.points.iter().map(|place| (place, 2));
+        for (place, size) in curves.chain(points) {
+            if let Place::Unknown(first) = *place {
+                (first + 1..first + size).for_each(|own| join(first, own));
+            }
+        }
+        let size = |own: usize| firsts.iter().filter(|first| **first == own).count();
+        let chosen = firsts.iter().copied().find(|first| size(*first) <= MOST_UNKNOWNS)?;
+        let is_in = |place: &Place| matches!(*place, Place::Unknown(first) if firsts[first] == chosen);
+        Layout::of(
+            self.state,
+            self.given,
+            Some(&|is_curve, number| {
+                is_in(if is_curve { &self.layout.curves[number] } else { &self.layout.points[number] })
             }),
         )
     }

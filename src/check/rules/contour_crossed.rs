@@ -1,0 +1,149 @@
+//! A closed contour with RL or RR to which the tool comes from the wrong side: it begins outside and compensates to the
+//! inside, or the other way round, and crosses the contour by its radius; or one that goes from a corner straight back to
+//! the one before it.
+//!
+//! Only contours whose elements are all numbers, that do not cross themselves, and whose height does not change from the
+//! compensating movement to the one that leaves: a tool that plunges at the contour may come from above.
+use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::check::contours::{Line, area, is_inside};
+use crate::check::program::is_silent;
+use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::program::syntax::{Axis, BlockKind, Compensation, Motion, Path};
+
+pub(super) const RULE: Rule = Rule { code: "contour-crossed", severity: Severity::Warning, run };
+
+/// What lies so near the contour is on it, mm or inch.
+const NEAR: f64 = 0.01;
+/// Contours of more points are left to others: each pair of lines is looked at.
+const MANY: usize = 1 << 8;
+const PLANE: [Axis; 2] = [Axis::X, Axis::Y];
+
+/// A contour under way.
+struct Course {
+    side: Compensation,
+    /// Where the tool was before it.
+    start: [f64; 2],
+    place: Span,
+}
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut line = Line::default();
+    let mut course: Option<Course> = None;
+    let mut upright = false;
+    let mut stretches = facts.run.stretches().peekable();
+    let blocks = facts.program.blocks();
+    // Without RL or RR there is nothing to follow.
+    if facts.shaped().next().is_none() {
+        return;
+    }
+    for (index, block) in blocks.iter().enumerate() {
+        while let Some((_, _, modal)) = stretches.next_if(|(from, _, _)| *from <= index) {
+            upright = modal
+                .is_some_and(|modal| modal.is(Aspect::OtherAxis) == Tri::No && modal.is(Aspect::Turning) == Tri::No);
+        }
+        let motion = match &block.kind {
+            _ if is_silent(block) => continue,
+            BlockKind::Motion(motion) if upright && !block.skip => motion,
+            _ => {
+                line.lose();
+                course = None;
+                continue;
+            }
+        };
+        let words = motion.words();
+        let beside = words.compensation.filter(|own| matches!(own, Compensation::Rl | Compensation::Rr));
+        let leaves = words.compensation == Some(Compensation::R0) || matches!(words.path, Path::Dep(_));
+        if leaves && let Some(own) = course.take() {
+            let what =
+                if turns_back(&line.points) { Some("back") } else { crosses(&own, &line.points).then_some("side") };
+            found.extend(what.map(|what| rule.at(facts, own.place).arg("what", what)));
+            line.begin();
+        }
+        if let (Some(side), None) = (beside, &course) {
+            course = line.end().map(|start| Course { side, start, place: facts.content(block) });
+            line.begin();
+        }
+        let lifts = words.coords.iter().any(|coord| !matches!(coord.axis, Axis::X | Axis::Y | Axis::Pr | Axis::Pa));
+        let other = beside.zip(course.as_ref()).is_some_and(|(side, own)| side != own.side);
+        if course.is_some() && (lifts || other) {
+            course = None;
+        }
+        let moved =
+            if matches!(words.path, Path::Dep(_)) { departed(&mut line, &words) } else { line.go_on(&words, PLANE) };
+        if moved.is_none() || words.functions.iter().any(|own| !matches!(own.number, 0..=9 | 13 | 14)) {
+            line.lose();
+            course = None;
+        }
+    }
+}
+
+/// A departure leads to the point that it names, if it names one.
+fn departed(line: &mut Line, words: &Motion) -> Option<()> {
+    let names = |axis| words.coord(axis).is_some();
+    if !(names(Axis::X) && names(Axis::Y)) {
+        return None;
+    }
+    line.go_on(&Motion { path: Path::L, ..words.clone() }, PLANE)
+}
+
+/// Whether a closed contour goes from a corner straight back to the one before it.
+fn turns_back(points: &[[f64; 2]]) -> bool {
+    let same = |one: [f64; 2], other: [f64; 2]| libm::hypot(one[0] - other[0], one[1] - other[1]) <= NEAR;
+    let back = |three: &[[f64; 2]]| matches!(three, [a, b, c] if same(*a, *c) && !same(*a, *b));
+    points.len() < MANY && ring(points).is_some_and(|ring| ring.len() > 4 && ring.windows(3).any(back))
+}
+
+/// Whether the tool comes to a closed contour from its other side.
+fn crosses(course: &Course, points: &[[f64; 2]]) -> bool {
+    let Some(ring) = ring(points) else { return false };
+    let area = area(ring);
+    if ring.len() < 3 || MANY < ring.len() || area.abs() < NEAR || is_crossed(ring) {
+        return false;
+    }
+    let apart = edges(ring).all(|[one, other]| distance(course.start, one, other) > NEAR);
+    apart && is_inside(area, course.side) != holds(ring, course.start)
+}
+
+/// The points of a contour that comes back to its beginning, once each; nothing of others.
+fn ring(points: &[[f64; 2]]) -> Option<&[[f64; 2]]> {
+    let (first, second, last) = (*points.first()?, *points.get(1)?, *points.last()?);
+    let before = *points.get(points.len().checked_sub(2)?)?;
+    let whole = points.get(..points.len() - 1);
+    // It ends on its first line, or its last line goes over its first point.
+    let (ends, passes) = (distance(last, first, second) <= NEAR, distance(first, before, last) <= NEAR);
+    (ends || passes).then_some(whole).flatten().filter(|_| points.len() > 3)
+}
+
+fn edges(ring: &[[f64; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
+    let next = ring.iter().skip(1).chain(ring.first());
+    ring.iter().zip(next).map(|(one, next)| [*one, *next])
+}
+
+/// How far a place is from a line.
+fn distance(place: [f64; 2], one: [f64; 2], other: [f64; 2]) -> f64 {
+    let way = [other[0] - one[0], other[1] - one[1]];
+    let long = way[0] * way[0] + way[1] * way[1];
+    let along = (place[0] - one[0]) * way[0] + (place[1] - one[1]) * way[1];
+    let share = if long > 0.0 { (along / long).clamp(0.0, 1.0) } else { 0.0 };
+    libm::hypot(place[0] - one[0] - way[0] * share, place[1] - one[1] - way[1] * share)
+}
+
+/// Whether a place is inside.
+fn holds(ring: &[[f64; 2]], place: [f64; 2]) -> bool {
+    let crossed = edges(ring).filter(|[one, other]| {
+        let between = (one[1] > place[1]) != (other[1] > place[1]);
+        between && place[0] < one[0] + (place[1] - one[1]) / (other[1] - one[1]) * (other[0] - one[0])
+    });
+    crossed.count() % 2 == 1
+}
+
+/// Whether two of its lines cross.
+fn is_crossed(ring: &[[f64; 2]]) -> bool {
+    let turn = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    let all: Vec<[[f64; 2]; 2]> = edges(ring).collect();
+    all.iter().enumerate().any(|(at, [a, b])| {
+        all.iter()
+            .skip(at + 2)
+            .any(|[c, d]| turn(*a, *b, *c) * turn(*a, *b, *d) < 0.0 && turn(*c, *d, *a) * turn(*c, *d, *b) < 0.0)
+    })
+}

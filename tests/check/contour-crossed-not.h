@@ -1,0 +1,43 @@
+; control: tnc640
+0 BEGIN PGM PART MM
+BLK FORM 0.1 Z X+0 Y+0 Z-20
+BLK FORM 0.2 X+100 Y+100 Z+0
+TOOL CALL 5 Z S3000
+L Z+50 R0 FMAX M3
+; outside of it, clockwise and the other way round
+L X-20 Y-20 R0 FMAX
+L Z-5 R0 F1000
+L X+10 Y+10 RR F400
+L X+90
+L Y+90
+L X+10
+L Y+10
+L X-20 Y-20 R0
+; inside of a circle
+L Z+50 R0 FMAX
+L X+50 Y+50 R0 FMAX
+L Z-5 R0 F200
+CC X+50 Y+50
+L X+70 Y+50 RL F400
+C X+70 Y+50 DR+
+L X+50 Y+50 R0
+L Z+50 R0 FMAX
+; an open contour
+L X-20 Y+50 R0 FMAX
+L Z-5 R0 F1000
+L X+10 RR F400
+L Y+90
+L X+90
+L X+120 R0
+L Z+50 R0 FMAX
+; the tool comes from above
+L X-20 Y-20 R0 FMAX
+L X+10 Y+10 RL FMAX
+L Z-5 F200
+L X+90 F400
+L Y+90
+L X+10
+L Y+10
+L Z+50 FMAX
+L X-20 Y-20 R0 FMAX M30
+END PGM PART MM

@@ -1,0 +1,34 @@
+; control: tnc640 beside
+0 BEGIN PGM PART MM
+TOOL CALL "PROBE" Z
+L Z+80 R0 FMAX
+TCH PROBE 425 MEASURE INSIDE WIDTH ~
+  Q328=+60 ~
+  Q329=+90 ~
+  Q310=+0 ~
+  Q272=+1 ~
+  Q261=-5 ~
+  Q260=+20 ~
+  Q311=3.5 ~
+  Q288=3.6 ~
+  Q289=3.5 ~
+  Q281=0 ~
+  Q309=0 ~
+  Q330=0 ~
+  Q320=0 ~
+  Q301=0
+TCH PROBE 427 MEASURE COORDINATE ~
+  Q263=+10 ~
+  Q264=+10 ~
+  Q261=+5 ~
+  Q320=2 ~
+  Q272=3 ~
+  Q267=+1 ~
+  Q260=+20 ~
+  Q281=0 ~
+  Q288=5.05 ~
+  Q289=4.95 ~
+  Q309=0 ~
+  Q330=0
+L Z+80 R0 FMAX M30
+END PGM PART MM
