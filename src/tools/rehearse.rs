@@ -205,7 +205,7 @@ impl<'w> Watcher<'w> {
         }
     }
 
-    fn tell(&mut self, line: usize, incident: Incident) {
+    fn report(&mut self, line: usize, incident: Incident) {
         let once = |own: &Observed| std::mem::discriminant(&own.incident) == std::mem::discriminant(&incident);
         if !self.found.iter().any(once) {
             self.found.push(Observed { line, incident });
@@ -239,7 +239,7 @@ impl<'w> Watcher<'w> {
             EventKind::Error(fault) => self.fault(fault),
             EventKind::End(Status::Done) => {
                 if let Some(height) = self.low_at(BESIDE).filter(|_| self.tool.is_some()) {
-                    self.tell(self.line, Incident::End(height));
+                    self.report(self.line, Incident::End(height));
                 }
             }
             _ => {}
@@ -259,7 +259,7 @@ impl<'w> Watcher<'w> {
         match tool {
             Some(tool) => {
                 if let Some(height) = self.low_at(BESIDE).filter(|_| self.tool.is_some()) {
-                    self.tell(self.line, Incident::ToolChange(height));
+                    self.report(self.line, Incident::ToolChange(height));
                 }
                 self.with_speed = self.blocks.get(&self.line).is_some_and(|block| match &block.kind {
                     BlockKind::ToolCall(call) => call.speed.is_some(),
@@ -303,7 +303,7 @@ impl<'w> Watcher<'w> {
             "approach-impossible" => "approach",
             _ => return,
         };
-        self.tell(self.line, Incident::Incalculable(why));
+        self.report(self.line, Incident::Incalculable(why));
     }
 
     /// The height of the tool if it is below the top of the blank, at most so far beside it.
@@ -351,7 +351,7 @@ impl<'w> Watcher<'w> {
                 let looked: &[DVec3] =
                     if begun { &places } else { places.last().map(std::slice::from_ref).unwrap_or_default() };
                 if looked.iter().any(|place| self.is_solid(*place)) {
-                    self.tell(self.line, Incident::Rapid(from.z.min(self.at.z) * self.unit));
+                    self.report(self.line, Incident::Rapid(from.z.min(self.at.z) * self.unit));
                 }
             }
             return;
@@ -361,18 +361,18 @@ impl<'w> Watcher<'w> {
         if certain && !self.open && self.with_speed && self.probes.is_empty() && !threads {
             let cuts = begun && places.iter().any(|place| self.is_solid(*place));
             if cuts && (self.spindle == 0 || !self.started) {
-                self.tell(self.line, Incident::Still { unstarted: self.spindle != 0 });
+                self.report(self.line, Incident::Still { unstarted: self.spindle != 0 });
             }
         }
         if certain && key.is_none() {
             let plan = (self.high - self.low).truncate().max_element();
             let below = self.at.z < self.high.z - SKIN;
             if below && self.distance(self.at) > plan + FAR {
-                self.tell(self.line, Incident::Outside([self.at.x * self.unit, self.at.y * self.unit]));
+                self.report(self.line, Incident::Outside([self.at.x * self.unit, self.at.y * self.unit]));
             }
         }
         if certain && self.at.z < self.low.z - UNDER && self.distance(self.at) <= 0.0 && self.is_milling(key) {
-            self.tell(self.line, Incident::Below(self.at.z * self.unit));
+            self.report(self.line, Incident::Below(self.at.z * self.unit));
         }
         self.others |= self.is_milling(key) && self.at.z < self.high.z;
         self.cut(&places);
@@ -473,21 +473,21 @@ impl<'w> Watcher<'w> {
         let bottom = work.low.z;
         let place = [work.start.x * self.unit, work.start.y * self.unit];
         if bottom > self.high.z + SKIN {
-            self.tell(work.line, Incident::Above(bottom * self.unit));
+            self.report(work.line, Incident::Above(bottom * self.unit));
         }
         let hole = matches!(work.group, Group::Drilling | Group::Threads) && !work.milled;
         let beside = DVec3::new(self.radius(), self.radius(), 0.0);
         if hole {
             if self.distance(work.start) > SKIN {
-                self.tell(work.line, Incident::Beside(place));
+                self.report(work.line, Incident::Beside(place));
             } else if bottom < self.low.z - TIP {
-                self.tell(work.line, Incident::Through(bottom * self.unit));
+                self.report(work.line, Incident::Through(bottom * self.unit));
             }
         } else if (work.high + beside - self.low).truncate().min_element() < 0.0
             || (self.high - work.low + beside).truncate().min_element() < 0.0
         {
             let middle = (work.low + work.high) / 2.0;
-            self.tell(work.line, Incident::Outside([middle.x * self.unit, middle.y * self.unit]));
+            self.report(work.line, Incident::Outside([middle.x * self.unit, middle.y * self.unit]));
         }
         if hole {
             self.again(&work, place);
@@ -503,7 +503,7 @@ impl<'w> Watcher<'w> {
     fn again(&mut self, work: &Work, place: [f64; 2]) {
         let bits = work.start.with_z(work.low.z).to_array().map(|own| (own / SAME).round() as i64);
         if self.machined.insert((work.key, self.calls, bits), work.line).is_some() {
-            self.tell(work.line, Incident::Again(place));
+            self.report(work.line, Incident::Again(place));
         }
     }
 
@@ -518,15 +518,15 @@ impl<'w> Watcher<'w> {
         let whole = here.iter().filter(|(_, own, _)| *own <= work.low.z);
         let hole = whole.filter_map(|(.., width)| *width).reduce(f64::max);
         if let Some((thread, hole)) = self.width().zip(hole).filter(|(thread, hole)| !work.milled && hole >= thread) {
-            self.tell(work.line, Incident::WideCore { thread: thread * self.unit, hole: hole * self.unit });
+            self.report(work.line, Incident::WideCore { thread: thread * self.unit, hole: hole * self.unit });
         }
         match bottom {
             Some(hole) if hole > self.low.z && work.low.z < hole - SKIN => {
                 let incident = Incident::HoleTooShallow { tap: work.low.z * self.unit, hole: hole * self.unit };
-                self.tell(work.line, incident);
+                self.report(work.line, incident);
             }
             None if !work.milled && !self.holes.is_empty() && !self.others && self.distance(work.start) <= 0.0 => {
-                self.tell(work.line, Incident::NoHole(place));
+                self.report(work.line, Incident::NoHole(place));
             }
             _ => {}
         }

@@ -24,7 +24,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(cycle) = facts.definitions.get(index as usize).and_then(Defined::related_cycle) else { return false };
         // What has stopped the spindle itself also starts it.
         let again = call.modal.is(Aspect::Stopped) == Tri::Yes && stops_spindle(cycle);
-        // A cycle that is told at which speed it drills turns the spindle itself (TNC 640, 001: 2281-2300).
+        // A cycle that has its own drilling speed starts the spindle itself (TNC 640, 001: 2281-2300).
         let again = again || with_meaning(cycle, OWN_SPEED).is_some();
         (removes_material(cycle) || cycle.file.group == Group::Turning) && !again
     });

@@ -33,7 +33,7 @@ pub(crate) struct Leaning<'t> {
 #[derive(Clone, Copy, Debug)]
 struct Body<'t> {
     edge: &'t Edge,
-    /// Where an edge points that stands; nothing of what is round.
+    /// Where the edge of a stationary tool points; nothing of a round tool.
     points: Option<DVec3>,
     /// How far the centre of the tool is from the spindle axis.
     off: DVec3,

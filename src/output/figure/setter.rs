@@ -155,7 +155,7 @@ pub(super) fn draw(pen: &mut Pen, setter: &Setter, view: FigureView, at: &dyn Fn
     pen.area("m o", &[centre - plate, centre + plate, centre + plate + down, centre - plate + down]);
 }
 
-/// Draws the outlines of a tool where it touched before, and how it stands or turns where it touched last.
+/// Draws the outlines of a tool where it touched before, and at rest or turning, where it touched last.
 pub(super) fn poses(pen: &mut Pen, shot: &Shot, view: FigureView, top: f64, at: &dyn Fn(DVec3) -> DVec2) {
     let ends: Vec<(&Stroke, DVec2)> =
         touches(shot).filter_map(|stroke| Some((stroke, at(*stroke.points.last()?)))).collect();

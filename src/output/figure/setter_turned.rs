@@ -121,7 +121,7 @@ pub(super) fn tool(pen: &mut Pen, setter: &Setter, tool: &Tool, tip: DVec3, at: 
     pen.line("x", &[at(tip + up * (LENGTH + 0.5)), at(tip - up * 0.5)]);
 }
 
-/// Draws the outlines of a tool where it touched before, and how it stands or turns where it touched last.
+/// Draws the outlines of a tool where it touched before, and at rest or turning, where it touched last.
 pub(super) fn poses(pen: &mut Pen, shot: &Shot, setter: &Setter, at: Sheet<'_>) {
     let ends: Vec<(&Stroke, DVec3)> =
         touches(shot).filter_map(|stroke| Some((stroke, *stroke.points.last()?))).collect();
@@ -148,7 +148,7 @@ fn across(setter: &Setter, angle: f64) -> DVec3 {
     setter.axes[0] * cosd(angle) + setter.axes[1] * sind(angle)
 }
 
-/// The cutting edges of a tool that stands.
+/// The cutting edges of a stationary tool.
 fn edges(pen: &mut Pen, setter: &Setter, stroke: &Stroke, tip: DVec3, at: Sheet<'_>) {
     let Turning { angle: Some(angle), first, .. } = stroke.turning else { return };
     let count = stroke.tool.teeth as u32;
