@@ -18,6 +18,9 @@ const NEAR: f64 = 0.01;
 const MANY: usize = 1 << 8;
 const PLANE: [Axis; 2] = [Axis::X, Axis::Y];
 
+/// The finding about a contour that other tools machine from the other side.
+const OTHER_SIDE: &str = "compensation-other-side";
+
 /// A contour under way.
 struct Course {
     side: Compensation,
@@ -56,7 +59,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if leaves && let Some(own) = course.take() {
             let what =
                 if turns_back(&line.points) { Some("back") } else { crosses(&own, &line.points).then_some("side") };
-            found.extend(what.map(|what| rule.at(facts, own.place).arg("what", what)));
+            // Against the other passes of the contour the side was reported before.
+            let same = |known: &Diagnostic| {
+                known.code == OTHER_SIDE && known.place.as_ref().is_some_and(|place| place.span == own.place)
+            };
+            if let Some(what) = what.filter(|_| !found.iter().any(same)) {
+                found.push(rule.at(facts, own.place).arg("what", what));
+            }
             line.begin();
         }
         if let (Some(side), None) = (beside, &course) {

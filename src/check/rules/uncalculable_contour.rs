@@ -10,7 +10,8 @@ use crate::check::{Facts, Rule};
 pub(super) const RULE: Rule = Rule { code: "uncalculable-contour", severity: Severity::Warning, run };
 
 /// The rules that say more precisely what cannot be calculated.
-const READ: [&str; 4] = ["approach-wrong", "contour-wrong", "corner-wrong", "free-contour-wrong"];
+const READ: [&str; 5] =
+    ["approach-wrong", "contour-wrong", "corner-wrong", "free-contour-wrong", "turned-contour-wrong"];
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if found.iter().any(|known| READ.contains(&known.code)) {
