@@ -501,6 +501,9 @@ impl Project for CheckedProgram<'_> {
         let beside = |scene: &mut Scene| {
             // A table that cannot be read is reported where it is checked.
             let _ = execution::selected(&self.path, text, scene);
+            if !(scene.datums.is_empty() && scene.points.is_empty() && scene.free_tables.is_empty()) {
+                self.asked.store(true, Ordering::Relaxed);
+            }
         };
         Rehearsal { on, catalogue, files, tools }.observed(program, &beside)
     }

@@ -270,8 +270,8 @@ fn places(reading: &Reading<'_>) -> Vec<ProgramCall> {
 fn bare_name(program: &Program, definition: &Defined<'_>) -> Option<Span> {
     let CycleForm::Lines(lines) = &definition.view.form else { return None };
     let line = lines.iter().find(|line| line.line == 1)?;
-    let block =
-        program.blocks().iter().find(|block| block.span.start <= line.head.start && line.head.end <= block.span.end)?;
+    let own = program.blocks().get(definition.view.first..=definition.view.last)?;
+    let block = own.iter().find(|block| block.span.start <= line.head.start && line.head.end <= block.span.end)?;
     let text = program.slice(Span::new(line.head.end, block.span.end));
     let code = text.split([';', '\n', '\r']).next().unwrap_or_default();
     let name = code.trim();
