@@ -66,5 +66,5 @@ title-match-interchangeable-head = Vaihtopään sovitus
 title-compensate-drift = Ryöminnän kompensointi
 
 # --- kinematics ---
-message-kinematics-limit-exceeded = Kinematiikkatiedot muuttuvat enemmän kuin sallittu raja-arvo. Vahvista niiden hyväksyntä NC-käynnistyksellä.
+message-kinematics-limit-exceeded = Kinematiikkatiedot muuttuvat enemmän kuin raja-arvo sallii. Vahvista niiden hyväksyntä NC-käynnistyksellä.
 message-delete-saved-kinematics = Useampi tallennettu kinematiikka vastaa nimeä. Vahvista, että ne kaikki poistetaan.

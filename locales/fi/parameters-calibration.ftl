@@ -19,7 +19,7 @@ parameter-kinematics-memory-location__itnc530 = Muistipaikka (0…9)
 
 # --- esiasetuksen kompensointi ---
 parameter-sphere-touch-points__preset-compensation = Mittauspisteiden lukumäärä
-    .help = Kosketusten lukumäärä, jolla ohjaus mittaa kalibrointikuulan tasossa.
+    .help = Kosketusten lukumäärä tasossa kalibrointikuulaa mitattaessa.
 
 # --- kosketusjärjestelmien kalibrointi ---
 parameter-calibration-sphere-probings = Kosketusten lukumäärä tasossa (4/3)
