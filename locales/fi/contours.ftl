@@ -87,7 +87,7 @@ step-approach-contour-floor = Työkalu lähestyy pohjaa pehmeästi pystysuoraa t
 step-find-start-of-floor-finishing = Ohjaus määrittää pohjan silityksen alkupisteen.
 step-finish-contour-floor = Työkalu jyrsii rouhinnassa jääneen silitystyövaran syöttöarvolla { $q-roughing-feed }.
 note-starting-point-by-itself = Ohjaus määrittää silityksen alkupisteen itse. Se riippuu taskussa olevasta tilasta.
-note-approach-radius-is-fixed = Säde, jolla loppusyvyyteen lähestytään, on sisäisesti kiinteä eikä riipu työkalun sisäänpistokulmasta.
+note-approach-radius-is-fixed = Säde, jolla loppusyvyyttä lähestytään, on sisäisesti kiinteä eikä riipu työkalun sisäänpistokulmasta.
 
 # --- 24 ---
 cycle-side-finishing = Sivun silitys

@@ -87,8 +87,8 @@ note-feed-reduction-only-up-to-1000 = Syöttöarvon pienennys toimii vain, jos r
 note-corner-reduction-entered-by-control = Vastaa nurkissa tapahtuvaa syöttöarvon pienennystä koskevaan kysymykseen näppäimellä NO ENT. Ohjaus syöttää arvon automaattisesti.
 
 # --- ohjeet: kiertoakselit ---
-note-rotary-axes-touch-trigger = Kytkevällä kosketusjärjestelmällä kiertoakseleita voidaan digitoida meanderimaisesti (työkierto 6), riveittäin (työkierto 8) tai korkeuskäyrinä (työkierto 7). Anna kiertoakseli kaikissa tapauksissa työkierrossa ALUE. Ohjaus tulkitsee kiertoakselien arvot asteiksi.
-note-rotary-axes-analog = Mittaavalla kosketusjärjestelmällä kiertoakseleita voidaan digitoida vain työkierrolla 18 RIVI. Kiertoakseli määritellään sarakeakseliksi.
+note-rotary-axes-touch-trigger = Kytkevällä kosketusjärjestelmällä voidaan digitoida kiertoakselien avulla meanderimaisesti (työkierto 6), riveittäin (työkierto 8) tai korkeuskäyrinä (työkierto 7). Anna kiertoakseli kaikissa tapauksissa työkierrossa ALUE. Ohjaus tulkitsee kiertoakselien arvot asteiksi.
+note-rotary-axes-analog = Mittaavalla kosketusjärjestelmällä voidaan digitoida kiertoakselin avulla vain työkierrolla 18 RIVI. Kiertoakseli määritellään sarakeakseliksi.
 note-digitizing-range-with-rotary-axis = Kun digitoidaan kiertoakselin avulla, anna kiertoakseli alueessa. Ohjaus tulkitsee sen arvot asteiksi. Digitointitietojen tiedosto sisältää alueessa määritellyt akselit; aihion määrittelyä BLK FORM ei tulosteta, koska kiertoakseleita ei voi esittää graafisesti.
 note-digitizing-display-of-rotary-axis = Kiertoakselin näyttötavan on oltava digitoitaessa ja jyrsittäessä sama (supistettu alle 360°:n arvoon tai supistamaton).
 note-meander-with-rotary-axis = Jos rivien suuntana on lineaariakseli (esimerkiksi X), ohjaus siirtyy rivin lopussa rivivälin verran työkierron ALUE kiertoakselilla (esimerkiksi A); kosketusjärjestelmä liikkuu silloin edestakaisin esimerkiksi Z/X-tasossa. Jos rivien suuntana on kiertoakseli (esimerkiksi A), ohjaus siirtyy rivin lopussa rivivälin verran lineaariakselilla (esimerkiksi X); kosketusjärjestelmä liikkuu silloin edestakaisin esimerkiksi Z/A-tasossa.

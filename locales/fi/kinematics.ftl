@@ -21,7 +21,7 @@ parameter-kinematics-positioning-feed = Esipaikoituksen syöttöarvo
     .help = Työkalun liikenopeus paikoituksessa.
 parameter-kinematics-reference-angle = Peruskulma
     .label = PERUSKULMA
-    .help = Peruskulma (peruskääntö) pisteiden mittaamiselle aktiivisessa työkappaleen koordinaatistossa. Se voi suurentaa akselin mittausaluetta huomattavasti.
+    .help = Peruskulma (peruskääntö) pisteiden mittausta varten aktiivisessa työkappaleen koordinaatistossa. Se voi suurentaa akselin mittausaluetta huomattavasti.
 parameter-rotary-start-angle-a = A-akselin aloituskulma
     .label = A-AKSELIN ALKUKULMA
     .help = A-akselin kulma, jossa ensimmäinen mittaus tehdään.
@@ -153,7 +153,7 @@ note-datum-in-sphere-first = Aseta ja aktivoi peruspiste kalibrointikuulan keski
 note-preposition-for-preset = Jos esiasetus asetetaan ennen mittausta ({ $q-sphere-preset } = 1 tai 3), paikoita kosketusjärjestelmä ennen työkierron käynnistystä suunnilleen kalibrointikuulan keskikohdan yläpuolelle varmuusetäisyyden ({ $q-probing-clearance } + { $mp-set-up }) päähän.
 note-preposition-for-preset__itnc530 = Jos esiasetus asetetaan ennen mittausta ({ $q-sphere-preset } = 1 tai 3), paikoita kosketusjärjestelmä ennen työkierron käynnistystä suunnilleen kalibrointikuulan keskikohdan yläpuolelle.
 note-kinematics-feeds = Kosketuskorkeudelle ajettaessa ohjaus käyttää kosketusakselilla pienempää arvoista { $q-kinematics-positioning-feed } ja { $mp-positioning-feed }. Kiertoakselit liikkuvat syöttöarvolla { $q-kinematics-positioning-feed }, eikä kosketusjärjestelmän valvonta ole silloin voimassa.
-note-kinematics-limit-exceeded = Jos kinematiikkatiedot ylittävät optimoinnissa sallitun raja-arvon ({ $mp-max-modification }), ohjaus antaa varoituksen. Vahvista arvojen vastaanotto NC-käynnistyksellä.
+note-kinematics-limit-exceeded = Jos kinematiikkatiedot ylittävät optimoinnissa sallitun raja-arvon ({ $mp-max-modification }), ohjaus antaa varoituksen. Vahvista arvot NC-käynnistyksellä.
 note-preset-changes-with-kinematics = Kinematiikan muutos muuttaa aina myös esiasetusta. Aseta esiasetus uudelleen optimoinnin jälkeen.
 note-sphere-radius-checked = Ohjaus mittaa jokaisessa kosketuksessa ensin kalibrointikuulan säteen. Jos se poikkeaa annetusta säteestä enemmän kuin { $mp-max-ball-deviation }, ohjaus antaa virheilmoituksen ja lopettaa mittauksen.
 note-sphere-radius-checked__itnc530 = Ohjaus mittaa jokaisessa kosketuksessa ensin kalibrointikuulan säteen. Jos se poikkeaa annetusta säteestä enemmän kuin { $mp-max-ball-deviation }, ohjaus antaa varoituksen ja lopettaa mittauksen.

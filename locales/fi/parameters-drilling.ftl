@@ -176,6 +176,6 @@ choice-tap-leaves-hole-entirely = Työkalun veto kokonaan reiästä varmuusetäi
 choice-tap-turns-back = Työkalun siirto takaisin näin monen nousun verran
 choice-one-helix-to-thread-depth = Yksi kierukka kierteen syvyyteen
 choice-one-continuous-helix = Jatkuva kierukka kierteen koko pituudella
-choice-several-offset-helices = Useita kierukoita, joihin lähestytään ja joista irtaudutaan; niiden välillä ohjaus siirtää työkalua matkan, joka on tämä luku kertaa nousu
+choice-several-offset-helices = Useita kierukoita, joita lähestytään ja joista irtaudutaan; niiden välillä ohjaus siirtää työkalua matkan, joka on tämä luku kertaa nousu
 choice-countersink-before-thread = Ennen kierteen koneistusta
 choice-countersink-after-thread = Kierteen koneistuksen jälkeen

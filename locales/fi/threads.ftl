@@ -62,7 +62,7 @@ step-feed-to-start-plane-of-helix = Työkalu siirtyy esipaikoituksen syöttöarv
 step-approach-thread-and-compensate = Työkalu ajaa tangentiaalisesti kierukkarataa pitkin kierteen halkaisijalle { $q-nominal-diameter }. Samalla se tekee tasausliikkeen työkaluakselin suunnassa, jotta kierteen rata alkaa ohjelmoidusta aloitustasosta.
 step-approach-thread = Työkalu ajaa tangentiaalisesti kierukkarataa pitkin kierteen halkaisijalle { $q-nominal-diameter }.
 step-approach-and-mill-one-turn = Työkalu ajaa tangentiaalisesti kierukkarataa pitkin kierteen halkaisijalle { $q-nominal-diameter } ja jyrsii kierteen 360°:n kierukkaliikkeellä.
-step-mill-thread-in-turns = Työkalu jyrsii kierteen syöttöarvolla { $q-milling-feed } askelta kohti annetun kierteiden lukumäärän { $q-threads-per-step } mukaan:
+step-mill-thread-in-turns = Työkalu jyrsii kierteen syöttöarvolla { $q-milling-feed }. Kierteiden lukumäärä askelta kohti ({ $q-threads-per-step }) määrää, miten:
 say-thread-in-one-turn = { $q-threads-per-step } = 0: yhdellä kierukkaliikkeellä
 say-thread-on-continuous-helix = { $q-threads-per-step } = 1: yhdellä jatkuvalla kierukkaliikkeellä
 say-thread-on-several-helices = { $q-threads-per-step } > 1: useilla siirretyillä kierukkaliikkeillä
