@@ -82,7 +82,7 @@ note-lines-for-one-milling-direction = Tätä työkiertoa käytetään ennen kai
 note-lines-for-rotary-axes = Mittaavalla kosketusjärjestelmällä tätä työkiertoa käytetään ennen kaikkea digitointiin kiertoakselin avulla.
 note-normal-retraction-recommended = Suositeltava liike rivien normaalin suunnassa on vähintään puolet pistevälistä ja enintään pistevälin suuruinen. Mitä pienempi kosketuskuula on, sitä suurempi liikkeen tulisi olla.
 note-climb-or-up-cut-by-direction = Digitointisuunta määrää myös, jyrsitäänkö myöhemmin myötälastulla vai vastalastulla.
-note-sudden-changes-of-direction = Ohjaus tallentaa asemat, joissa suunta muuttuu äkillisesti, enintään 1000 asemaa riviä kohti. Seuraavalla rivillä se pienentää kosketussyöttöarvoa automaattisesti, kun kosketusjärjestelmä lähestyy tällaista asemaa. Se parantaa tuloksia.
+note-sudden-changes-of-direction = Ohjaus tallentaa asemat, joissa suunta muuttuu äkillisesti, enintään 1000 asemaa riviä kohti. Seuraavalla rivillä se pienentää kosketussyöttöarvoa automaattisesti, kun kosketusjärjestelmä lähestyy tällaista asemaa. Tämä parantaa tuloksia.
 note-feed-reduction-only-up-to-1000 = Syöttöarvon pienennys toimii vain, jos rivillä on enintään 1000 pistettä, joissa syöttöarvoa on pienennettävä.
 note-corner-reduction-entered-by-control = Vastaa nurkissa tapahtuvaa syöttöarvon pienennystä koskevaan kysymykseen näppäimellä NO ENT. Ohjaus syöttää arvon automaattisesti.
 
