@@ -21,12 +21,12 @@ diag-blocks-after-end = Tässä on lauseita vielä END PGM -lauseen jälkeen.
 diag-blank-wrong =
     { $what ->
         [again] Aihiolla on jo edellä lause BLK FORM 0.1.
-        [axis] Tästä puuttuu { $axis }: aihion kulmalla on kolme koordinaattia.
+        [axis] Tästä puuttuu { $axis }: aihion nurkalla on kolme koordinaattia.
         [first] Lauseen BLK FORM 0.2 edellä ei ole lausetta BLK FORM 0.1.
         [cylinder] Sylinteriltä puuttuu säde tai halkaisija taikka pituus.
         [second] Lauseen BLK FORM 0.1 jäljessä ei ole lausetta BLK FORM 0.2.
         [tool] Aihion määrittelystä puuttuu työkaluakseli.
-       *[order] Akselilla { $axis } aihion toisen kulman koordinaatin on oltava suurempi kuin ensimmäisen.
+       *[order] Akselilla { $axis } aihion toisen nurkan koordinaatin on oltava suurempi kuin ensimmäisen.
     }
 diag-block-numbers = Lausenumero { $number } seuraa numeroa { $before }.
 diag-call-of-def-active-cycle = Työkierto { $cycle } vaikuttaa heti määriteltynä; sitä ei saa kutsua.
@@ -138,7 +138,7 @@ diag-free-contour-wrong =
         [auxiliary] Etäisyydellä D ei ole apupistettä (PDX, PDY).
         [distance] Apupisteellä ei ole etäisyyttä D.
         [selected] FSELECT ei ole vapaan muodon elementin jäljessä.
-        [solution] FSELECT ottaa ratkaisun numeron alkaen luvusta 1.
+        [solution] Sanan FSELECT jäljessä on ratkaisun numero alkaen luvusta 1.
         [fpol] Vapaan muodon napa tarvitsee kaksi koordinaattia.
         [pole] Napakoordinaatit tarvitsevat navan (FPOL).
         [turn] Muoto alkaa ja päättyy samalla ympyrällä, mutta eri suuntiin.
@@ -267,7 +267,7 @@ diag-plane-not-positioned =
     }
 diag-plane-not-reset =
     { $what ->
-        [zero] { $cycle } asettaa tässä kaikki kulmat arvoon 0, mutta mikään ei kytke koneistustason kääntöä pois päältä.
+        [zero] { $cycle } asettaa tässä kaikkien kulmien arvoksi 0, mutta mikään ei kytke koneistustason kääntöä pois päältä.
        *[tilted] Ohjelma päättyy tässä koneistustason ollessa käännettynä.
     }
 diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, mutta siinä ei ole tason molempia koordinaatteja absoluuttisina.
@@ -339,8 +339,8 @@ diag-tcpm-left-on =
     }
 diag-text-for-number =
     { $what ->
-        [text] { $parameter } ottaa luvun, mutta tämä on teksti.
-        [number] { $parameter } ottaa tekstin, mutta tämä on luku.
+        [text] Parametrin { $parameter } arvo on luku, mutta tämä on teksti.
+        [number] Parametrin { $parameter } arvo on teksti, mutta tämä on luku.
        *[calculation] Teksteillä ei voi laskea.
     }
 diag-text-wrong =

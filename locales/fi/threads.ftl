@@ -62,7 +62,7 @@ step-feed-to-start-plane-of-helix = Työkalu siirtyy esipaikoituksen syöttöarv
 step-approach-thread-and-compensate = Työkalu ajaa tangentiaalisesti kierukkarataa pitkin kierteen halkaisijalle { $q-nominal-diameter }. Samalla se tekee tasausliikkeen työkaluakselin suunnassa, jotta kierteen rata alkaa ohjelmoidusta aloitustasosta.
 step-approach-thread = Työkalu ajaa tangentiaalisesti kierukkarataa pitkin kierteen halkaisijalle { $q-nominal-diameter }.
 step-approach-and-mill-one-turn = Työkalu ajaa tangentiaalisesti kierukkarataa pitkin kierteen halkaisijalle { $q-nominal-diameter } ja jyrsii kierteen 360°:n kierukkaliikkeellä.
-step-mill-thread-in-turns = Työkalu jyrsii kierteen syöttöarvolla { $q-milling-feed } askelta kohti annetun kierteiden lukumäärän { $q-threads-per-step } mukaan:
+step-mill-thread-in-turns = Työkalu jyrsii kierteen syöttöarvolla { $q-milling-feed }. Kierteiden lukumäärä askelta kohti ({ $q-threads-per-step }) määrää, miten:
 say-thread-in-one-turn = { $q-threads-per-step } = 0: yhdellä kierukkaliikkeellä
 say-thread-on-continuous-helix = { $q-threads-per-step } = 1: yhdellä jatkuvalla kierukkaliikkeellä
 say-thread-on-several-helices = { $q-threads-per-step } > 1: useilla siirretyillä kierukkaliikkeillä
@@ -71,7 +71,7 @@ step-depart-from-thread = Työkalu irtautuu muodosta tangentiaalisesti ja palaa 
 step-end-of-thread-milling = Työkierron lopussa ohjaus siirtää työkalun pikaliikkeellä:
 step-feed-to-countersinking-depth = Jos sivuetäisyyttä { $q-clearance-to-wall } ei ole annettu, työkalu siirtyy esipaikoituksen syöttöarvolla { $q-in-and-out-feed } upotussyvyyteen { $q-countersinking-depth } vähennettynä varmuusetäisyydellä ja sen jälkeen upotuksen syöttöarvolla { $q-countersinking-feed } upotussyvyyteen.
 step-feed-directly-to-countersinking-depth = Jos sivuetäisyys { $q-clearance-to-wall } on annettu, ohjaus siirtää työkalun heti esipaikoituksen syöttöarvolla { $q-in-and-out-feed } upotussyvyyteen { $q-countersinking-depth }.
-step-countersink-on-circle = Käytettävissä olevan tilan mukaan ohjaus lähestyy pehmeästi keskeltä tai sivulle tehtävällä esipaikoitusliikkeellä ja ajaa ympyräliikkeen.
+step-countersink-on-circle = Käytettävissä olevan tilan mukaan työkalu lähestyy seinämää pehmeästi keskeltä tai sivulle tehtävällä esipaikoitusliikkeellä ja tekee ympyräliikkeen.
 step-feed-to-depth-at-front = Työkalu siirtyy esipaikoituksen syöttöarvolla { $q-in-and-out-feed } otsapuolen upotussyvyyteen { $q-depth-at-front }.
 step-feed-to-depth-at-front-before-or-after = Jos upotus tehdään ennen kierrettä ({ $q-countersinking-moment } = 0), työkalu siirtyy upotuksen syöttöarvolla { $q-countersinking-feed } otsapuolen upotussyvyyteen { $q-depth-at-front }; jos se tehdään kierteen jälkeen, esipaikoituksen syöttöarvolla { $q-in-and-out-feed }.
 step-countersink-at-front = Ohjaus siirtää työkalun ilman korjausta puoliympyrää pitkin keskeltä otsapuolen siirtymään { $q-offset-at-front } ja ajaa ympyräliikkeen upotuksen syöttöarvolla { $q-countersinking-feed }.
@@ -93,7 +93,7 @@ guard-thread-near-countersinking-depth = Kierteen syvyyden on oltava vähintää
 guard-thread-near-hole-depth = Kierteen syvyyden on oltava vähintään kolmasosan noususta pienempi kuin reiän kokonaissyvyys.
 
 # --- kierteen jyrsintä: ohjeet ---
-note-thread-approach-on-half-circle = Kierteen halkaisijaa lähestytään puoliympyrää pitkin keskeltä ulospäin. Jos työkalun halkaisija on neljä kertaa kierteen halkaisijaa pienempi, työkalu esipaikoitetaan sivulle.
+note-thread-approach-on-half-circle = Kierteen halkaisijaa lähestytään puoliympyrää pitkin keskeltä ulospäin. Jos työkalun halkaisija on vain neljäsosa kierteen halkaisijasta, työkalu esipaikoitetaan sivulle.
 note-compensation-before-approach = Ennen lähestymistä ohjaus tekee työkaluakselin suunnassa tasausliikkeen, joka on enintään puolet kierteen noususta. Varmista, että reiässä on riittävästi tilaa.
 note-thread-depth-moves-start = Jos kierteen syvyyttä muutetaan, ohjaus muuttaa kierukkaliikkeen alkupistettä itse.
 note-depths-give-direction = Syvyysparametrien etumerkit määräävät työskentelysuunnan tässä järjestyksessä: 1. kierteen syvyys { $q-thread-depth }, 2. upotussyvyys { $q-countersinking-depth }, 3. otsapuolen upotussyvyys { $q-depth-at-front }.
