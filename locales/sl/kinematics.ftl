@@ -14,7 +14,7 @@ parameter-sphere-radius = Točen polmer umeritvene krogle
 parameter-retraction-height = Višina odmika
     .label = VIŠINA ODMIKA
     .help = Določa, ali in na katero višino se { -probe(case: "nominative") } umakne, preden se rotacijska os pozicionira.
-choice-no-retraction = brez premika na višino odmika: krmiljenje se na naslednji merilni položaj premakne po osi, ki se meri, na prvega pa v vrstnem redu A, B, C; za Hirthove osi ni dovoljeno
+choice-no-retraction = brez premika na višino odmika: krmiljenje tipalni sistem na naslednji merilni položaj premakne po osi, ki se meri, na prvega pa v vrstnem redu A, B, C; za Hirthove osi ni dovoljeno
 choice-retraction = višina odmika v nezavrtenem koordinatnem sistemu obdelovanca, na katero krmiljenje premakne os vretena, preden pozicionira rotacijsko os; v { -working-plane(case: "locative") } premakne { -probe(case: "accusative") } na ničelno točko; tipalni nadzor v tem načinu ni aktiven, zato hitrost pozicioniranja določite v { $q-kinematics-positioning-feed }
 parameter-kinematics-positioning-feed = Pomik za predpozicioniranje
     .label = POMIK PRI PREDPOZ.
@@ -104,17 +104,17 @@ say-preset-set-by-hand = sicer uporabi ročno določeno referenčno točko
 step-move-to-measuring-positions = Tipalni sistem se premakne na merilne položaje:
 say-move-without-retraction = pri { $q-retraction-height } = 0 brez odmika, po osi, ki se meri; na prvi merilni položaj v vrstnem redu A, B, C
 say-move-over-retraction-height = sicer se najprej os vretena premakne na višino odmika { $q-retraction-height }, { -probe(case: "nominative") } pa v { -working-plane(case: "locative") } na ničelno točko
-step-measure-rotary-axes = Krmiljenje samodejno zaporedoma izmeri vse rotacijske osi z določeno natančnostjo. Referenčna meritev poteka pri 0°.
-step-measure-backlash = Krmiljenje izmeri zračnost:
-say-backlash-from-two-measurements = s kotom { $q-backlash-angle } z dvema meritvama za vsako rotacijsko os
-say-no-backlash-measurement = pri { $q-backlash-angle } = 0 je ne izmeri
+step-measure-rotary-axes = Krmiljenje samodejno zaporedoma izmeri vse rotacijske osi z natančnostjo, ki je določena. Referenčna meritev poteka pri 0°.
+step-measure-backlash = Za zračnost rotacijskih osi velja:
+say-backlash-from-two-measurements = če je v { $q-backlash-angle } vnesen kot, krmiljenje vsako rotacijsko os izmeri dvakrat
+say-no-backlash-measurement = pri { $q-backlash-angle } = 0 zračnosti ne izmeri
 step-adapt-kinematics = Krmiljenje meritev ovrednoti, kot določa način { $q-kinematics-mode }:
 say-report-possible-optimization = preverjanje: iz izmerjenih položajev določi statično natančnost transformacije pri vrtenju, v protokol zapiše, kaj bi lahko doseglo optimiranje položajev, in ničesar ne prilagodi
 say-optimize-axis-positions = optimiranje položaja: določi statično natančnost transformacije pri vrtenju, skuša položaj rotacijskih osi v kinematičnem modelu spremeniti tako, da se natančnost izboljša, in samodejno prilagodi strojne podatke
 say-optimize-angles-then-positions = optimiranje položaja in kota: določi statično natančnost transformacije pri vrtenju, skuša najprej s kompenzacijo optimirati kotni položaj rotacijskih osi (možnost 52, KinematicsComp) in, če to uspe, v drugem nizu meritev optimira položaj
 step-store-scatter-and-offsets = Krmiljenje shrani izmerjene vrednosti v parametre rezultatov.
-step-set-preset-after-measuring = Po meritvi krmiljenje določi prednastavitev:
-say-preset-into-sphere-after = pri { $q-sphere-preset } = 2 ali 3 v središču krogle
+step-set-preset-after-measuring = Za prednastavitev po meritvi velja:
+say-preset-into-sphere-after = pri { $q-sphere-preset } = 2 ali 3 jo krmiljenje določi v središču krogle
 say-no-preset-after = sicer je ne določi
 step-write-kinematics-log = Krmiljenje ustvari protokol (TCHPR{ $cycle }.TXT).
 result-scatter-measured-a = Izmerjeno standardno odstopanje osi A (−1, če os ni bila izmerjena)

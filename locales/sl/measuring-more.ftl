@@ -76,15 +76,15 @@ note-coordinate-corrects-radius-or-length = Če je merilna os katera od osi obde
 cycle-measure-bolt-hole-circle = Merjenje krožne luknje
     .nc = MERJENJE KROŽNE LUKNJE
     .nc-aliases = MERITEV KROŽNE LUKNJE
-    .purpose = Z merjenjem treh vrtin izmeri središče in premer krožne luknje. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti in odstopanje shrani v parametre.
+    .purpose = Z merjenjem treh vrtin izmeri središče in premer delnega kroga (krožne luknje). Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti in odstopanje shrani v parametre.
 step-measure-centre-of-hole = Tipalni sistem se premakne na merilno višino { $q-measuring-height } in s štirimi tipanji določi središče vrtine.
 step-travel-to-next-hole = Tipalni sistem se vrne na varno višino { $q-clearance-height } in se pozicionira na vneseno središče naslednje vrtine.
 until-three-holes-measured = niso določena središča vseh treh vrtin
 say-part-is-scrap__measure-bolt-hole-circle = izvržek (Q182 = 1), če je premer večji od { $q-greatest-dimension } ali manjši od { $q-least-dimension } ali če središče odstopa za več kot { $q-centre-tolerance-main } ali { $q-centre-tolerance-minor }
 say-monitor-tool-breakage = če { $q-monitored-tool } ni 0, odstopanje primerja s toleranco loma RBREAK; če je odstopanje večje, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L). Orodja ne popravi
 note-only-breakage-monitoring = Ta cikel nadzoruje samo lom orodja; orodja ne popravi.
-result-bolt-circle-diameter-actual = Dejanski premer krožne luknje
-result-bolt-circle-diameter-deviation = Odstopanje premera krožne luknje
+result-bolt-circle-diameter-actual = Dejanski premer delnega kroga
+result-bolt-circle-diameter-deviation = Odstopanje premera delnega kroga
 
 # --- 420 ---
 cycle-measure-angle = Merjenje kota
@@ -94,7 +94,7 @@ cycle-measure-angle = Merjenje kota
 say-travel-to-point-at-clearance-height = pri { $q-traverse-to-clearance-height } = 1 na varni višini { $q-clearance-height }
 say-travel-to-point-at-measuring-height = pri { $q-traverse-to-clearance-height } = 0 na merilni višini { $q-measuring-height }
 step-retract-and-store-angle = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in izmerjeni kot shrani v parameter rezultata.
-note-angle-about-a-or-b = Če je merilna os os tipalnega sistema ({ $q-measuring-axis } = 3): za merjenje kota okoli osi A v { $q-first-point-main } in { $q-second-point-main } vnesite isto vrednost; za merjenje kota okoli osi B tam vnesite različni vrednosti.
+note-angle-about-a-or-b = Če je merilna os kar os tipalnega sistema ({ $q-measuring-axis } = 3), za merjenje kota okoli osi A v { $q-first-point-main } in { $q-second-point-main } vnesite isto vrednost, za merjenje kota okoli osi B pa različni vrednosti.
 note-results-shown-in-help-graphic = Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov; osvetljeni parameter rezultata pripada izbranemu parametru za vnos.
 note-results-shown-in-help-graphic__tnc426-430 = Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov.
 result-measured-angle = Izmerjeni kot glede na glavno os obdelovalne ravnine
@@ -122,10 +122,10 @@ result-projection-angle-b__tnc426-430 = Kot osi B
 result-spatial-angle-a = Prostorski kot A
 result-spatial-angle-b = Prostorski kot B
 result-spatial-angle-c = Prostorski kot C
-result-first-value-in-probe-axis = Merilna vrednost na osi tipalnega sistema (prva meritev)
-result-first-value-in-probe-axis__tnc320 = Merilna vrednost na osi tipalnega sistema
-result-second-value-in-probe-axis = Merilna vrednost na osi tipalnega sistema (druga meritev)
-result-third-value-in-probe-axis = Merilna vrednost na osi tipalnega sistema (tretja meritev)
+result-first-value-in-probe-axis = Izmerjena vrednost na osi tipalnega sistema (prva meritev)
+result-first-value-in-probe-axis__tnc320 = Izmerjena vrednost na osi tipalnega sistema
+result-second-value-in-probe-axis = Izmerjena vrednost na osi tipalnega sistema (druga meritev)
+result-third-value-in-probe-axis = Izmerjena vrednost na osi tipalnega sistema (tretja meritev)
 
 # --- 1 ---
 cycle-polar-reference-plane = Referenčna ravnina - polarna
@@ -136,7 +136,7 @@ step-probe-at-polar-angle = Tipalni sistem izvede tipanje s pomikom pri tipanju 
 step-probe-at-polar-angle__tnc426-430 = Tipalni sistem izvede tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }). Pri tem krmiljenje glede na kot tipanja hkrati premika dve osi. Smer tipanja je v ciklu definirana s polarnim kotom.
 step-return-and-store-trigger-position = Ko je položaj izmerjen, se tipalni sistem vrne na začetno točko tipanja. Krmiljenje koordinate položaja, na katerem je bil tipalni sistem ob stikalnem signalu, shrani v parametre od Q115 do Q119.
 step-return-and-store-trigger-position__tnc426-430 = Ko je položaj izmerjen, se tipalni sistem vrne na začetno točko tipanja. Krmiljenje koordinate središča tipalne krogle ob dotiku z obdelovancem shrani v parametre od Q115 do Q119.
-note-probing-plane-by-axis = Tipalna os, definirana v ciklu, določa tipalno ravnino: tipalna os X: ravnina X/Y; Y: ravnina Y/Z; Z: ravnina Z/X.
+note-probing-plane-by-axis = Tipalna os, definirana v ciklu, določa tipalno ravnino: X določa ravnino X/Y, Y ravnino Y/Z, Z ravnino Z/X.
 note-trigger-position-of-ball-centre = Parametri od Q115 do Q119 vsebujejo koordinate središča tipalne krogle ob dotiku z obdelovancem.
 
 # --- 3 ---

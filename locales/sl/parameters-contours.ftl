@@ -3,7 +3,7 @@
 # --- contour and its data ---
 parameter-contour-labels = Številke oznak za konturo
     .word = OZN. KONTURE
-    .help = Številke vseh podprogramov, katerih konture se prekrijejo v skupno konturo. Vsako številko potrdite s tipko ENT in vnos končajte s tipko END. Vnesti je mogoče največ 12 številk podprogramov od 1 do 254.
+    .help = Številke vseh podprogramov, katerih konture skupaj tvorijo celotno konturo. Vsako številko potrdite s tipko ENT in vnos končajte s tipko END. Vnesti je mogoče največ 12 številk podprogramov od 1 do 254.
     .label-aliases = OZNAKA KONTURE
 parameter-milling-depth = Globina rezkanja
     .label = GLOB. REZKANJA

@@ -62,7 +62,7 @@ cycle-set-basic-rotation = Določitev osnovne rotacije
     .nc = OSNOVNA ROTACIJA
     .nc-aliases = NASTAVITEV OSNOVNE ROTACIJE
     .purpose = Med programskim tekom samodejno določi poljubno osnovno rotacijo. Namenjen je predvsem ponastavitvi prej izvedene osnovne rotacije.
-step-set-basic-rotation = Krmiljenje določi osnovno rotacijo s kotom { $q-basic-rotation-angle }.
+step-set-basic-rotation = Krmiljenje nastavi osnovno rotacijo na kot { $q-basic-rotation-angle }.
 note-available-from-nc-software = Na voljo od NC-programske opreme 280 474-xx.
 
 # --- 405 ---
