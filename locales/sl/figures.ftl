@@ -46,21 +46,21 @@ figure-probe-axis = Referenčna točka na osi tipalnega sistema
 
 figure-heights = Varne višine
 
-figure-corner-a = Rob A
+figure-corner-a = Vogal A
 
-figure-corner-b = Rob B
+figure-corner-b = Vogal B
 
-figure-corner-c = Rob C
+figure-corner-c = Vogal C
 
-figure-corner-d = Rob D
+figure-corner-d = Vogal D
 
-figure-corner-1 = Rob 1
+figure-corner-1 = Vogal 1
 
-figure-corner-2 = Rob 2
+figure-corner-2 = Vogal 2
 
-figure-corner-3 = Rob 3
+figure-corner-3 = Vogal 3
 
-figure-corner-4 = Rob 4
+figure-corner-4 = Vogal 4
 
 figure-front = Čelno grezenje
 

@@ -102,7 +102,8 @@ parameter-plunging-feed__multipass-milling =
 parameter-pattern-spacing-main = Razdalja na 1. osi
     .label = RAZDALJA NA 1. OSI
     .help = Razdalja med točkami v vrstici.
-parameter-pattern-spacing-minor = Razdalja 2. osi
+parameter-pattern-spacing-minor = Razdalja na 2. osi
+    .prompt = Razdalja 2. osi?
     .label = RAZDALJA NA 2. OSI
     .help = Razdalja med vrsticami.
 parameter-number-of-columns = Število stolpcev
@@ -268,7 +269,8 @@ parameter-orientation-angle = Kot usmeritve
     .word = KOT
 parameter-contour-tolerance = Tolerančna vrednost T
     .help = Dovoljeno odstopanje od programirane konture v milimetrih (v palčnih programih v palcih).
-parameter-hsc-mode = NAČIN HSC, fino rezkanje=0, grobo rezkanje=1
+parameter-hsc-mode = Način HSC (0 = fino rezkanje, 1 = grobo rezkanje)
+    .prompt = NAČIN HSC, fino rezkanje=0, grobo rezkanje=1?
     .help = Filter, ki ga krmiljenje aktivira.
 parameter-rotary-axis-tolerance = Toleranca za rotacijske osi TA
     .help = Dovoljeno odstopanje rotacijskih osi v stopinjah pri aktivni funkciji M128 (FUNCTION TCPM). Krmiljenje pomik vedno zmanjša tako, da se pri premikih po več oseh najpočasnejša os premika s svojim največjim pomikom. Rotacijske osi so praviloma precej počasnejše od linearnih. Večja toleranca (na primer 10°) lahko precej skrajša čas obdelave večosnih programov, ker krmiljenju rotacijskih osi ni treba vedno premakniti na predpisani želeni položaj. Kontura se pri tem ne poškoduje; spremeni se samo položaj rotacijske osi glede na površino obdelovanca.

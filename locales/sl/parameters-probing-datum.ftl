@@ -78,28 +78,29 @@ parameter-point-distance-minor = Razdalja na 2. osi
     .help = Razdalja med tretjo in četrto merilno točko na pomožni osi obdelovalne ravnine.
 parameter-corner-number = Rob
     .label = ROB
-    .help = Številka roba, na katerem se določi referenčna točka.
-parameter-corner-basic-rotation = Izvedba osnovnega vrtenja
+    .help = Številka vogala, v katerem se določi referenčna točka.
+parameter-corner-basic-rotation = Izvedba osnovne rotacije
+    .prompt = Izvedba osnovnega vrtenja?
     .label = OSNOVNA ROTACIJA
     .help = Določa, ali krmiljenje poševni položaj obdelovanca izravna z osnovno rotacijo.
 choice-no-basic-rotation = brez osnovne rotacije
 choice-carry-out-basic-rotation = izvedba osnovne rotacije
 parameter-datum-row-number__datum-outside-corner =
-    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shranijo koordinate roba. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka na robu.
+    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shranijo koordinate vogala. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v vogalu.
 parameter-datum-row-number__datum-outside-corner__tnc426-430 =
-    .help = Številka v preglednici ničelnih točk, pod katero se shranijo koordinate roba. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka na robu.
+    .help = Številka v preglednici ničelnih točk, pod katero se shranijo koordinate vogala. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v vogalu.
 parameter-datum-row-number__datum-inside-corner =
-    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shranijo koordinate roba. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka na robu.
+    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shranijo koordinate vogala. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v vogalu.
 parameter-datum-row-number__datum-inside-corner__tnc426-430 =
-    .help = Številka v preglednici ničelnih točk, pod katero se shranijo koordinate roba. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka na robu.
+    .help = Številka v preglednici ničelnih točk, pod katero se shranijo koordinate vogala. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v vogalu.
 parameter-new-datum-main__datum-outside-corner =
-    .help = Koordinata na glavni osi, na katero se postavi izmerjeni rob. Osnovna nastavitev: 0.
+    .help = Koordinata na glavni osi, na katero se postavi izmerjeni vogal. Osnovna nastavitev: 0.
 parameter-new-datum-minor__datum-outside-corner =
-    .help = Koordinata na pomožni osi, na katero se postavi izmerjeni rob. Osnovna nastavitev: 0.
+    .help = Koordinata na pomožni osi, na katero se postavi izmerjeni vogal. Osnovna nastavitev: 0.
 parameter-new-datum-main__datum-inside-corner =
-    .help = Koordinata na glavni osi, na katero se postavi izmerjeni rob. Osnovna nastavitev: 0.
+    .help = Koordinata na glavni osi, na katero se postavi izmerjeni vogal. Osnovna nastavitev: 0.
 parameter-new-datum-minor__datum-inside-corner =
-    .help = Koordinata na pomožni osi, na katero se postavi izmerjeni rob. Osnovna nastavitev: 0.
+    .help = Koordinata na pomožni osi, na katero se postavi izmerjeni vogal. Osnovna nastavitev: 0.
 
 # --- two points on a line ---
 parameter-first-point-main = 1. merilna točka 1. osi
@@ -212,7 +213,7 @@ parameter-measured-value-transfer__rotation-by-rotary-axis =
     .help = Določa, ali se ugotovljena osnovna rotacija shrani v preglednico ničelnih točk ali v preglednico prednastavitev.
 choice-rotation-into-datum-table = ugotovljena osnovna rotacija se kot zamik ničelne točke zapiše v aktivno preglednico ničelnih točk; referenčni sistem je aktivni koordinatni sistem obdelovanca
 choice-rotation-into-preset-table = ugotovljena osnovna rotacija se zapiše v preglednico prednastavitev; referenčni sistem je strojni koordinatni sistem (REF-sistem)
-parameter-alignment-angle = Referenčni kot? (0=glavna os)
+parameter-alignment-angle = Referenčni kot (0 = glavna os)
     .prompt = Referenčni kot? (0=glavna os)
     .label = REFERENČNI KOT
     .help = Kot, na katerega krmiljenje izravna otipano premico.

@@ -225,7 +225,7 @@ parameter-measuring-feed = Merilni pomik
     .help = Pomik, s katerim se tipalni sistem premika med meritvijo (mm/min).
 parameter-greatest-retraction-path = Najdaljša pot odmika
     .help = Pot v nasprotni smeri tipanja po odklonu tipalne glave. Krmiljenje umakne tipalni sistem največ do začetne točke, zato do kolizije ne more priti.
-parameter-probing-reference-system = Referenčni sistem? (0=IST/1=REF)
+parameter-probing-reference-system = Referenčni sistem (0 = IST, 1 = REF)
     .prompt = Referenčni sistem? (0=IST/1=REF)
     .word = REFERENČNI SISTEM:
     .help = Določa, ali se smer tipanja in rezultat nanašata na dejanski koordinatni sistem (IST, lahko je zamaknjen ali zasukan) ali na strojni koordinatni sistem (REF).

@@ -59,7 +59,7 @@ parameter-number-of-touch-points = Število merilnih točk (4/3)
     .help = Določa, ali se vrtina izmeri s štirimi ali tremi tipanji.
 choice-four-touch-points = štiri merilne točke (običajna nastavitev)
 choice-three-touch-points = tri merilne točke
-parameter-probing-traverse-type = Način premika? Premočrtno=0/krožno=1
+parameter-probing-traverse-type = Način premika (0 = premočrtno, 1 = krožno)
     .label = NAČIN PREMIKA
     .help = Pot, po kateri se { -probe(case: "nominative") } premika med merilnimi točkami, če se premika na { -clearance-height(case: "locative") } ({ $q-traverse-to-clearance-height } = 1).
     .prompt = Način premika? Premočrtno=0/krožno=1

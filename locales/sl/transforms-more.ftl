@@ -24,14 +24,14 @@ note-shift-datum-before-scaling = Pred povečanjem ali zmanjšanjem naj se niče
 note-scaling-limits = Povečanje: faktor, večji od 1, do 99,999999. Zmanjšanje: faktor, manjši od 1, do 0,000001.
 
 # --- 26 ---
-cycle-axis-scaling = Osni faktor merila
+cycle-axis-scaling = Faktor merila, specifičen za os
     .nc = FAKTOR MERILA, SPECIF. ZA OS
     .nc-aliases = FAKTOR MERILA, SPECIFIČEN ZA OSI
     .purpose = Faktorje krčenja in nadmere upošteva za vsako os posebej.
 step-scale-each-axis = Krmiljenje od definicije naprej konturo na vsaki vneseni osi raztegne ali stisne z njenim faktorjem, od središča navzven ali proti njemu.
 note-reset-axis-scaling = Faktorje ponastavite tako, da cikel za posamezno os znova programirate s faktorjem 1.
 note-arcs-need-equal-factors = Koordinatnih osi s položaji za krožne loke ni dovoljeno raztegniti ali stisniti z različnimi faktorji.
-note-factor-for-each-axis = Za vsako koordinatno os je mogoče vnesti lasten faktor merila, specifičen za os.
+note-factor-for-each-axis = Za vsako koordinatno os je mogoče vnesti svoj faktor merila.
 note-centre-for-all-factors = Poleg tega je mogoče programirati koordinate središča za vse faktorje merila.
 note-scaled-from-centre = Kontura se raztegne od središča navzven ali stisne proti njemu, torej ne nujno glede na trenutno ničelno točko kot pri ciklu 11.
 
