@@ -72,7 +72,7 @@ diag-contour-wrong =
         [local] v njej se bere { $word }, ki v njej ne dobi vrednosti
         [same] kontura { $word } je ista
         [islands] po RL in RR so vse otoki, žepa okrog njih pa ni
-        [round] v obeh oseh je daljša od obsega valja
+        [round] po obeh oseh je daljša od obsega valja
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.

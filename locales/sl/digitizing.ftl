@@ -3,7 +3,7 @@
 # --- 5 and 15 ---
 cycle-digitize-range = Območje za digitaliziranje
     .nc = OBMOČJE
-    .purpose = Določi kvadrasto območje, v katerem cikli digitaliziranja otipajo obdelovanec, datoteko za podatke digitaliziranja in varno višino.
+    .purpose = Določi datoteko za podatke digitaliziranja, varno višino in kvadrasto območje, v katerem cikli digitaliziranja otipajo obdelovanec.
 cycle-digitize-range-from-points = Območje za digitaliziranje iz preglednice točk
     .nc = OBMOČJE
     .purpose = Določi območje poljubne oblike za digitaliziranje z analognim tipalnim sistemom: preglednica točk navaja njegovo mejo v obdelovalni ravnini. Cikel določi tudi datoteko za podatke digitaliziranja in varno višino.
@@ -84,12 +84,12 @@ note-normal-retraction-recommended = Priporočeni odmik v smeri normale na vrsti
 note-climb-or-up-cut-by-direction = Smer digitaliziranja določa tudi, ali bo poznejše rezkanje v soteku ali v protiteku.
 note-sudden-changes-of-direction = Krmiljenje shrani položaje, na katerih se smer nenadoma spremeni, največ 1000 v eni vrstici. V naslednji vrstici pomik pri tipanju samodejno zmanjša, ko se tipalni sistem približa takemu položaju. To izboljša rezultate.
 note-feed-reduction-only-up-to-1000 = Zmanjševanje pomika deluje samo, če v vrstici ni več kot 1000 točk, na katerih je treba pomik zmanjšati.
-note-corner-reduction-entered-by-control = Na vprašanje o zmanjšanju pomika v kotih odgovorite z NO ENT. Krmiljenje vrednost vnese samodejno.
+note-corner-reduction-entered-by-control = Na vprašanje o zmanjšanju pomika v vogalih odgovorite z NO ENT. Krmiljenje vrednost vnese samodejno.
 
 # --- notes: rotary axes ---
 note-rotary-axes-touch-trigger = S stikalnim tipalnim sistemom je mogoče rotacijske osi digitalizirati v meandrih (cikel 6), v vrsticah (cikel 8) ali v plastnicah (cikel 7). V vseh primerih rotacijsko os vnesite v ciklu OBMOČJE. Krmiljenje vrednosti rotacijskih osi razume kot stopinje.
 note-rotary-axes-analog = Z analognim tipalnim sistemom je mogoče rotacijske osi digitalizirati samo s ciklom 18 VRSTICE. Rotacijska os se definira kot os stolpcev.
-note-digitizing-range-with-rotary-axis = Za digitaliziranje z rotacijsko osjo to os vnesite v območje. Krmiljenje njene vrednosti razume kot stopinje. Datoteka s podatki digitaliziranja vsebuje osi, ki jih določa območje; BLK FORM se ne izda, ker rotacijskih osi ni mogoče grafično prikazati.
+note-digitizing-range-with-rotary-axis = Za digitaliziranje z rotacijsko osjo to os vnesite v območje. Krmiljenje njene vrednosti razume kot stopinje. Datoteka s podatki digitaliziranja vsebuje osi, ki jih določa območje; BLK FORM se vanjo ne zapiše, ker rotacijskih osi ni mogoče grafično prikazati.
 note-digitizing-display-of-rotary-axis = Pri digitaliziranju in pri rezkanju mora biti način prikaza rotacijske osi enak (zmanjšan na vrednost pod 360° ali ne).
 note-meander-with-rotary-axis = Če je smer vrstic linearna os (na primer X), se tipalni sistem na koncu vrstice za razmik vrstic premakne po rotacijski osi (na primer A) iz cikla OBMOČJE; tipalni sistem se tedaj giblje sem in tja, na primer v ravnini Z/X. Če je smer vrstic rotacijska os (na primer A), se tipalni sistem na koncu vrstice za razmik vrstic premakne po linearni osi (na primer X); tipalni sistem se tedaj giblje sem in tja, na primer v ravnini Z/A.
 note-contour-lines-with-rotary-axis = Začetna točka se definira na linearni osi (na primer X) in na rotacijski osi (na primer C), prav tako zaporedje primika. Tipalni sistem se tedaj giblje sem in tja, na primer v ravnini X/C. To ustreza tudi strojem s samo dvema linearnima osema (na primer Z in X) in eno rotacijsko osjo (na primer C). Smer vrtenja, določena v zaporedju primika, velja za vse plastnice.
