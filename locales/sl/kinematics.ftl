@@ -105,7 +105,7 @@ say-preset-set-by-hand = sicer uporabi ročno določeno referenčno točko
 step-move-to-measuring-positions = Tipalni sistem se premakne na merilne položaje:
 say-move-without-retraction = pri { $q-retraction-height } = 0 brez odmika, po osi, ki se meri; na prvi merilni položaj v vrstnem redu A, B, C
 say-move-over-retraction-height = sicer se najprej os vretena premakne na višino odmika { $q-retraction-height }, { -probe(case: "nominative") } pa v { -working-plane(case: "locative") } na ničelno točko
-step-measure-rotary-axes = Krmiljenje samodejno zaporedoma izmeri vse rotacijske osi z natančnostjo, ki je določena. Referenčna meritev poteka pri 0°.
+step-measure-rotary-axes = Krmiljenje samodejno zaporedoma izmeri vse rotacijske osi s programirano natančnostjo. Referenčna meritev poteka pri 0°.
 step-measure-backlash = Za zračnost rotacijskih osi velja:
 say-backlash-from-two-measurements = če je v { $q-backlash-angle } vnesen kot, krmiljenje vsako rotacijsko os izmeri dvakrat
 say-no-backlash-measurement = pri { $q-backlash-angle } = 0 zračnosti ne izmeri
@@ -153,7 +153,7 @@ note-hirth-needs-retraction-height = Brez programske možnosti 2 (M128, FUNCTION
 note-number-of-measuring-points = Da prihranite čas, izvedite najprej grobo optimiranje z 1 ali 2 merilnima točkama, nato pa fino s srednjim številom točk (približno 4). Več točk običajno ne da boljših rezultatov. Točke enakomerno porazdelite po območju vrtenja: os z območjem od 0° do 360° je najbolje izmeriti s 3 točkami pri 90°, 180° in 270°. Za preverjanje natančnosti lahko v načinu preverjanja vnesete več točk.
 note-where-to-place-the-sphere = Kroglo lahko pritrdite na katero koli dostopno mesto mize stroja, tudi na vpenjala ali obdelovance. Na strojih z okroglo ali vrtljivo mizo naj bo čim dlje od središča vrtenja, na strojih z velikimi premiki pa čim bliže mestu poznejše obdelave.
 note-accuracy-of-kinematics = Geometrijske napake in napake pozicioniranja stroja vplivajo na izmerjene vrednosti in s tem na optimiranje rotacijske osi; preostala napaka je vedno prisotna. Brez takih napak bi bilo vrednosti v določenem času mogoče ponoviti na kateri koli točki stroja. Čim večje so te napake, tem bolj so rezultati razpršeni, če se krogla meri na različnih mestih. Pri hkratnem premikanju več rotacijskih osi se napake prekrivajo in v najneugodnejšem primeru seštejejo.
-note-scatter-meaning = Razpršitev v protokolu je merilo natančnosti statičnega vrtenja stroja. Upoštevati je treba tudi polmer merilnega kroga ter število in položaj merilnih točk. Z eno samo merilno točko razpršitve ni mogoče izračunati; vrednost je tedaj prostorska napaka te točke.
+note-scatter-meaning = Razpršitev v protokolu je merilo statične natančnosti vrtenja stroja. Upoštevati je treba tudi polmer merilnega kroga ter število in položaj merilnih točk. Z eno samo merilno točko razpršitve ni mogoče izračunati; vrednost je tedaj prostorska napaka te točke.
 note-track-for-kinematics = Če ima stroj krmiljeno vreteno, aktivirajte usmeritev pod kotom ({ $mp-track }). To na splošno izboljša natančnost merjenja s 3D-tipalnim sistemom.
 note-unclamp-rotary-axes = Po potrebi med merjenjem izklopite blokado rotacijskih osi. Sicer so lahko rezultati napačni. Upoštevajte priročnik za stroj.
 note-calibration-rough = Grobo optimiranje ob prvem zagonu po vnosu približnih mer: 1 ali 2 merilni točki, kotni korak rotacijskih osi približno 90°.

@@ -102,7 +102,7 @@ step-lift-off-thread = Krmiljenje v hitrem teku dvigne orodje za varnostno razda
 step-infeed-at-angle = Krmiljenje izvede primik. Primiki potekajo pod kotom primika { $q-thread-infeed-angle }.
 until-thread-depth-reached = ni dosežena globina navoja
 step-make-air-cuts = Krmiljenje izvede toliko praznih rezov, kot jih določa { $q-number-of-air-cuts }.
-step-infeed-for-next-start = Za naslednjo stopnjo navoja krmiljenje vrne orodje na prvi primik. Rez se začne pri kotu vretena, ki je zamaknjen za razmik stopenj.
+step-infeed-for-next-start = Za naslednjo stopnjo navoja krmiljenje vrne orodje na mesto prvega primika. Rez se začne pri kotu vretena, ki je zamaknjen za razmik stopenj.
 until-all-thread-starts-cut = ni narezanih toliko stopenj navoja, kot jih določa { $q-number-of-thread-starts }
 
 # --- conditions ---
