@@ -24,7 +24,7 @@ diag-blank-wrong =
         [axis] Tu manjka { $axis }: oglišče surovca ima tri koordinate.
         [first] Pred BLK FORM 0.2 ni BLK FORM 0.1.
         [cylinder] Valju manjka polmer ali premer oziroma dolžina.
-        [second] Za BLK FORM 0.1 ni BLK FORM 0.2.
+        [second] Stavku BLK FORM 0.1 ne sledi BLK FORM 0.2.
         [tool] Pri surovcu ni navedena orodna os.
        *[order] Na osi { $axis } mora biti koordinata drugega oglišča surovca večja od koordinate prvega.
     }
@@ -35,7 +35,7 @@ diag-called-program-in-other-unit = Ta program je v { $own }, klicani program { 
 diag-called-program-missing = Programa { $name } ni ob tem programu, kjer ga krmiljenje išče.
 diag-centre-in-other-plane = Lok in njegovo središče nista v isti ravnini.
 diag-choice-not-offered = { $parameter }={ $value } ni med možnostmi: { $offered }.
-diag-clearance-height-too-low = { $cycle } se dotakne pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
+diag-clearance-height-too-low = { $cycle } tipa pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
 diag-compensation-at-cycle =
     { $cycle } se tu izvede pri aktivnem popravku polmera.
 diag-compensation-left-on = Popravek polmera je tu še aktiven.
@@ -68,11 +68,11 @@ diag-contour-wrong =
         [first] njena prva točka nima obeh koordinat ravnine
         [uncompensated] v njej ni niti RL niti RR
         [many] cikel obdela samo prvo konturo in ne upošteva { $word }
-        [corner] za { $word } ni elementa konture
+        [corner] besedi { $word } ne sledi element konture
         [local] v njej se bere { $word }, ki v njej ne dobi vrednosti
         [same] kontura { $word } je ista
         [islands] po RL in RR so vse otoki, žepa okrog njih pa ni
-        [round] v obeh oseh je daljša od obsega valja
+        [round] po obeh oseh je daljša od obsega valja
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.
@@ -85,7 +85,7 @@ diag-corner-wrong =
         [alone] za njim ni elementa konture
         [back] premica za njim vodi nazaj po premici pred njim
         [size] njegov polmer ali dolžina ni pozitivna
-       *[long] potrebuje več, kot je dolga krajša premica, { $least }
+       *[long] potrebuje več prostora, kot je dolga krajša premica: { $least }
     }.
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
 diag-cycle-line-zero-missing = Pred vrstico { $line } manjka vrstica { $head }.
@@ -191,7 +191,7 @@ diag-labels-of-unknown-language =
 diag-languages-mixed = Večina oznak je v enem jeziku ({ $language }); definicije v teh vrsticah so v drugem ({ $others }): { $lines }.
 diag-loop-endless = Ta skok sklene zanko, ki se nikoli ne konča.
 diag-machine-coordinates-compensated = Strojne koordinate (M91, M92) so tu programirane s popravkom polmera.
-diag-machine-coordinates-missing = Drugje se program odmakne na { $value } z M91; tu M91 manjka in višina velja od izhodišča obdelovanca.
+diag-machine-coordinates-missing = Drugje se program odmakne na { $value } z M91; tu M91 manjka in višina velja od referenčne točke obdelovanca.
 diag-main-runs-into-subprogram = Glavni program se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
 diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ $value }, pod dnom pri { $floor }, ki ga tam pusti { $milling }.
 diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vrednost v milimetrih.
@@ -266,7 +266,7 @@ diag-pattern-wrong =
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
 diag-plane-not-positioned =
     { $what ->
-        [cycle] Za tem nagibom noben stavek ne pozicionira rotacijskih osi; ali to stori cikel, je odvisno od stroja.
+        [cycle] Po tem vrtenju ravnine noben stavek ne pozicionira rotacijskih osi; ali to stori cikel, je odvisno od stroja.
        *[plane] STAY rotacijskih osi ne premakne in tudi noben stavek programa jih ne premakne na kote te ravnine.
     }
 diag-plane-not-reset =
@@ -306,7 +306,7 @@ diag-reset-order-wrong =
 diag-retract-missing =
     Orodje je še pri { $value }, v surovcu, ob njem ali tik nad njim, ko { $what ->
         [change] se zamenja
-        [tilt] se ravnina nagne z MOVE
+        [tilt] se ravnina zavrti z MOVE
         [end] se program konča
        *[turn] se rotacijska os premakne v hitrem teku
     }: ni bilo odmaknjeno.
@@ -357,7 +357,7 @@ diag-tool-axis-missing = Ta priklic orodja nima orodne osi, pa tudi prejšnji je
 diag-tool-axis-other =
     { $what ->
         [pattern] PATTERN DEF deluje samo z orodno osjo { $axis }, tu pa je aktivna druga.
-        [lifted] Ta priklic orodja navaja drugo orodno os kot surovec, orodje pa se odmika samo v osi { $axis }.
+        [lifted] Ta priklic orodja navaja drugo orodno os kot surovec, orodje pa se odmika samo po osi { $axis }.
        *[blank] Surovec ima orodno os { $axis }, nima pa je nobeno orodje programa.
     }
 diag-tool-definition-wrong =
@@ -371,7 +371,7 @@ diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni d
 diag-tool-not-changed = { $cycle } se prikliče z orodjem, ki je že izvedlo { $before }: potrebuje drugo orodje.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
 diag-turning-start-wrong =
-    Stružni cikel se ne začne tam, kjer je orodje: { $what ->
+    Cikel za struženje se ne začne tam, kjer je orodje: { $what ->
         [positive] kontura gre v pozitivno smer Z, stran od obdelovanca
         [z] orodje je v smeri Z za koncem konture
        *[diameter] orodje je za končnim premerom konture

@@ -8,7 +8,7 @@ diag-texts-file-unreadable = Datoteke ni mogoče prebrati: { $reason ->
         [entity] vsebuje neznano entiteto
         [encoding] kodiranje ni UTF-8
         [depth] elementi so pregloboko gnezdeni
-        [columns] v tabeli manjkata stolpca concept in language
+        [columns] v preglednici manjkata stolpca concept in language
         [xliff] to ni ne XLIFF 1.2 ne XLIFF 2.0
        *[form] od tu naprej je oblika napačna
     }.

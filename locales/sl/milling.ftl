@@ -9,7 +9,7 @@ note-finishing-only-rapid-to-first-depth = Nevarnost kolizije! Če cikel prikli�
 cycle-circular-pocket = Krožni žep
     .nc = KROŽNI ŽEP
     .purpose = V celoti izdela krožni žep: grobo rezkanje, globinsko fino rezkanje in stransko fino rezkanje. Mogoče je tudi samo grobo rezkanje, samo globinsko in stransko fino rezkanje, samo globinsko fino rezkanje ali samo stransko fino rezkanje.
-guard-plunging-angle-not-vertical = Navpično spuščanje zahteva v preglednici orodij kot spuščanja { $mp-plunging-angle }, enak 0 ali 90.
+guard-plunging-angle-not-vertical = Za navpično spuščanje mora biti v preglednici orodij vnesen kot spuščanja { $mp-plunging-angle }, ki je 0 ali 90.
 note-position-at-pocket-centre = Orodje pozicionirajte na začetno točko (središče kroga) v obdelovalni ravnini s popravkom polmera R0.
 
 # --- 253 ---
@@ -75,7 +75,7 @@ step-mill-spiral-around-stud = Orodje se nato konturi čepa tangencialno pribli�
 step-keep-spiral-to-finished-diameter = Če z enim obhodom končni premer ni dosežen, krmiljenje nadaljuje primik po spirali, dokler ga ne doseže; pri tem upošteva premer surovca, končni premer in dovoljeni stranski primik.
 step-leave-stud-on-spiral = Krmiljenje orodje po spirali odmakne od konture.
 step-next-infeed-near-departure = Če je potrebnih več primikov, se naslednji izvede na točki, ki je najbliže odmiku.
-step-retract-and-return-to-stud-centre = Na koncu cikla krmiljenje orodje po spiralnem odmiku po orodni osi pozicionira na 2. varnostno razdaljo { $q-second-set-up-clearance } (na varnostno razdaljo, če ta ni vnesena) in nato v središče čepa.
+step-retract-and-return-to-stud-centre = Na koncu cikla, po spiralnem odmiku, krmiljenje orodje na orodni osi pozicionira na 2. varnostno razdaljo { $q-second-set-up-clearance } (na varnostno razdaljo, če ta ni vnesena) in nato v središče čepa.
 note-position-at-stud-centre = Orodje pozicionirajte na začetno točko (središče čepa) v obdelovalni ravnini s popravkom polmera R0.
 note-circular-stud-end-height = Nevarnost kolizije! Na koncu krmiljenje vrne orodje na varnostno razdaljo ali, če je vnesena, na 2. varnostno razdaljo. Končni položaj orodja po ciklu se lahko zato razlikuje od začetnega položaja.
 

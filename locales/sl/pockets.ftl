@@ -20,9 +20,9 @@ step-leave-pocket = Orodje se iz žepa umakne v hitrem teku:
 step-return-to-starting-point = Krmiljenje vrne orodje na začetno točko v { -working-plane(case: "locative") }.
 guard-plunging-depth-zero = Globina primika mora biti večja od 0.
 guard-tool-wider-than-pocket = Orodje je preširoko za žep: brez stranskih nadmer je žep ožji od orodja.
-guard-plunging-angle-missing__slot = Nihajoče spuščanje potrebuje v { -tool-table(case: "locative") } kot spuščanja { $mp-plunging-angle }, ki ni enak 0.
-guard-plunging-angle-missing__circular-slot = Nihajoče spuščanje potrebuje v { -tool-table(case: "locative") } kot spuščanja { $mp-plunging-angle }, ki ni enak 0.
-guard-plunging-angle-missing = Vijačno in nihajoče spuščanje potrebujeta v { -tool-table(case: "locative") } kot spuščanja { $mp-plunging-angle }, ki ni enak 0.
+guard-plunging-angle-missing__slot = Za nihajoče spuščanje mora biti v { -tool-table(case: "locative") } vnesen kot spuščanja { $mp-plunging-angle }, ki ni 0.
+guard-plunging-angle-missing__circular-slot = Za nihajoče spuščanje mora biti v { -tool-table(case: "locative") } vnesen kot spuščanja { $mp-plunging-angle }, ki ni 0.
+guard-plunging-angle-missing = Za vijačno in nihajoče spuščanje mora biti v { -tool-table(case: "locative") } vnesen kot spuščanja { $mp-plunging-angle }, ki ni 0.
 guard-helix-too-small = Premer vijačnice za spuščanje je manjši od dvakratnega premera orodja. Za orodja, ki režejo po sredini, to preverjanje izklopi strojni parameter { $mp-suppress-plunge-err }.
 note-without-tool-table-plunge-vertically = Če nobena { -tool-table(case: "nominative") } ni aktivna, mora biti spuščanje vedno navpično ({ $q-plunging-strategy } = 0), ker kota spuščanja ni mogoče definirati.
 note-position-at-pocket-start = Orodje pozicionirajte na začetno točko v { -working-plane(case: "locative") } s popravkom polmera R0. Upoštevajte položaj žepa { $q-pocket-position }.

@@ -20,14 +20,14 @@ say-rotation-into-rot-menu = pri { $q-basic-rotation-row } = 0 v meni ROT ročne
 # --- 401 and 402 ---
 cycle-rotation-two-holes = Osnovna rotacija z dvema vrtinama
     .nc = ROT 2 VRTIN
-    .purpose = Izmeri središči dveh vrtin in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Krmiljenje kot izravna z osnovno rotacijo ali z vrtenjem okrogle mize.
+    .purpose = Izmeri središči dveh vrtin in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Ta kot krmiljenje izravna z osnovno rotacijo ali z vrtenjem okrogle mize.
 cycle-rotation-two-holes__tnc426-430 =
-    .purpose = Izmeri središči dveh vrtin in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Krmiljenje kot izravna z osnovno rotacijo.
+    .purpose = Izmeri središči dveh vrtin in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Ta kot krmiljenje izravna z osnovno rotacijo.
 cycle-rotation-two-studs = Osnovna rotacija z dvema čepoma
     .nc = ROT 2 ČEPOV
-    .purpose = Izmeri središči dveh čepov in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Krmiljenje kot izravna z osnovno rotacijo ali z vrtenjem okrogle mize.
+    .purpose = Izmeri središči dveh čepov in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Ta kot krmiljenje izravna z osnovno rotacijo ali z vrtenjem okrogle mize.
 cycle-rotation-two-studs__tnc426-430 =
-    .purpose = Izmeri središči dveh čepov in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Krmiljenje kot izravna z osnovno rotacijo.
+    .purpose = Izmeri središči dveh čepov in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Ta kot krmiljenje izravna z osnovno rotacijo.
 step-position-at-first-hole = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) in s pozicionirno logiko na programirano središče prve vrtine.
 step-position-at-first-hole__tnc426-430 = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) in s pozicionirno logiko na programirano središče prve vrtine.
 step-measure-first-hole = Tipalni sistem se premakne na merilno višino { $q-measuring-height } in s štirimi tipanji določi središče prve vrtine.
@@ -62,7 +62,7 @@ cycle-set-basic-rotation = Določitev osnovne rotacije
     .nc = OSNOVNA ROTACIJA
     .nc-aliases = NASTAVITEV OSNOVNE ROTACIJE
     .purpose = Med programskim tekom samodejno določi poljubno osnovno rotacijo. Namenjen je predvsem ponastavitvi prej izvedene osnovne rotacije.
-step-set-basic-rotation = Krmiljenje določi osnovno rotacijo s kotom { $q-basic-rotation-angle }.
+step-set-basic-rotation = Krmiljenje nastavi osnovno rotacijo na kot { $q-basic-rotation-angle }.
 note-available-from-nc-software = Na voljo od NC-programske opreme 280 474-xx.
 
 # --- 405 ---

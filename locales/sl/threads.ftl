@@ -20,13 +20,13 @@ step-reverse-spindle-again = Na varnostni razdalji se smer vrtenja vretena znova
 step-stop-spindle-at-set-up-clearance = Krmiljenje na varnostni razdalji zaustavi vreteno.
 step-rapid-to-set-up-clearance-and-orient = Krmiljenje premakne orodje po osi vretena v hitrem teku (FMAX) na varnostno razdaljo { $q-set-up-clearance } nad površino obdelovanca in tam orientira vreteno na { $q-spindle-orientation-angle }.
 step-tap-to-next-depth = Orodje se spusti globlje za primik { $q-depth-for-chip-breaking }.
-step-reverse-and-break-chip = Smer vrtenja vretena se obrne in orodje se premakne nazaj; če je vnesen faktor { $q-retraction-speed-factor }, s številom vrtljajev, povečanim s tem faktorjem. Nato se smer za naslednji primik znova obrne:
+step-reverse-and-break-chip = Smer vrtenja vretena se obrne, nato pa se za naslednji primik obrne znova. Vmes se orodje premakne nazaj (če je vnesen faktor { $q-retraction-speed-factor }, s številom vrtljajev, povečanim s tem faktorjem):
 say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: v celoti iz vrtine, zaradi hlajenja
 say-tap-goes-back-some-turns = sicer za { $q-chip-breaking-turns }, pomnoženo s korakom navoja { $q-thread-pitch }
 step-tap-back-to-set-up-clearance = Orodje se premakne nazaj na varnostno razdaljo { $q-set-up-clearance }.
 note-sign-of-thread-depth = Predznak globine navoja { $q-thread-depth } določa smer obdelave. Pri globini navoja 0 krmiljenje cikla ne izvede.
 note-thread-depth-gives-direction = Predznak globine navoja { $q-thread-depth } določa smer obdelave.
-note-positive-thread-depth-reverses = Nevarnost kolizije! Pri pozitivni globini krmiljenje predpoložaj izračuna v nasprotno smer: orodje se v hitrem teku po orodni osi premakne pod površino obdelovanca, in sicer za varnostno razdaljo.
+note-positive-thread-depth-reverses = Nevarnost kolizije! Pri pozitivni globini krmiljenje obrne izračun predpozicioniranja: orodje se v hitrem teku po orodni osi premakne pod površino obdelovanca, in sicer za varnostno razdaljo.
 note-floating-tap-holder = Orodje mora biti vpeto v izravnalno vpenjalno glavo, ki med obdelavo izravnava tolerance pomika in števila vrtljajev.
 note-overrides-while-tapping = Med izvajanjem cikla vrtljivi gumb za število vrtljajev ne deluje. Vrtljivi gumb za pomik deluje omejeno; kako, določi proizvajalec stroja (upoštevajte priročnik za stroj).
 note-right-hand-with-m3 = Vreteno za desne navoje vklopite z M3, za leve navoje z M4.

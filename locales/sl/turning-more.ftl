@@ -102,7 +102,7 @@ step-lift-off-thread = Krmiljenje v hitrem teku dvigne orodje za varnostno razda
 step-infeed-at-angle = Krmiljenje izvede primik. Primiki potekajo pod kotom primika { $q-thread-infeed-angle }.
 until-thread-depth-reached = ni dosežena globina navoja
 step-make-air-cuts = Krmiljenje izvede toliko praznih rezov, kot jih določa { $q-number-of-air-cuts }.
-step-infeed-for-next-start = Za naslednjo stopnjo navoja krmiljenje vrne orodje na prvi primik. Rez se začne pri kotu vretena, ki je zamaknjen za razmik stopenj.
+step-infeed-for-next-start = Za naslednjo stopnjo navoja krmiljenje vrne orodje na mesto prvega primika. Rez se začne pri kotu vretena, ki je zamaknjen za razmik stopenj.
 until-all-thread-starts-cut = ni narezanih toliko stopenj navoja, kot jih določa { $q-number-of-thread-starts }
 
 # --- conditions ---
@@ -127,7 +127,7 @@ note-threads-with-several-starts = S ciklom je mogoče izdelati navoje z eno ali
 note-standard-thread-depth = Če v ciklu globina navoja ni vnesena, cikel uporabi standardno globino navoja.
 note-standard-thread-depth__longitudinal-thread = Če v ciklu globina navoja ni vnesena, cikel uporabi globino navoja po standardu ISO 1502.
 note-thread-outside-or-inside = Cikel je mogoče uporabiti za zunanjo in za notranjo obdelavo.
-note-extended-thread-scope = Razširjen obseg funkcij: izbrati je mogoče vzdolžni ali čelni navoj; parametri za vrsto dimenzioniranja stožca, kot stožca in začetno točko konture X določajo različne konične navoje; pot zagona in pot prekoračitve določata razdalji, na katerih os pomika pospešuje in zavira.
+note-extended-thread-scope = Razširjen obseg funkcij: izbrati je mogoče vzdolžni ali čelni navoj; različne konične navoje določajo vrsta dimenzioniranja in kot stožca ter začetna točka konture X; pot zagona in pot prekoračitve določata razdalji, na katerih os pomika pospešuje in zavira.
 note-overrun-after-contour = Nevarnost kolizije! Cikel { $cycle } se po programirani konturi nadaljuje še za pot prekoračitve { $q-overrun-path }. Upoštevajte razpoložljivi prostor.
 note-clearance-is-starting-path = Krmiljenje kot pot zagona uporabi varnostno razdaljo { $q-thread-clearance }. Biti mora dovolj dolga, da osi pomika pospešijo na potrebno hitrost.
 note-pitch-is-overrun-path = Krmiljenje kot pot prekoračitve uporabi korak navoja { $q-turned-thread-pitch }. Biti mora dovolj dolg, da se lahko osi pomika zavrejo.

@@ -17,13 +17,13 @@ step-rapid-in-z-by-clearance = Krmiljenje premakne orodje v smeri Z v hitrem tek
 step-rapid-paraxial-infeed = Krmiljenje v hitrem teku izvede primik, vzporeden z osjo.
 step-finish-turned-contour = Krmiljenje fino obdela konturo obdelovanca s pomikom { $q-turning-finishing-feed }.
 step-retract-by-clearance = Krmiljenje z definiranim pomikom umakne orodje za varnostno razdaljo { $q-turning-clearance }.
-guard-turning-mode-missing = Stružne cikle je mogoče izvajati samo v načinu struženja FUNCTION MODE TURN.
-note-turning-mode-only = Stružne cikle je mogoče uporabljati samo v načinu struženja FUNCTION MODE TURN.
+guard-turning-mode-missing = Cikle za struženje je mogoče izvajati samo v načinu struženja FUNCTION MODE TURN.
+note-turning-mode-only = Cikle za struženje je mogoče uporabljati samo v načinu struženja FUNCTION MODE TURN.
 note-program-before-turning-cycle = Pred priklicem cikla vedno programirajte: način struženja FUNCTION MODE TURN, priklic orodja TOOL CALL, smer vrtenja stružnega vretena (na primer M303), število vrtljajev ali rezalno hitrost s FUNCTION TURNDATA SPIN, M136, če uporabljate pomike na vrtljaj (mm/vrt), pozicionirni stavek na primerno začetno točko (na primer L X+130 Y+0 R0 FMAX) in cikel 800, ki prilagodi koordinatni sistem in izravna orodje.
 note-call-turning-cycle = Cikel prikličite s CYCL CALL ali z M99.
 note-outside-or-inside-by-tool-position = Če je orodje ob priklicu cikla zunaj konture, ki se obdeluje, cikel izvede zunanjo obdelavo; če je znotraj nje, notranjo.
 note-outside-or-inside-by-diameters = Če je začetni premer { $q-contour-start-diameter } večji od končnega premera { $q-contour-end-diameter }, cikel izvede zunanjo obdelavo; če je manjši, notranjo.
-note-outside-or-inside-by-contour = Če je začetna točka konture večja od njene končne točke, cikel izvede zunanjo obdelavo; če je manjša, notranjo.
+note-outside-or-inside-by-contour = Če je koordinata začetne točke konture večja od koordinate njene končne točke, cikel izvede zunanjo obdelavo; če je manjša, notranjo.
 note-check-after-change-of-side = Po menjavi med zunanjo in notranjo obdelavo preverite nastavitve orodja in smer vrtenja.
 note-area-from-tool-position-to-end-point = Pri grobem obdelovanju cikel obdela območje od položaja orodja ob priklicu cikla (začetne točke cikla) do končne točke, definirane v ciklu.
 note-position-at-starting-position = Pred priklicem cikla programirajte pozicionirni stavek na začetni položaj s popravkom polmera R0.
@@ -35,8 +35,8 @@ note-finishing-approach-from-envelope = Nevarnost za orodje in obdelovanec! Pri 
 note-cutting-geometry-considered = Krmiljenje upošteva rezalno geometrijo orodja ({ $mp-tool-orientation }, { $mp-cutting-edge-radius }, { $mp-point-angle }, { $mp-tool-angle }), tako da definiranih konturnih elementov ni mogoče poškodovati. Če z aktivnim orodjem konture ni mogoče v celoti obdelati, krmiljenje prikaže opozorilo.
 note-feed-rates-with-m136 = Če je pred ciklom programirana funkcija M136, krmiljenje pomike v ciklu upošteva v mm/vrt, brez M136 pa v mm/min.
 note-inclined-turning = Če se cikel izvaja med nastavljenim obdelovanjem (M144), se koti orodja glede na konturo spremenijo. Krmiljenje to spremembo samodejno upošteva in tako tudi pri nastavljenem obdelovanju nadzira, da se kontura ne poškoduje.
-note-blank-form-update = S sledenjem surovca (FUNCTION TURNDATA BLANK) krmiljenje prepozna že obdelana območja in vse poti primika in odmika prilagodi posamezni obdelavi. Na voljo je samo v obdelovalnem ciklu v načinu struženja; surovec mora biti zaprta kontura (začetni položaj = končni položaj) in je presek rotacijsko simetričnega telesa.
-note-finished-part-beyond-blank = Pri sledenju surovca krmiljenje primik in odmik prilagodi trenutnemu surovcu. Če območja končnega izdelka segajo čez surovec, se lahko poškodujeta obdelovanec in orodje.
+note-blank-form-update = S sledenjem surovcu (FUNCTION TURNDATA BLANK) krmiljenje prepozna že obdelana območja in vse poti primika in odmika prilagodi posamezni obdelavi. Na voljo je samo v obdelovalnem ciklu v načinu struženja; surovec mora biti zaprta kontura (začetni položaj = končni položaj) in je presek rotacijsko simetričnega telesa.
+note-finished-part-beyond-blank = Pri sledenju surovcu krmiljenje primik in odmik prilagodi trenutnemu surovcu. Če območja končnega izdelka segajo čez surovec, se lahko poškodujeta obdelovanec in orodje.
 step-rapid-axial-infeed = Krmiljenje v hitrem teku izvede primik v aksialni smeri, vzporedno z osjo. Primik izračuna iz največje rezalne globine { $q-max-axial-cutting-depth }.
 step-cut-across-axis = Krmiljenje območje med začetnim položajem in končno točko obdela v prečni smeri s pomikom { $q-turning-roughing-feed }.
 step-cut-contour-longitudinally = Krmiljenje območje med začetnim položajem in končno točko obdela v vzdolžni smeri. Vzdolžni rez poteka vzporedno z osjo s pomikom { $q-turning-roughing-feed }.
@@ -47,9 +47,9 @@ step-clear-area-in-x-then-z = Če je začetna točka (položaj orodja ob priklic
 step-clear-area-in-z-then-x = Če je začetna točka (položaj orodja ob priklicu cikla) v območju, ki se obdeluje, krmiljenje orodje najprej v smeri Z in nato v smeri X pozicionira na varnostno razdaljo { $q-turning-clearance } in cikel začne od tam.
 step-clear-area-in-z = Če je začetna točka v območju, ki se obdeluje, krmiljenje orodje najprej v smeri Z pozicionira na varnostno razdaljo { $q-turning-clearance }.
 step-clear-plunging-start-in-z = Če je koordinata Z začetne točke (položaja orodja ob priklicu cikla) manjša od začetka konture { $q-plunging-start-z }, krmiljenje orodje v smeri Z pozicionira na varnostno razdaljo { $q-turning-clearance } in cikel začne od tam.
-step-clear-contour-start-in-z = Če je koordinata Z začetne točke (položaja orodja ob priklicu cikla) manjša od začetne točke konture, krmiljenje orodje v smeri Z pozicionira na varnostno razdaljo { $q-turning-clearance } in cikel začne od tam.
+step-clear-contour-start-in-z = Če je koordinata Z začetne točke (položaja orodja ob priklicu cikla) manjša od koordinate začetne točke konture, krmiljenje orodje v smeri Z pozicionira na varnostno razdaljo { $q-turning-clearance } in cikel začne od tam.
 step-clear-contour-start-before-finishing = { step-clear-contour-start-in-z }
-step-position-at-contour-start-in-z = Če je koordinata Z začetne točke (položaja orodja ob priklicu cikla) manjša od začetne točke konture, krmiljenje orodje v smeri Z pozicionira na začetno točko konture in cikel začne od tam.
+step-position-at-contour-start-in-z = Če je koordinata Z začetne točke (položaja orodja ob priklicu cikla) manjša od koordinate začetne točke konture, krmiljenje orodje v smeri Z pozicionira na začetno točko konture in cikel začne od tam.
 step-rapid-infeed = Krmiljenje v hitrem teku izvede primik.
 step-finish-turned-contour-to-end = Krmiljenje konturo obdelovanca od začetne do končne točke konture fino obdela s pomikom { $q-turning-finishing-feed }.
 condition-start-element-added = { $q-start-element-type } na začetku konture doda element
@@ -66,7 +66,7 @@ cycle-turn-shoulder-longitudinal = Vzdolžno struženje segmenta
     .purpose = Vzdolžno struži pravokotne segmente, zunaj ali znotraj: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
 
 # --- 812 ---
-cycle-turn-shoulder-longitudinal-extended = Vzdolžno struženje segmenta razširjen
+cycle-turn-shoulder-longitudinal-extended = Razširjeno vzdolžno struženje segmenta
     .nc = RAZŠIRJENO VZDOLŽNO STRUŽENJE SEGMENTA
     .nc-aliases = RAZŠIR. VZDOLŽ. SEG. | VZDOLŽNO STRUŽENJE SEGMENTA RAZŠIRJEN
     .purpose = Vzdolžno struži segmente, zunaj ali znotraj: grobo obdelovanje, fino obdelovanje ali oboje. Na začetku in na koncu konture je mogoče dodati posneti rob ali zaokrožitev, za čelno in obodno površino je mogoče definirati kot, vogal konture ima lahko polmer. Rezi grobega obdelovanja so vzporedni z osjo.
@@ -97,7 +97,7 @@ cycle-turn-shoulder-face = Čelno struženje segmenta
     .purpose = Čelno struži pravokotne segmente, zunaj ali znotraj: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
 
 # --- 822 ---
-cycle-turn-shoulder-face-extended = Čelno struženje segmenta razširjen
+cycle-turn-shoulder-face-extended = Razširjeno čelno struženje segmenta
     .nc = RAZŠIRJENO ČELNO STRUŽENJE SEGMENTA
     .nc-aliases = ČELNO STRUŽENJE SEGMENTA RAZŠIRJEN
     .purpose = Čelno struži segmente, zunaj ali znotraj: grobo obdelovanje, fino obdelovanje ali oboje. Na začetku in na koncu konture je mogoče dodati posneti rob ali zaokrožitev, za čelno in obodno površino je mogoče definirati kot, vogal konture ima lahko polmer. Rezi grobega obdelovanja so vzporedni z osjo.
