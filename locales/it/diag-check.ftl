@@ -120,7 +120,7 @@ diag-doubtful-value =
         [negative] il valore è negativo
         [small] il valore è molto più piccolo del solito
         [large] il valore è molto più grande del solito
-       *[positive] il valore è positivo e porta lontano dal pezzo
+       *[positive] il valore è positivo e allontana l’utensile dal pezzo
     }.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
 diag-empty-word = Questa { $word } è senza valore e non fa nulla.
@@ -193,7 +193,7 @@ diag-machine-coordinates-missing = Altrove il programma si disimpegna a { $value
 diag-main-runs-into-subprogram = Il programma principale prosegue qui nel sottoprogramma { $label }: non lo termina né M2 né M30.
 diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value }, sotto il fondo a { $floor } lasciato in quel punto da { $milling }.
 diag-metric-values-in-inch = Il programma è in pollici, ma { $value } sembra espresso in millimetri.
-diag-mirror-of-tool-axis = L’asse utensile { $axis } non si può specchiare.
+diag-mirror-of-tool-axis = L’asse utensile { $axis } non si può rendere speculare.
 diag-misordered-parameter = In { $cycle } il controllo visualizza { $parameter } prima di { $before }.
 diag-missing-parameter =
     { $count ->
@@ -410,7 +410,7 @@ diag-transformation-left-on =
     Il programma termina qui con { $what ->
         [datum-shift] uno spostamento origine attivo
         [rotation] una rotazione attiva
-        [mirroring] una specularità attiva
+        [mirroring] una lavorazione speculare attiva
        *[scaling] un fattore di scala attivo
     }.
 diag-feed-unit =

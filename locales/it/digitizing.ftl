@@ -30,10 +30,10 @@ title-meander-with-rotary-axis = Meandro con un asse rotativo come direzione di 
 # --- 7 and 17 ---
 cycle-digitize-contour-lines = Linee di livello
     .nc = LINEE DI LIVELLO
-    .purpose = Digitalizza un pezzo 3D livello per livello, per linee di livello, con un sistema di tastatura digitale.
+    .purpose = Digitalizza un pezzo 3D lungo linee di livello, un livello dopo l’altro, con un sistema di tastatura digitale.
 cycle-digitize-contour-lines-analog = Linee di livello (sistema di tastatura analogico)
     .nc = LINEE DI LIVELLO
-    .purpose = Digitalizza un pezzo 3D livello per livello, per linee di livello, con un sistema di tastatura analogico.
+    .purpose = Digitalizza un pezzo 3D lungo linee di livello, un livello dopo l’altro, con un sistema di tastatura analogico.
 step-approach-contour-line-start = Il controllo si porta automaticamente al punto di partenza, dapprima nell’asse utensile all’altezza di sicurezza, poi nel piano di lavoro sulle coordinate definite nel ciclo. La coordinata del punto di partenza nell’asse utensile è quella del punto MIN del ciclo 5 se la distanza tra le righe è positiva, quella del punto MAX se è negativa.
 step-approach-workpiece-in-direction = Il sistema di tastatura si avvicina al pezzo nella direzione di avvicinamento programmata. Il controllo memorizza le coordinate della posizione in cui il sistema di tastatura tocca il pezzo.
 step-scan-contour-line = Dopo la memorizzazione del primo punto, il sistema di tastatura percorre il contorno del pezzo ad altezza costante fino a raggiungere di nuovo il primo punto.
@@ -75,7 +75,7 @@ note-digitizing-speed-analog = Con un sistema di tastatura analogico la velocit�
 # --- notes: how it is digitized ---
 note-meander-for-flat-parts = La digitalizzazione a meandri è adatta soprattutto per pezzi relativamente piani.
 note-meander-for-evaluation-software = Digitalizzare a meandri se i dati digitalizzati devono essere elaborati con il software di elaborazione SUSA di HEIDENHAIN.
-note-contour-lines-for-steep-parts = La digitalizzazione per linee di livello è particolarmente adatta per pezzi irregolari (ad esempio stampi a iniezione) o se deve essere rilevata una sola linea di livello (ad esempio il contorno di una camma piatta).
+note-contour-lines-for-steep-parts = La digitalizzazione per linee di livello è particolarmente adatta per pezzi irregolari (ad esempio stampi a iniezione) o se deve essere rilevata una sola linea di livello (ad esempio il contorno di una camma a disco).
 note-range-for-contour-lines = Nell’asse del tastatore il campo deve essere più basso del punto più alto del pezzo almeno del raggio del sistema di tastatura. Nel piano di lavoro il campo deve essere più grande del pezzo almeno del raggio del sistema di tastatura.
 note-single-contour-line = Per digitalizzare una sola linea di livello, inserire 0 per la distanza tra le righe e, se richiesta dal ciclo, per la distanza minima tra le righe.
 note-lines-for-one-milling-direction = Questo ciclo si impiega soprattutto per pezzi relativamente piani i cui dati digitalizzati devono essere fresati interamente in concorde o in discorde, senza software di elaborazione.

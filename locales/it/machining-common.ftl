@@ -8,7 +8,7 @@ until-depth-reached = non è raggiunta la profondità programmata { $q-depth }
 
 # --- guards ---
 guard-depth-zero = La profondità è 0: il controllo non esegue il ciclo.
-guard-depth-positive = La profondità è positiva. Inserire una profondità negativa oppure consentirla con il parametro macchina { $mp-display-depth-err }.
+guard-depth-positive = La profondità è positiva. Inserire una profondità negativa oppure ammettere profondità positive con il parametro macchina { $mp-display-depth-err }.
 
 # --- notes ---
 note-program-before-call = Prima della chiamata del ciclo programmare la chiamata utensile, il senso di rotazione del mandrino (M3 o M4) e la definizione del ciclo; per il test grafico occorre anche la definizione del pezzo grezzo (BLK FORM).

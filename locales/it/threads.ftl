@@ -17,7 +17,7 @@ step-reverse-spindle-again = Alla distanza di sicurezza il senso di rotazione de
 step-stop-spindle-at-set-up-clearance = Il controllo arresta il mandrino alla distanza di sicurezza.
 step-rapid-to-set-up-clearance-and-orient = Il controllo porta l’utensile nell’asse del mandrino in rapido (FMAX) alla distanza di sicurezza { $q-set-up-clearance } sopra la superficie del pezzo e qui orienta il mandrino a { $q-spindle-orientation-angle }.
 step-tap-to-next-depth = L’utensile avanza in profondità dell’incremento { $q-depth-for-chip-breaking }.
-step-reverse-and-break-chip = Il senso di rotazione del mandrino viene invertito e l’utensile arretra, con un numero di giri aumentato del fattore { $q-retraction-speed-factor }, se inserito; poi il senso viene di nuovo invertito per l’incremento successivo:
+step-reverse-and-break-chip = Il senso di rotazione del mandrino viene invertito e, dopo la ritrazione, di nuovo invertito per l’incremento successivo. Con un numero di giri aumentato del fattore { $q-retraction-speed-factor }, se inserito, l’utensile arretra:
 say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: completamente dal foro, per il raffreddamento
 say-tap-goes-back-some-turns = altrimenti di { $q-chip-breaking-turns } volte il passo del filetto { $q-thread-pitch }
 step-tap-back-to-set-up-clearance = L’utensile ritorna alla distanza di sicurezza { $q-set-up-clearance }.
@@ -31,7 +31,7 @@ note-feed-from-speed-and-pitch = Determinare l’avanzamento con F = S × p. F: 
 note-retract-after-interruption = Se durante la maschiatura viene premuto il tasto di stop esterno, il controllo visualizza un softkey con cui è possibile ritrarre l’utensile.
 note-feed-follows-spindle-speed = Il controllo calcola l’avanzamento dal numero di giri del mandrino. Se durante la maschiatura viene azionato il potenziometro dell’avanzamento, il controllo adatta automaticamente l’avanzamento. Il potenziometro del numero di giri mandrino non è attivo.
 note-spindle-stopped-after-tapping = Al termine del ciclo il mandrino è fermo. Prima della lavorazione successiva reinserirlo con M3 (o M4).
-note-retract-by-soft-key = Se durante la maschiatura viene premuto il tasto di stop esterno, il controllo visualizza il softkey per lo spostamento manuale. Dopo averlo premuto, l’utensile può essere ritratto in modo controllato con il tasto di direzione positiva dell’asse del mandrino attivo.
+note-retract-by-soft-key = Se durante la maschiatura viene premuto il tasto di stop esterno, il controllo visualizza il softkey per lo spostamento manuale. Premuto il softkey, è possibile ritrarre l’utensile in modo controllato con il tasto di direzione positiva dell’asse del mandrino attivo.
 note-retraction-speed-is-limited = Se in { $q-retraction-speed-factor } è definito un fattore del numero di giri per una ritrazione più rapida, il controllo limita il numero di giri a quello massimo ammesso per la gamma attiva.
 
 # --- thread milling: cycles ---
@@ -100,14 +100,14 @@ note-depths-give-direction = I segni dei parametri di profondità determinano la
 note-depths-give-direction__thread-drilling-milling = I segni dei parametri di profondità determinano la direzione di lavoro nel seguente ordine: 1. profondità di filettatura { $q-thread-depth }, 2. profondità totale foro { $q-total-hole-depth }, 3. profondità frontale { $q-depth-at-front }.
 note-two-depths-give-direction = I segni dei parametri di profondità determinano la direzione di lavoro nel seguente ordine: 1. profondità di filettatura { $q-thread-depth }, 2. profondità frontale { $q-depth-at-front }.
 note-depth-zero-leaves-out-step = Se per una delle profondità è inserito 0, il controllo non esegue il relativo passo di lavorazione.
-note-no-countersinking-depth-for-front = Per eseguire la svasatura frontale definire la profondità di svasatura { $q-countersinking-depth } con 0.
+note-no-countersinking-depth-for-front = Per eseguire la svasatura frontale impostare a 0 la profondità di svasatura { $q-countersinking-depth }.
 note-thread-depth-above-countersinking-depth = Inserire una profondità di filettatura { $q-thread-depth } minore della profondità di svasatura { $q-countersinking-depth } di almeno un terzo del passo del filetto.
 note-thread-depth-above-hole-depth = Inserire una profondità di filettatura { $q-thread-depth } minore della profondità totale foro { $q-total-hole-depth } di almeno un terzo del passo del filetto.
 note-helix-goes-into-workpiece = Il tipo di fresatura (concorde o discorde) risulta dal filetto (destrorso o sinistrorso) e dal senso di rotazione dell’utensile, poiché l’unica direzione di lavoro possibile va dalla superficie del pezzo verso l’interno del pezzo.
 note-position-over-stud-centre = Programmare un blocco di posizionamento sul punto di partenza (centro dell’isola) nel piano di lavoro con correzione del raggio R0.
 note-offset-at-front-determined-before = Determinare in anticipo l’offset necessario per la svasatura frontale. Inserire la distanza dal centro dell’isola al centro dell’utensile (valore non corretto).
 note-internal-coolant-for-thread-milling = La macchina dovrebbe essere dotata di raffreddamento interno del mandrino: refrigerante almeno 30 bar, aria compressa almeno 6 bar.
-note-profile-correction-by-delta-radius = La fresatura di filetti deforma spesso il profilo del filetto e richiede quindi correzioni specifiche per l’utensile. Esse sono riportate nel catalogo utensili o fornite dal produttore dell’utensile. La correzione si inserisce nel blocco TOOL CALL con il valore delta { $mp-delta-radius }.
+note-profile-correction-by-delta-radius = La fresatura di filetti deforma spesso il profilo del filetto e richiede quindi correzioni specifiche per l’utensile, riportate nel catalogo utensili o fornite dal produttore dell’utensile. La correzione si inserisce nel blocco TOOL CALL con il valore delta { $mp-delta-radius }.
 note-clockwise-tools-only = Il ciclo può essere impiegato solo con utensili a rotazione oraria.
 note-tools-of-both-rotations = Il ciclo può essere impiegato con utensili a rotazione oraria e antioraria.
 note-direction-of-inside-thread = La direzione di lavoro dipende dal segno del passo del filetto { $q-thread-pitch } e dal tipo di fresatura { $q-milling-type }. Con utensili a rotazione oraria e filetti interni: destrorso (+) con fresatura concorde (+1, RL): Z+; sinistrorso (−) con fresatura discorde (−1, RR): Z+; destrorso (+) con fresatura discorde (−1, RR): Z−; sinistrorso (−) con fresatura concorde (+1, RL): Z−.

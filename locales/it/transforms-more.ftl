@@ -3,7 +3,7 @@
 # --- 8 ---
 cycle-mirroring = Lavorazione speculare
     .nc = SPECULARITÀ
-    .purpose = Esegue la lavorazione speculare di un profilo nel piano di lavoro.
+    .purpose = Consente di lavorare profili specularmente nel piano di lavoro.
 step-mirror-coordinate-system = Dalla definizione il controllo rende speculari gli assi inseriti del sistema di coordinate rispetto all’origine attiva.
 note-reset-mirroring = Per annullare la lavorazione speculare riprogrammare il ciclo e rispondere con NO ENT.
 note-mirroring-in-status-display = L’indicazione di stato supplementare visualizza gli assi speculari attivi.
@@ -41,7 +41,7 @@ cycle-working-plane = Rotazione piano di lavoro
 step-tilt-working-plane = Dalla definizione il controllo ruota il piano di lavoro intorno all’origine attiva.
 step-compute-rotary-positions = Se la posizione è programmata con angoli solidi, il controllo calcola le posizioni angolari necessarie degli assi orientabili e le memorizza nei parametri da Q120 (asse A) a Q122 (asse C). Se esistono due soluzioni, sceglie il percorso più breve dalla posizione zero degli assi rotativi.
 step-position-rotary-axes = Se il costruttore della macchina lo ha previsto, il controllo posiziona automaticamente gli assi rotativi. In caso contrario posizionarli in un blocco L separato dopo la definizione.
-step-move-all-axes-after-tilting = Spostare tutti gli assi in modo che la correzione abbia effetto in tutti: essa ha effetto in un asse non appena questo si sposta nel sistema ruotato.
+step-move-all-axes-after-tilting = Spostare tutti gli assi in modo che la correzione abbia effetto in tutti: in un asse ha effetto non appena questo si sposta nel sistema ruotato.
 result-tilted-position-of-a = Posizione calcolata dell’asse A
 result-tilted-position-of-b = Posizione calcolata dell’asse B
 result-tilted-position-of-c = Posizione calcolata dell’asse C
