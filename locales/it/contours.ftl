@@ -8,7 +8,7 @@ until-parts-of-contour-cleared = non sono lavorate tutte le aree separate del pr
 note-contour-element-limit = La memoria per un ciclo SL è limitata. In un ciclo SL si possono programmare al massimo 16384 elementi di profilo.
 note-sign-of-milling-depth = Il segno della profondità di fresatura determina la direzione di lavoro. Con profondità 0 il controllo non esegue il ciclo.
 note-both-axes-after-contour-cycle = Pericolo di collisione! Dopo un ciclo SL programmare il primo spostamento nel piano di lavoro con entrambe le coordinate, ad esempio L X+80 Y+0 R0 FMAX.
-note-contour-cycle-properties = Prima di ogni ciclo il controllo posiziona automaticamente l’utensile alla distanza di sicurezza. Ogni livello viene fresato senza sollevare l’utensile; le isole vengono aggirate lateralmente. Il raggio degli spigoli interni è programmabile: l’utensile non si ferma e non lascia segni (ciò vale per la traiettoria più esterna nello svuotamento e per la finitura laterale). Nella finitura laterale il controllo si accosta al profilo su un arco tangente, nella finitura del fondo si accosta al pezzo ugualmente su un arco tangente (con asse del mandrino Z nel piano Z/X). Il profilo viene lavorato interamente con fresatura concorde o con fresatura discorde.
+note-contour-cycle-properties = Prima di ogni ciclo il controllo posiziona automaticamente l’utensile alla distanza di sicurezza. Ogni livello viene fresato senza sollevare l’utensile; le isole vengono aggirate lateralmente. Il raggio degli spigoli interni è programmabile: l’utensile non si ferma e non lascia segni (ciò vale per la traiettoria più esterna nello svuotamento e per la finitura laterale). Nella finitura laterale l’utensile si accosta al profilo su un arco tangente, nella finitura del fondo si accosta al pezzo ugualmente su un arco tangente (con asse del mandrino Z nel piano Z/X). Il profilo viene lavorato interamente con fresatura concorde o con fresatura discorde.
 note-contour-tool-by-name = L’utensile può essere indicato con il numero o con il nome. Per inserire il nome premere il softkey NOME UTENSILE; all’uscita dal campo il controllo aggiunge automaticamente le virgolette.
 note-global-def-for-contours = La funzione GLOBAL DEF per la fresatura di profili predefinisce distanza di sicurezza, altezza di sicurezza, fattore di sovrapposizione e tipo di fresatura per i cicli 20, 22, 23, 24 e 25.
 
@@ -146,7 +146,7 @@ note-many-contour-elements-take-time = La lavorazione può durare più a lungo s
 # --- 27 ---
 cycle-cylinder-surface = Superficie cilindrica
     .nc = SUPERFICIE CILINDRICA
-    .purpose = Trasferisce un profilo definito nello sviluppo sulla superficie di un cilindro.
+    .purpose = Trasferisce sulla superficie di un cilindro un profilo definito nello sviluppo.
 step-mill-along-developed-contour = L’utensile fresa lungo il profilo programmato con l’avanzamento { $q-contour-milling-feed }.
 step-back-over-infeed-point = Alla fine del profilo il controllo porta l’utensile alla distanza di sicurezza { $q-cylinder-set-up-clearance } e di nuovo sopra il punto di penetrazione.
 step-end-at-cylinder-clearance = L’utensile si porta alla distanza di sicurezza { $q-cylinder-set-up-clearance }.
@@ -157,7 +157,7 @@ note-guide-slots-with-other-cycle = Per fresare scanalature di guida su un cilin
 # --- 28 ---
 cycle-cylinder-surface-slot = Superficie cilindrica, fresatura di scanalature
     .nc = SUPERFICIE CILINDRICA
-    .purpose = Trasferisce una scanalatura di guida definita nello sviluppo sulla superficie di un cilindro, con pareti quasi parallele.
+    .purpose = Trasferisce sulla superficie di un cilindro una scanalatura di guida definita nello sviluppo, con pareti quasi parallele.
 step-position-over-slot-infeed-point = Il controllo posiziona l’utensile sopra il punto di penetrazione.
 step-mill-along-slot-wall = L’utensile fresa lungo la parete della scanalatura con l’avanzamento { $q-contour-milling-feed }, tenendo conto del sovrametallo di finitura laterale { $q-side-allowance }.
 step-mill-back-along-opposite-wall = Alla fine del profilo il controllo porta l’utensile alla parete opposta della scanalatura e lo riporta al punto di penetrazione.
@@ -169,7 +169,7 @@ note-program-centre-path-of-slot = Programmare la traiettoria centrale del profi
 # --- 29 ---
 cycle-cylinder-surface-ridge = Isola su superficie cilindrica
     .nc = ISOLA SU SUP. CILINDRICA
-    .purpose = Trasferisce un’isola definita nello sviluppo sulla superficie di un cilindro, con pareti parallele.
+    .purpose = Trasferisce sulla superficie di un cilindro un’isola definita nello sviluppo, con pareti parallele.
 step-position-over-ridge-start = Il controllo posiziona l’utensile sopra il punto di partenza della lavorazione, che calcola dalla larghezza dell’isola e dal diametro dell’utensile: a fianco del primo punto del sottoprogramma del profilo, spostato di metà della larghezza dell’isola e del diametro dell’utensile. La correzione del raggio determina il lato: a sinistra dell’isola (fresatura concorde) o a destra (fresatura discorde).
 step-approach-ridge-wall = A questa profondità l’utensile si accosta al profilo su un arco tangente con l’avanzamento { $q-contour-milling-feed }, tenendo conto del sovrametallo di finitura laterale { $q-side-allowance }, se presente.
 step-mill-along-ridge-wall = L’utensile fresa lungo la parete dell’isola con l’avanzamento { $q-contour-milling-feed } fino a completare l’isola.

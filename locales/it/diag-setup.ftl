@@ -78,7 +78,7 @@ diag-error-branch-entered =
 diag-finishing-before-roughing =
     { $what ->
         [pilot] { $other } indica l’utensile che fora qui; deve indicare quello che poi svuota.
-           *[order] { $cycle } esegue qui la finitura del profilo, prima che { $other } lo svuoti.
+       *[order] { $cycle } esegue qui la finitura del profilo, prima che { $other } lo svuoti.
     }
 diag-label-unused = Nulla chiama o ripete il label { $label } di questo sottoprogramma, e nessun salto vi conduce.
 diag-loop-runs-once = Questo salto all’indietro non viene mai eseguito: il contatore non soddisfa la condizione in nessun passaggio.

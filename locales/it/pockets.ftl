@@ -25,7 +25,7 @@ guard-helix-too-small = Il diametro dell’elica di penetrazione è inferiore al
 note-without-tool-table-plunge-vertically = Se non è attiva alcuna tabella utensili, la penetrazione deve essere sempre verticale ({ $q-plunging-strategy } = 0), poiché non è possibile definire un angolo di penetrazione.
 note-position-at-pocket-start = Posizionare l’utensile sul punto di partenza nel piano di lavoro con correzione del raggio R0. Tenere conto della posizione della tasca { $q-pocket-position }.
 note-positions-in-tool-axis-itself = Il controllo posiziona l’utensile nell’asse utensile automaticamente. Tenere conto della 2ª distanza di sicurezza { $q-second-set-up-clearance }.
-note-returns-to-starting-point = Al termine del ciclo il controllo riporta l’utensile sul punto di partenza.
+note-returns-to-starting-point = Al termine del ciclo il controllo riporta l’utensile, nel piano di lavoro, sul punto di partenza.
 note-clearance-above-chips = Dopo lo svuotamento di ogni livello l’utensile ritorna in rapido al centro della tasca, alla distanza di sicurezza sopra la profondità attuale. Scegliere la distanza di sicurezza in modo che durante lo spostamento l’utensile non possa incastrarsi nei trucioli.
 note-helix-diameter-monitored = Nella penetrazione elicoidale il controllo emette un messaggio d’errore se il diametro dell’elica calcolato è inferiore al doppio del diametro dell’utensile. Per utensili con tagliente al centro questa verifica può essere disattivata con il parametro macchina { $mp-suppress-plunge-err }.
 note-cutting-edge-limits-infeed = Se il tagliente è più corto della profondità incremento { $q-plunging-depth }, il controllo riduce la profondità incremento alla lunghezza { $mp-cutting-edge-length } della tabella utensili.
