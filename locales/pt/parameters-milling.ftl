@@ -33,13 +33,13 @@ parameter-stud-first-side-length = Longitude lado 1
     .help = Longitude da ilha paralela ao eixo principal do plano de maquinação.
 parameter-blank-first-side-length = Longitude lado 1 do bloco
     .label = LADO 1 DO BLOCO
-    .help = Longitude do bloco da ilha paralela ao eixo principal do plano de maquinação. Introduza um valor maior do que a longitude lado 1 { $q-stud-first-side-length }. Se as duas diferirem em mais do que o passo lateral permitido (raio da ferramenta vezes sobreposição de trajetórias { $q-path-overlap }), o comando executa vários passos laterais. Calcula sempre um passo lateral constante.
+    .help = Longitude do bloco da ilha paralela ao eixo principal do plano de maquinação. Introduza um valor maior do que a longitude lado 1 { $q-stud-first-side-length }. Se a diferença entre as duas for superior ao passo lateral permitido (raio da ferramenta vezes sobreposição de trajetórias { $q-path-overlap }), o comando executa vários passos laterais. Calcula sempre um passo lateral constante.
 parameter-stud-second-side-length = Longitude lado 2
     .label = LONGITUDE LADO 2
     .help = Longitude da ilha paralela ao eixo secundário do plano de maquinação.
 parameter-blank-second-side-length = Longitude lado 2 do bloco
     .label = LADO 2 DO BLOCO
-    .help = Longitude do bloco da ilha paralela ao eixo secundário do plano de maquinação. Introduza um valor maior do que a longitude lado 2 { $q-stud-second-side-length }. Se as duas diferirem em mais do que o passo lateral permitido (raio da ferramenta vezes sobreposição de trajetórias { $q-path-overlap }), o comando executa vários passos laterais. Calcula sempre um passo lateral constante.
+    .help = Longitude do bloco da ilha paralela ao eixo secundário do plano de maquinação. Introduza um valor maior do que a longitude lado 2 { $q-stud-second-side-length }. Se a diferença entre as duas for superior ao passo lateral permitido (raio da ferramenta vezes sobreposição de trajetórias { $q-path-overlap }), o comando executa vários passos laterais. Calcula sempre um passo lateral constante.
 parameter-corner-radius__rectangular-stud =
     .help = Raio das esquinas da ilha.
 parameter-side-allowance__rectangular-stud =
@@ -55,10 +55,10 @@ parameter-finished-part-diameter = Diâmetro da peça acabada
     .help = Diâmetro da ilha acabada.
 parameter-blank-diameter = Diâmetro do bloco
     .label = DIÂMETRO DO BLOCO
-    .help = Diâmetro do bloco. Tem de ser maior do que o diâmetro da peça acabada { $q-finished-part-diameter }. Se os dois diferirem em mais do que o passo lateral permitido (raio da ferramenta vezes sobreposição de trajetórias { $q-path-overlap }), o comando executa vários passos laterais. Calcula sempre um passo lateral constante.
+    .help = Diâmetro do bloco. Tem de ser maior do que o diâmetro da peça acabada { $q-finished-part-diameter }. Se a diferença entre os dois for superior ao passo lateral permitido (raio da ferramenta vezes sobreposição de trajetórias { $q-path-overlap }), o comando executa vários passos laterais. Calcula sempre um passo lateral constante.
 parameter-stud-starting-angle = Ângulo inicial
     .label = ÂNGULO INICIAL
-    .help = Ângulo polar, em relação ao centro da ilha, em que a ferramenta se aproxima da ilha.
+    .help = Ângulo polar, em relação ao centro da ilha, do ponto em que a ferramenta se aproxima dela.
 parameter-depth__slot =
     .help = Distância entre a superfície da peça e o fundo da ranhura.
 parameter-depth__circular-slot =
@@ -192,7 +192,7 @@ parameter-floor-allowance__face-milling =
     .help = Profundidade do último passo.
 parameter-max-path-overlap = Fator máximo de sobreposição de trajetórias
     .label = SOBREPOSIÇÃO MÁXIMA
-    .help = Fator para o maior passo lateral k. O comando calcula o passo lateral real a partir da longitude lado 2 { $q-second-side-length } e do raio da ferramenta, de modo que todos os passos laterais sejam iguais. Se na tabela de ferramentas estiver introduzido um raio { $mp-tool-radius-2 } (como o raio das plaquetas de uma fresa de facejar), o comando reduz o passo lateral em conformidade.
+    .help = Fator para o maior passo lateral k. O comando calcula o passo lateral real a partir da longitude lado 2 { $q-second-side-length } e do raio da ferramenta, de modo que todos os passos laterais sejam iguais. Se na tabela de ferramentas tiver sido introduzido um raio { $mp-tool-radius-2 } (como o raio das pastilhas de uma fresa de facejar), o comando reduz o passo lateral em conformidade.
 parameter-finishing-feed__face-milling =
     .help = Velocidade de deslocação da ferramenta ao fresar o último passo.
 parameter-pre-positioning-feed__face-milling =
@@ -225,7 +225,7 @@ choice-line-by-line-with-retraction = Linha a linha, com recuo e passo lateral c
 
 # --- coordinate transforms ---
 parameter-mirrored-axes = Eixos espelhados
-    .help = Eixos a espelhar. Podem ser espelhados todos os eixos, incluindo os eixos rotativos, exceto o eixo do cabeçote e o respetivo eixo secundário. Até três dos eixos NC X, Y, Z, U, V, W, A, B, C.
+    .help = Eixos a espelhar. Podem ser espelhados todos os eixos, incluindo os eixos rotativos, exceto o eixo do cabeçote e o eixo secundário paralelo a ele. Até três dos eixos NC X, Y, Z, U, V, W, A, B, C.
     .prompt = Eixo espelhado?
 parameter-scaling-factor = Fator
     .word = SCL
@@ -260,7 +260,7 @@ parameter-contour-tolerance = Valor de tolerância T
 parameter-hsc-mode = Modo HSC, acabamento=0, desbaste=1
     .help = Filtro que o comando ativa.
 parameter-rotary-axis-tolerance = Tolerância para eixos rotativos TA
-    .help = Desvio permitido dos eixos rotativos em graus com M128 (FUNCTION TCPM) ativo. O comando reduz sempre o avanço de modo que, em movimentos de vários eixos, o mais lento se desloque com o seu maior avanço. Em geral, os eixos rotativos são muito mais lentos do que os lineares. Uma tolerância maior (como 10°) pode encurtar consideravelmente o tempo de maquinação de programas de vários eixos, porque o comando não tem de levar sempre os eixos rotativos à posição nominal indicada. O contorno não é danificado; só se altera a posição do eixo rotativo em relação à superfície da peça.
+    .help = Desvio permitido dos eixos rotativos em graus com M128 (FUNCTION TCPM) ativa. O comando reduz sempre o avanço de modo que, em movimentos de vários eixos, o mais lento se desloque com o seu maior avanço. Em geral, os eixos rotativos são muito mais lentos do que os lineares. Uma tolerância maior (como 10°) pode encurtar consideravelmente o tempo de maquinação de programas de vários eixos, porque o comando não tem de levar sempre os eixos rotativos à posição nominal indicada. O contorno não é danificado; só se altera a posição do eixo rotativo em relação à superfície da peça.
 
 # --- choices of the special functions ---
 choice-milling-with-higher-accuracy = Fresar com maior exatidão do contorno. O comando utiliza ajustes de filtro internos para o acabamento

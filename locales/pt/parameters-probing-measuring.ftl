@@ -107,11 +107,11 @@ parameter-greatest-dimension__measure-bolt-hole-circle =
 parameter-least-dimension__measure-bolt-hole-circle =
     .help = Menor diâmetro permitido para o círculo de furos.
 parameter-monitored-tool__measure-bolt-hole-circle =
-    .help = Determina se o comando supervisiona a rotura de uma ferramenta. O número ou o nome da ferramenta.
+    .help = Determina se o comando supervisiona a rotura de uma ferramenta. Introduza o número ou o nome da ferramenta.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc320 =
-    .help = Determina se o comando supervisiona a rotura de uma ferramenta. O número da ferramenta.
+    .help = Determina se o comando supervisiona a rotura de uma ferramenta. Introduza o número da ferramenta.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc426-430 =
-    .help = Determina se o comando supervisiona a rotura de uma ferramenta. O número da ferramenta.
+    .help = Determina se o comando supervisiona a rotura de uma ferramenta. Introduza o número da ferramenta.
 
 # --- 420, 431 ---
 parameter-first-point-tool = 1.º ponto de medição 3.º eixo
@@ -190,16 +190,16 @@ parameter-polar-probing-axis__measuring__tnc426-430 =
     .help = Eixo principal do plano de maquinação: X com o eixo da ferramenta Z, Z com o eixo da ferramenta Y, Y com o eixo da ferramenta X. Confirme com a tecla ENT.
 parameter-polar-probing-angle = Ângulo de apalpação
     .word = ÂNGULO:
-    .help = Ângulo em relação ao eixo de apalpação em que o apalpador se desloca.
+    .help = Ângulo, em relação ao eixo de apalpação, segundo o qual o apalpador se desloca.
 parameter-result-parameter__measuring =
     .help = Número do parâmetro Q a que o comando atribui a primeira coordenada medida (X). Y e Z ficam nos parâmetros Q seguintes.
 parameter-greatest-measuring-path = Máximo caminho de medição
     .word = DIST
-    .help = Percurso que o apalpador se desloca a partir do ponto de partida. Confirme com a tecla ENT.
+    .help = Percurso do apalpador a partir do ponto de partida. Confirme com a tecla ENT.
 parameter-measuring-feed = Avanço
     .help = Avanço de medição em mm/min.
 parameter-greatest-retraction-path = Percurso de recuo máximo
-    .help = Percurso contra a direção de apalpação depois da deflexão da haste de apalpação. O comando faz recuar o apalpador, no máximo, até ao ponto de partida, pelo que não pode haver colisão.
+    .help = Percurso no sentido oposto à direção de apalpação depois da deflexão da haste de apalpação. O comando faz recuar o apalpador, no máximo, até ao ponto de partida, pelo que não pode haver colisão.
 parameter-probing-reference-system = Sistema de referência (0=REAL/1=REF)
     .word = SISTEMA DE REFERÊNCIA:
     .help = Determina se a direção de apalpação e o resultado se referem ao sistema de coordenadas atual (REAL, que pode estar deslocado ou rodado) ou ao sistema de coordenadas da máquina (REF).
