@@ -69,7 +69,7 @@ step-plunge-to-contour-level = A ferramenta desce mais uma profundidade de passo
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: na vertical com o avanço { $q-contour-plunging-feed }, mesmo que esteja definido um ângulo de penetração { $mp-plunging-angle } para a ferramenta ativa
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: na vertical com o avanço pendular { $q-reciprocation-feed }
 say-plunge-on-helix-or-in-strokes = caso contrário, em hélice com o ângulo de penetração { $mp-plunging-angle } ou, onde a hélice não for possível, em movimento pendular
-step-rough-contour-level = A esta profundidade, a ferramenta fresa o contorno de dentro para fora com o avanço { $q-roughing-feed }. À volta das ilhas, fresa em trajetórias que se aproximam do contorno da caixa:
+step-rough-contour-level = A esta profundidade, a ferramenta fresa o contorno de dentro para fora com o avanço { $q-roughing-feed }; à volta das ilhas, em trajetórias que se aproximam do contorno da caixa. O desbaste abrange:
 say-rough-what-coarser-tool-left = se tiver sido introduzida uma ferramenta de desbaste prévio { $q-coarse-roughing-tool }, só o que essa ferramenta não pôde maquinar
 say-rough-whole-region = caso contrário, toda a superfície
 message-contour-material-left = A ferramenta não alcança todo o contorno: deixa material em esquinas ou em locais estreitos.
@@ -160,10 +160,10 @@ cycle-cylinder-surface-slot = Superfície cilíndrica – fresar ranhura
     .purpose = Transpõe para a superfície de um cilindro uma ranhura de guia definida na planificação, com paredes quase paralelas.
 step-position-over-slot-infeed-point = O comando posiciona a ferramenta sobre o ponto de penetração.
 step-mill-along-slot-wall = A ferramenta fresa ao longo da parede da ranhura com o avanço { $q-contour-milling-feed }, tendo em conta a medida excedente de acabamento lateral { $q-side-allowance }.
-step-mill-back-along-opposite-wall = No fim do contorno, o comando desloca a ferramenta para a parede oposta da ranhura e de volta ao ponto de penetração.
+step-mill-back-along-opposite-wall = No fim do contorno, o comando desloca a ferramenta para a parede oposta da ranhura e fá-la voltar ao ponto de penetração.
 step-rework-slot-walls = Se estiver definida uma tolerância { $q-cylinder-slot-tolerance }, o comando retrabalha a ranhura de modo que as paredes fiquem o mais paralelas possível.
 note-walls-nearly-parallel = Ao contrário do ciclo 27, este ciclo ajusta a ferramenta de modo que, com correção de raio ativa, as paredes fiquem quase paralelas. Ficam exatamente paralelas com uma ferramenta que tenha exatamente a largura da ranhura.
-note-small-tool-distorts-slot = Quanto menor for a ferramenta em comparação com a largura da ranhura, maiores são as distorções em arcos e retas oblíquas. Para as reduzir, defina a tolerância { $q-cylinder-slot-tolerance }: o comando aproxima então a ranhura de uma fresada com uma ferramenta da largura da ranhura.
+note-small-tool-distorts-slot = Quanto menor for a ferramenta em comparação com a largura da ranhura, maiores são as distorções em arcos e retas oblíquas. Para as reduzir, defina a tolerância { $q-cylinder-slot-tolerance }: a ranhura fica então mais próxima da que seria fresada com uma ferramenta da mesma largura.
 note-program-centre-path-of-slot = Programe a trajetória do ponto central do contorno com correção de raio. A correção de raio determina se o comando fresa a ranhura em sentido sincronizado ou em sentido contrário.
 
 # --- 29 ---

@@ -416,10 +416,10 @@ diag-transformation-left-on =
     }.
 diag-feed-unit =
     { $what ->
-        [revolution] Aqui { $parameter }={ $value } é um avanço por rotação, porque M136 está ativo.
-        [revolving] Aqui { $parameter }{ $value } é um avanço por rotação, porque M136 está ativo.
-        [moving] Aqui { $parameter }{ $value } é um avanço por minuto, porque M136 não está ativo.
-       *[minute] Aqui { $parameter }={ $value } é um avanço por minuto, porque M136 não está ativo.
+        [revolution] Aqui { $parameter }={ $value } é um avanço por rotação, porque M136 está ativa.
+        [revolving] Aqui { $parameter }{ $value } é um avanço por rotação, porque M136 está ativa.
+        [moving] Aqui { $parameter }{ $value } é um avanço por minuto, porque M136 não está ativa.
+       *[minute] Aqui { $parameter }={ $value } é um avanço por minuto, porque M136 não está ativa.
     }
 diag-turning-system-missing = { $cycle } é chamado aqui, mas { $aligning } não foi definido desde a chamada da ferramenta.
 diag-two-signs = Antes do número há dois sinais; são lidos como { $right }.

@@ -45,11 +45,11 @@ step-probe-first-in-positive-direction__tnc426-430 = O apalpador executa a prime
 step-probe-first-in-negative-direction = O apalpador executa a primeira apalpação com o avanço de apalpação (coluna { $mp-probing-feed }), sempre na direção negativa do eixo programado.
 step-probe-first-in-negative-direction__tnc426-430 = O apalpador executa a primeira apalpação com o avanço de apalpação ({ $mp-probing-feed } ou { $mp-analog-probing-feed }), sempre na direção negativa do eixo programado.
 step-probe-second-side-of-slot = O apalpador executa a segunda apalpação conforme { $q-second-measurement-offset }:
-step-probe-second-side-of-slot__tnc640 = O apalpador executa a segunda apalpação conforme { $q-second-measurement-offset }. Com uma longitude nominal grande, o comando desloca o apalpador para o segundo ponto de apalpação em avanço rápido:
+step-probe-second-side-of-slot__tnc640 = Com uma longitude nominal grande, o comando desloca o apalpador em avanço rápido para o segundo ponto de apalpação. O apalpador executa a segunda apalpação conforme { $q-second-measurement-offset }:
 say-offset-second-measurement = com { $q-second-measurement-offset } diferente de 0, o comando desloca o apalpador paralelamente ao eixo, no valor deste desvio, para o ponto de apalpação seguinte e apalpa aí
 say-offset-second-measurement__tnc640 = com { $q-second-measurement-offset } diferente de 0, o comando desloca o apalpador no valor deste desvio para o ponto de apalpação seguinte, com { $q-traverse-to-clearance-height }=1 à altura segura { $q-clearance-height }, e apalpa aí
 say-measure-in-opposite-direction = com { $q-second-measurement-offset }=0, mede a largura diretamente na direção oposta
-step-probe-second-side-of-ridge = O apalpador desloca-se à altura segura { $q-clearance-height } para o ponto de apalpação seguinte e executa aí a segunda apalpação.
+step-probe-second-side-of-ridge = O apalpador desloca-se, à altura segura { $q-clearance-height }, para o ponto de apalpação seguinte e executa aí a segunda apalpação.
 say-part-is-scrap__measure-slot-width = desperdício (Q182=1) se a ranhura for mais larga do que { $q-greatest-dimension }
 say-part-needs-rework__measure-slot-width = trabalho de acabamento (Q181=1) se a ranhura for mais estreita do que { $q-least-dimension }
 say-part-is-scrap__measure-ridge-width = desperdício (Q182=1) se a nervura for mais estreita do que { $q-least-dimension }

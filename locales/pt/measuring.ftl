@@ -5,7 +5,7 @@ cycle-measure-hole = Medir furo
     .nc = MEDIR FURO
     .nc-aliases = MEDIÇÃO DUM FURO
     .purpose = Mede o centro e o diâmetro de um furo (caixa circular). Se no ciclo estiverem definidas tolerâncias, o comando compara os valores nominais com os reais e guarda os desvios em parâmetros.
-step-retract-and-store-results = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e guarda os valores reais e os desvios dos valores nominais nos parâmetros de resultado.
+step-retract-and-store-results = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e guarda os valores reais e os desvios em relação aos valores nominais nos parâmetros de resultado.
 step-set-measuring-status = O comando determina o estado da medição:
 say-hole-is-scrap = desperdício (Q182=1) se o furo for maior do que { $q-hole-greatest-diameter } ou se o seu centro apresentar um desvio superior a { $q-centre-tolerance-main } ou { $q-centre-tolerance-minor }
 say-hole-needs-rework = trabalho de acabamento (Q181=1) se o furo for menor do que { $q-hole-least-diameter }

@@ -256,7 +256,7 @@ parameter-orientation-angle = Ângulo de orientação
     .word = ÂNGULO
     .help = Ângulo em relação ao eixo de referência angular do plano de maquinação.
 parameter-contour-tolerance = Valor de tolerância T
-    .help = Desvio permitido do contorno programado em milímetros (em polegadas nos programas em polegadas).
+    .help = Desvio permitido em relação ao contorno programado, em milímetros (em polegadas nos programas em polegadas).
 parameter-hsc-mode = Modo HSC, acabamento=0, desbaste=1
     .help = Filtro que o comando ativa.
 parameter-rotary-axis-tolerance = Tolerância para eixos rotativos TA

@@ -49,8 +49,8 @@ note-results-in-active-system = O comando indica todos os resultados, nos parâm
 note-results-in-active-system__tnc320 = O comando indica todos os resultados, nos parâmetros de resultado e no ficheiro do registo, no sistema de coordenadas ativo, que pode estar deslocado e/ou rodado.
 note-results-in-active-system__tnc426-430 = O comando indica todos os resultados, nos parâmetros de resultado e no ficheiro do registo, no sistema de coordenadas ativo, que pode estar deslocado.
 note-results-in-q-parameters = O comando guarda os resultados de medição nos parâmetros Q de atuação global Q150 a Q160, que podem ser utilizados no resto do programa.
-note-deviations-in-q-parameters = O comando guarda os resultados de medição nos parâmetros Q de atuação global Q150 a Q160 e os desvios dos valores nominais nos parâmetros Q161 a Q166. Durante a definição do ciclo, a imagem de ajuda mostra também os parâmetros de resultado; o que está realçado pertence ao parâmetro de introdução selecionado.
-note-deviations-in-q-parameters__tnc426-430 = O comando guarda os resultados de medição nos parâmetros Q de atuação global Q150 a Q160 e os desvios dos valores nominais nos parâmetros Q161 a Q166. Durante a definição do ciclo, a imagem de ajuda mostra também os parâmetros de resultado.
+note-deviations-in-q-parameters = O comando guarda os resultados de medição nos parâmetros Q de atuação global Q150 a Q160 e os desvios em relação aos valores nominais nos parâmetros Q161 a Q166. Durante a definição do ciclo, a imagem de ajuda mostra também os parâmetros de resultado; o que está realçado pertence ao parâmetro de introdução selecionado.
+note-deviations-in-q-parameters__tnc426-430 = O comando guarda os resultados de medição nos parâmetros Q de atuação global Q150 a Q160 e os desvios em relação aos valores nominais nos parâmetros Q161 a Q166. Durante a definição do ciclo, a imagem de ajuda mostra também os parâmetros de resultado.
 
 # --- results ---
 result-centre-main-actual = Valor real centro eixo principal

@@ -11,7 +11,7 @@ cycle-datum-shift = Deslocação do ponto zero
     .nc = PONTO ZERO
     .purpose = Desloca o ponto zero, para que as maquinações possam ser repetidas em qualquer posição da peça. Depois da definição, todas as coordenadas se referem ao novo ponto zero. A deslocação é indicada no programa ou retirada de uma tabela de pontos zero, por exemplo para maquinações que se repetem em várias posições ou para uma deslocação que é necessária com frequência.
 step-shift-datum = O comando desloca o ponto zero:
-say-shift-by-table-row = com um número de linha: com os valores dessa linha da tabela de pontos zero ativa
+say-shift-by-table-row = com um número de linha: nos valores dessa linha da tabela de pontos zero ativa
 say-shift-by-coordinates = com coordenadas: em cada eixo programado, para a coordenada indicada; os valores absolutos referem-se ao ponto zero da peça, os incrementais ao último ponto zero válido
 note-reset-datum-shift = Para anular a deslocação do ponto zero, programe numa nova definição do ciclo uma deslocação para as coordenadas X=0, Y=0 etc. ou chame da tabela de pontos zero uma deslocação para as coordenadas X=0, Y=0 etc.
 note-rotary-axes-may-be-shifted = Também podem ser introduzidos eixos rotativos.

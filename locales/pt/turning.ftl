@@ -3,10 +3,10 @@
 # --- common sentences of the turning cycles ---
 group-turning-roughing = Desbaste
 group-turning-finishing = Acabamento
-step-rapid-radial-infeed = O comando executa em avanço rápido um passo em direção radial, paralelo aos eixos. Calcula-o a partir da profundidade de corte máxima { $q-max-cutting-depth }.
+step-rapid-radial-infeed = O comando executa em avanço rápido um passo em direção radial, paralelo ao respetivo eixo. Calcula-o a partir da profundidade de corte máxima { $q-max-cutting-depth }.
 step-cut-longitudinally = O comando maquina a zona entre a posição de partida e o ponto final em direção longitudinal, com o avanço { $q-turning-roughing-feed }.
 step-retract-by-infeed = O comando faz recuar a ferramenta, com o avanço definido, no valor do passo:
-say-follow-contour-within-infeed = com { $q-contour-smoothing } = 0, ao longo do contorno, dentro da gama do passo
+say-follow-contour-within-infeed = com { $q-contour-smoothing } = 0, ao longo do contorno, dentro da zona do passo
 say-lift-off-at-45-degrees = caso contrário, com um ângulo de 45°
 step-rapid-to-start-of-cut = O comando faz regressar a ferramenta em avanço rápido ao início do corte.
 until-turning-contour-finished = o contorno esteja terminado
@@ -33,23 +33,23 @@ note-tool-position-influences-area = A posição da ferramenta na chamada do cic
 note-pre-positioning-influences-time = O posicionamento prévio da ferramenta influencia muito o campo de trabalho do ciclo e, com isso, o tempo de maquinação. No desbaste, o ponto de partida do ciclo é a posição da ferramenta na chamada do ciclo. O comando calcula a zona a maquinar a partir do ponto de partida e do ponto final ou do contorno definido no ciclo. Se o ponto de partida ficar dentro desta zona, alguns ciclos deslocam primeiro a ferramenta para a distância de segurança.
 note-finishing-approach-from-envelope = Perigo para a ferramenta e a peça! No acabamento, o ciclo desloca automaticamente a ferramenta para o ponto de partida. A forma da aproximação depende da posição da ferramenta na chamada do ciclo: dentro ou fora da envolvente, que é o contorno programado acrescido da distância de segurança { $q-turning-clearance }. Se a ferramenta estiver dentro da envolvente, desloca-se com o avanço definido em trajetória direta para a posição de partida, o que pode danificar o contorno: posicione a ferramenta de modo que possa alcançar a posição de partida sem danificar o contorno. Se a ferramenta estiver fora da envolvente, desloca-se em avanço rápido até à envolvente e, dentro dela, com o avanço programado.
 note-cutting-geometry-considered = O comando tem em conta a geometria de corte da ferramenta ({ $mp-tool-orientation }, { $mp-cutting-edge-radius }, { $mp-point-angle }, { $mp-tool-angle }), de modo que os elementos de contorno definidos não possam ser danificados. Se o contorno não puder ser totalmente maquinado com a ferramenta ativa, o comando mostra um aviso.
-note-feed-rates-with-m136 = Se M136 estiver programado antes do ciclo, o comando interpreta os avanços do ciclo em mm/rot.; sem M136, em mm/min.
+note-feed-rates-with-m136 = Se M136 estiver programada antes do ciclo, o comando interpreta os avanços do ciclo em mm/rot.; sem M136, em mm/min.
 note-inclined-turning = Se o ciclo for executado numa maquinação inclinada (M144), alteram-se os ângulos da ferramenta em relação ao contorno. O comando tem automaticamente em conta esta alteração e supervisiona assim a maquinação também na posição inclinada, para que o contorno não seja danificado.
 note-blank-form-update = Com o seguimento do bloco (FUNCTION TURNDATA BLANK), o comando reconhece as zonas já maquinadas e adapta todos os percursos de aproximação e de saída às diversas operações. Só está disponível num ciclo de maquinação no modo de torneamento; o bloco tem de ser um contorno fechado (posição inicial = posição final) e é a secção de um corpo de revolução.
 note-finished-part-beyond-blank = Com o seguimento do bloco, o comando adapta a aproximação e o recuo ao bloco atualizado. Se houver zonas da peça acabada que ultrapassem o bloco, a peça e a ferramenta podem ficar danificadas.
-step-rapid-axial-infeed = O comando executa em avanço rápido um passo em direção axial, paralelo aos eixos. Calcula-o a partir da profundidade de corte máxima { $q-max-axial-cutting-depth }.
+step-rapid-axial-infeed = O comando executa em avanço rápido um passo em direção axial, paralelo ao respetivo eixo. Calcula-o a partir da profundidade de corte máxima { $q-max-axial-cutting-depth }.
 step-cut-across-axis = O comando maquina a zona entre a posição de partida e o ponto final em direção transversal, com o avanço { $q-turning-roughing-feed }.
 step-cut-contour-longitudinally = O comando maquina a zona entre a posição de partida e o ponto final em direção longitudinal. O corte longitudinal faz-se paralelamente aos eixos, com o avanço { $q-turning-roughing-feed }.
 step-cut-contour-across-axis = O comando maquina a zona entre a posição de partida e o ponto final em direção transversal. O corte transversal faz-se paralelamente aos eixos, com o avanço { $q-turning-roughing-feed }.
 step-cut-parallel-to-contour = O comando maquina a zona entre a posição de partida e o ponto final. O corte faz-se paralelamente ao contorno, com o avanço { $q-turning-roughing-feed }.
 step-retract-to-starting-position-in-x = O comando faz recuar a ferramenta, com o avanço definido, para a posição de partida em X.
-step-clear-area-in-x-then-z = Se o ponto de partida (posição da ferramenta na chamada do ciclo) ficar dentro da zona a maquinar, o comando posiciona a ferramenta à distância de segurança { $q-turning-clearance } em X e depois em Z, e inicia daí o ciclo.
-step-clear-area-in-z-then-x = Se o ponto de partida (posição da ferramenta na chamada do ciclo) ficar dentro da zona a maquinar, o comando posiciona a ferramenta à distância de segurança { $q-turning-clearance } em Z e depois em X, e inicia daí o ciclo.
+step-clear-area-in-x-then-z = Se o ponto de partida (posição da ferramenta na chamada do ciclo) ficar dentro da zona a maquinar, o comando posiciona a ferramenta à distância de segurança { $q-turning-clearance } em X e depois em Z, e inicia o ciclo a partir daí.
+step-clear-area-in-z-then-x = Se o ponto de partida (posição da ferramenta na chamada do ciclo) ficar dentro da zona a maquinar, o comando posiciona a ferramenta à distância de segurança { $q-turning-clearance } em Z e depois em X, e inicia o ciclo a partir daí.
 step-clear-area-in-z = Se o ponto de partida ficar dentro da zona a maquinar, o comando posiciona primeiro a ferramenta em Z à distância de segurança { $q-turning-clearance }.
-step-clear-plunging-start-in-z = Se a coordenada Z do ponto de partida (posição da ferramenta na chamada do ciclo) for menor do que o início do contorno { $q-plunging-start-z }, o comando posiciona a ferramenta em Z à distância de segurança { $q-turning-clearance } e inicia daí o ciclo.
-step-clear-contour-start-in-z = Se a coordenada Z do ponto de partida (posição da ferramenta na chamada do ciclo) for menor do que a do ponto de partida do contorno, o comando posiciona a ferramenta em Z à distância de segurança { $q-turning-clearance } e inicia daí o ciclo.
+step-clear-plunging-start-in-z = Se a coordenada Z do ponto de partida (posição da ferramenta na chamada do ciclo) for menor do que o início do contorno { $q-plunging-start-z }, o comando posiciona a ferramenta em Z à distância de segurança { $q-turning-clearance } e inicia o ciclo a partir daí.
+step-clear-contour-start-in-z = Se a coordenada Z do ponto de partida (posição da ferramenta na chamada do ciclo) for menor do que a do ponto de partida do contorno, o comando posiciona a ferramenta em Z à distância de segurança { $q-turning-clearance } e inicia o ciclo a partir daí.
 step-clear-contour-start-before-finishing = { step-clear-contour-start-in-z }
-step-position-at-contour-start-in-z = Se a coordenada Z do ponto de partida (posição da ferramenta na chamada do ciclo) for menor do que a do ponto de partida do contorno, o comando posiciona a ferramenta em Z no ponto de partida do contorno e inicia daí o ciclo.
+step-position-at-contour-start-in-z = Se a coordenada Z do ponto de partida (posição da ferramenta na chamada do ciclo) for menor do que a do ponto de partida do contorno, o comando posiciona a ferramenta em Z no ponto de partida do contorno e inicia o ciclo a partir daí.
 step-rapid-infeed = O comando executa um passo em avanço rápido.
 step-finish-turned-contour-to-end = O comando faz o acabamento do contorno da peça, do ponto de partida ao ponto final do contorno, com o avanço { $q-turning-finishing-feed }.
 condition-start-element-added = { $q-start-element-type } acrescentar um elemento no início do contorno
