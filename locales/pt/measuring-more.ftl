@@ -46,7 +46,7 @@ step-probe-first-in-negative-direction = O apalpador executa a primeira apalpaç
 step-probe-first-in-negative-direction__tnc426-430 = O apalpador executa a primeira apalpação com o avanço de apalpação ({ $mp-probing-feed } ou { $mp-analog-probing-feed }), sempre na direção negativa do eixo programado.
 step-probe-second-side-of-slot = O apalpador executa a segunda apalpação conforme { $q-second-measurement-offset }:
 step-probe-second-side-of-slot__tnc640 = Com uma longitude nominal grande, o comando desloca o apalpador em avanço rápido para o segundo ponto de apalpação. O apalpador executa a segunda apalpação conforme { $q-second-measurement-offset }:
-say-offset-second-measurement = com { $q-second-measurement-offset } diferente de 0, o comando desloca o apalpador paralelamente ao eixo, no valor deste desvio, para o ponto de apalpação seguinte e apalpa aí
+say-offset-second-measurement = com { $q-second-measurement-offset } diferente de 0, o comando desloca o apalpador paralelamente aos eixos, no valor deste desvio, para o ponto de apalpação seguinte e apalpa aí
 say-offset-second-measurement__tnc640 = com { $q-second-measurement-offset } diferente de 0, o comando desloca o apalpador no valor deste desvio para o ponto de apalpação seguinte, com { $q-traverse-to-clearance-height }=1 à altura segura { $q-clearance-height }, e apalpa aí
 say-measure-in-opposite-direction = com { $q-second-measurement-offset }=0, mede a largura diretamente na direção oposta
 step-probe-second-side-of-ridge = O apalpador desloca-se, à altura segura { $q-clearance-height }, para o ponto de apalpação seguinte e executa aí a segunda apalpação.
@@ -62,7 +62,7 @@ result-measured-length-deviation = Desvio da longitude medida
 cycle-measure-coordinate = Medir coordenadas
     .nc = MEDIR COORDENADA
     .nc-aliases = MEDIÇÃO DE COORDENADA
-    .purpose = Mede uma coordenada num eixo à escolha e guarda o valor num parâmetro. Se no ciclo estiverem definidas tolerâncias, o comando compara os valores nominais com os reais e guarda o desvio em parâmetros.
+    .purpose = Mede uma coordenada num eixo à escolha e guarda o valor num parâmetro. Se no ciclo estiverem definidas tolerâncias, o comando compara os valores nominais com os reais e guarda os desvios em parâmetros.
 step-position-against-traverse-direction = O comando posiciona o apalpador no ponto de apalpação programado, em avanço rápido (valor da coluna { $mp-positioning-feed }) e com lógica de posicionamento. Desvia o apalpador no valor da distância de segurança, no sentido oposto à direção de deslocação { $q-traverse-direction }.
 step-position-against-traverse-direction__tnc426-430 = O comando posiciona o apalpador no ponto de apalpação programado, em avanço rápido (valor de { $mp-positioning-feed } ou { $mp-analog-positioning-feed }) e com lógica de posicionamento. Desvia o apalpador no valor da distância de segurança, no sentido oposto à direção de deslocação { $q-traverse-direction }.
 step-probe-coordinate = O comando posiciona o apalpador no plano de maquinação, no ponto de apalpação programado, e mede aí o valor real no eixo selecionado.

@@ -5,7 +5,7 @@ parameter-tool-check = Medir a ferramenta=0 / verificar=1
     .label = VERIFICAR
     .word = VERIFICAR:
     .prompt = Medir a ferramenta=0 / verificar=1
-    .help = Determina se se trata da primeira medição da ferramenta ou da verificação de uma ferramenta já medida. Na primeira medição, o comando substitui a longitude da ferramenta { $mp-tool-length } em TOOL.T, a memória central de ferramentas, e coloca a 0 o valor delta { $mp-delta-length }. A verificação compara a longitude medida com a longitude da ferramenta { $mp-tool-length }; o desvio, com o seu sinal, é introduzido como valor delta { $mp-delta-length } e está também disponível em Q115. Acima da tolerância de desgaste ou de rotura admissível para a longitude, o comando bloqueia a ferramenta (estado L em TOOL.T).
+    .help = Determina se se trata da primeira medição da ferramenta ou da verificação de uma ferramenta já medida. Na primeira medição, o comando substitui a longitude da ferramenta { $mp-tool-length } em TOOL.T, a memória central de ferramentas, e coloca a 0 o valor delta { $mp-delta-length }. A verificação compara a longitude medida com a longitude da ferramenta { $mp-tool-length }; o desvio, com o seu sinal, é introduzido como valor delta { $mp-delta-length } e está também disponível em Q115. Se for excedida a tolerância de desgaste ou de rotura admissível para a longitude, o comando bloqueia a ferramenta (estado L em TOOL.T).
 choice-tool-first-measurement = medir a ferramenta pela primeira vez
 choice-tool-check = verificar uma ferramenta já medida
 parameter-tool-status-parameter = Nº do Parâmetro para Resultado?

@@ -116,7 +116,7 @@ condition-end-z-given = { $q-taper-dimensioning } definir o cone pela coordenada
 guard-recess-offset-too-great = A deslocação lateral é superior a 80% da largura de corte efetiva, que é a largura de corte menos o dobro do raio da navalha.
 
 # --- notes: grooves ---
-note-recess-turning-alternates = Ao tornear ranhuras, alternam movimentos de ranhurar até à profundidade de passo e cortes de desbaste. Assim, a maquinação precisa do menor número possível de recuos e passos.
+note-recess-turning-alternates = Ao tornear ranhuras, alternam-se movimentos de ranhurar até à profundidade de passo e cortes de desbaste. Assim, a maquinação precisa do menor número possível de recuos e passos.
 note-groove-extended-scope = Funções ampliadas: no início e no fim do contorno pode acrescentar-se um chanfre ou um arredondamento; podem definir-se ângulos para as paredes laterais da ranhura; podem acrescentar-se raios nas esquinas do contorno.
 note-recess-cuts-get-shorter = Depois do segundo passo, o comando encurta 0,1 mm cada corte seguinte. Isto reduz a carga lateral sobre a ferramenta. Se no ciclo tiver sido introduzida uma largura de deslocação { $q-recess-offset-width }, é esse o valor em que o corte é encurtado. O material restante é eliminado com um único movimento de ranhurar no fim da operação. Se a deslocação lateral exceder 80% da largura de corte efetiva (largura de corte − 2 × raio da navalha), o comando emite um aviso de erro.
 title-groove-with-chamfers = Ranhura com chanfres num escalão torneado (programa de exemplo)
