@@ -4,9 +4,9 @@ diag-approach-twice = Faz-se a aproximação ao contorno com a correção de rai
 diag-approach-without-compensation =
     { $what ->
         [approach] A aproximação ao contorno faz-se aqui sem RL nem RR.
-       *[departure] Sai-se aqui do contorno, mas nenhuma correção do raio está ativa.
+       *[departure] Sai-se aqui do contorno, mas nenhuma correção de raio está ativa.
     }
-diag-arc-in-unequal-scaling = { $cycle } escala os eixos deste arco com fatores diferentes: o resultado não é um arco.
+diag-arc-in-unequal-scaling = { $cycle } aplica fatores de escala diferentes aos eixos deste arco: o resultado não é um arco.
 diag-arc-too-narrow = O raio { $radius } no interior do contorno é menor do que o da ferramenta, { $tool }.
 diag-arc-without-tangent = Antes deste arco tangente não há nenhum elemento de contorno.
 diag-arc-wrong =
@@ -120,7 +120,7 @@ diag-doubtful-value =
         [negative] o valor é negativo
         [small] o valor é muito menor do que o habitual
         [large] o valor é muito maior do que o habitual
-       *[positive] o valor é positivo e afasta da peça
+       *[positive] o valor é positivo e afasta a ferramenta da peça
     }.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
 diag-empty-word = Este { $word } não tem valor e não faz nada.
@@ -188,13 +188,13 @@ diag-labels-of-unknown-language =
     }
 diag-languages-mixed = A maioria das designações está num idioma ({ $language }); as definições nestas linhas estão noutro ({ $others }): { $lines }.
 diag-loop-endless = Este salto fecha uma repetição que nunca acaba.
-diag-machine-coordinates-compensated = Programam-se aqui coordenadas da máquina (M91, M92) com correção do raio.
+diag-machine-coordinates-compensated = Programam-se aqui coordenadas da máquina (M91, M92) com correção de raio.
 diag-machine-coordinates-missing = Noutro lugar o programa recua para { $value } com M91; aqui falta M91, e a altura conta a partir do ponto zero da peça.
 diag-main-runs-into-subprogram = O programa principal continua aqui para dentro do subprograma { $label }: nem M2 nem M30 o termina.
 diag-measuring-height-below-floor = { $cycle } mede em { $parameter }={ $value }, abaixo do fundo em { $floor } que { $milling } aí deixa.
 diag-metric-values-in-inch = O programa está em polegadas, mas { $value } parece estar em milímetros.
 diag-mirror-of-tool-axis = O eixo da ferramenta { $axis } não pode ser espelhado.
-diag-misordered-parameter = Em { $cycle }, o comando visualiza { $parameter } antes de { $before }.
+diag-misordered-parameter = Em { $cycle }, o comando mostra { $parameter } antes de { $before }.
 diag-missing-parameter =
     { $count ->
         [one] Em { $cycle } falta { $parameter }.
@@ -267,7 +267,7 @@ diag-plane-not-positioned =
     }
 diag-plane-not-reset =
     { $what ->
-        [zero] { $cycle } põe aqui todos os ângulos a 0, mas nada desliga a inclinação do plano de maquinação.
+        [zero] { $cycle } coloca aqui todos os ângulos a 0, mas nada desliga a inclinação do plano de maquinação.
        *[tilted] O programa termina aqui com o plano de maquinação inclinado.
     }
 diag-position-after-contour = Esta é a primeira posição depois de { $cycle }, mas não tem valores absolutos para ambas as coordenadas do plano.
@@ -283,7 +283,7 @@ diag-program-end-missing =
         [iso] uma frase final que comece por %
        *[pgm] END PGM
     }.
-diag-programs-call-in-circle = O programa { $name } chama este de volta, diretamente ou através de outros.
+diag-programs-call-in-circle = O programa { $name } chama, por sua vez, este programa, diretamente ou através de outros.
 diag-rapid-into-blank = A ferramenta entra aqui no bloco em avanço rápido: vai para Z { $value }, e o topo do bloco está em { $top }.
 diag-rapid-through-material = A ferramenta atravessa aqui até { $value }{"\u00A0"}mm de material em avanço rápido.
 diag-repeat-count-wrong = O número de repetições tem de ser um número inteiro de 0 a 65534.
@@ -309,7 +309,7 @@ diag-retract-missing =
     }: não foi recuada.
 diag-row-not-in-table =
     { $table ->
-        [preset] A tabela de pontos de referência não tem a linha { $row }.
+        [preset] A tabela de presets não tem a linha { $row }.
        *[datum] A tabela de pontos zero não tem a linha { $row }.
     }
 diag-program-not-selected = Chama-se aqui um programa selecionado, mas nenhum foi selecionado.
@@ -335,8 +335,8 @@ diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subpr
 diag-subprogram-without-end = O subprograma { $label } continua até ao fim do programa sem LBL 0.
 diag-tcpm-left-on =
     { $what ->
-        [tool] Chama-se aqui uma ferramenta com M128 ou FUNCTION TCPM ativo.
-       *[end] O programa termina aqui com M128 ou FUNCTION TCPM ativo.
+        [tool] Chama-se aqui uma ferramenta com M128 ou FUNCTION TCPM ativa.
+       *[end] O programa termina aqui com M128 ou FUNCTION TCPM ativa.
     }
 diag-text-for-number =
     { $what ->
@@ -411,15 +411,15 @@ diag-transformation-left-on =
     O programa termina aqui com { $what ->
         [datum-shift] uma deslocação do ponto zero ativa
         [rotation] uma rotação ativa
-        [mirroring] um espelho ativo
+        [mirroring] um espelhamento ativo
        *[scaling] um fator de escala ativo
     }.
 diag-feed-unit =
     { $what ->
-        [revolution] Aqui { $parameter }={ $value } é um avanço por rotação, porque M136 está ativo.
-        [revolving] Aqui { $parameter }{ $value } é um avanço por rotação, porque M136 está ativo.
-        [moving] Aqui { $parameter }{ $value } é um avanço por minuto, porque M136 não está ativo.
-       *[minute] Aqui { $parameter }={ $value } é um avanço por minuto, porque M136 não está ativo.
+        [revolution] Aqui { $parameter }={ $value } é um avanço por rotação, porque M136 está ativa.
+        [revolving] Aqui { $parameter }{ $value } é um avanço por rotação, porque M136 está ativa.
+        [moving] Aqui { $parameter }{ $value } é um avanço por minuto, porque M136 não está ativa.
+       *[minute] Aqui { $parameter }={ $value } é um avanço por minuto, porque M136 não está ativa.
     }
 diag-turning-system-missing = { $cycle } é chamado aqui, mas { $aligning } não foi definido desde a chamada da ferramenta.
 diag-two-signs = Antes do número há dois sinais; são lidos como { $right }.

@@ -8,7 +8,7 @@ until-depth-reached = seja atingida a profundidade programada { $q-depth }
 
 # --- guards ---
 guard-depth-zero = A profundidade é 0: o comando não executa o ciclo.
-guard-depth-positive = A profundidade é positiva. Introduza uma profundidade negativa ou permita-a com o parâmetro de máquina { $mp-display-depth-err }.
+guard-depth-positive = A profundidade é positiva. Introduza uma profundidade negativa ou permita profundidades positivas com o parâmetro de máquina { $mp-display-depth-err }.
 
 # --- notes ---
 note-program-before-call = Antes da chamada do ciclo, programe a chamada da ferramenta, o sentido de rotação do cabeçote (M3 ou M4) e a definição do ciclo; o gráfico de teste precisa também do bloco (BLK FORM).

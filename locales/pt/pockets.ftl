@@ -3,7 +3,7 @@ cycle-rectangular-pocket = Caixa retangular
     .nc = CAIXA RETANGULAR
     .nc-aliases = CAIXA RECTANGULAR
     .purpose = Maquina por completo uma caixa retangular: desbaste, acabamento do fundo e acabamento lateral. Também é possível fazer só o desbaste, só o acabamento do fundo e lateral, só o acabamento do fundo ou só o acabamento lateral.
-step-move-over-pocket-centre = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se não estiver introduzida), depois sobre o centro da caixa e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
+step-move-over-pocket-centre = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (ou à distância de segurança, se aquela não tiver sido introduzida), depois sobre o centro da caixa e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
 group-roughing = Desbaste
 step-plunge-at-centre = A ferramenta penetra na peça no centro da caixa até à profundidade de passo seguinte { $q-plunging-depth }. O parâmetro { $q-plunging-strategy } determina como:
 say-plunge-vertically = { $q-plunging-strategy } = 0: na vertical, com o avanço { $q-plunging-feed }
@@ -14,7 +14,7 @@ step-leave-wall-and-return = A ferramenta desloca-se para a distância de segura
 until-roughing-depth-reached = seja atingida a profundidade { $q-depth }, descontada a medida excedente do fundo { $q-floor-allowance }
 group-finishing = Acabamento
 step-rapid-to-first-plunging-depth = Se só estiver programado o acabamento ({ $q-machining-operation } = 2), o comando desloca a ferramenta no centro da caixa, em avanço rápido, até à primeira profundidade de passo.
-step-finish-side = Se estiver definida uma medida excedente { $q-side-allowance }, o comando faz primeiro o acabamento lateral da caixa, com aproximação tangencial; se { $q-finishing-infeed } estiver introduzido, em vários passos.
+step-finish-side = Se estiver definida uma medida excedente { $q-side-allowance }, o comando faz primeiro o acabamento lateral da caixa, com aproximação tangencial; se { $q-finishing-infeed } tiver sido introduzido, em vários passos.
 until-side-finished = o acabamento lateral chegue à profundidade { $q-depth }
 step-finish-floor = Se estiver definida uma medida excedente { $q-floor-allowance }, o comando faz depois o acabamento do fundo da caixa de dentro para fora, com aproximação tangencial.
 step-leave-pocket = A ferramenta sai da caixa em avanço rápido:
