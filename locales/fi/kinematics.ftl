@@ -81,23 +81,23 @@ cycle-measure-kinematics = Kinematiikan mittaus
 step-clamp-sphere = Kiinnitä kalibrointikuula niin, ettei törmäystä voi tapahtua.
 step-set-datum-in-sphere = Aseta peruspiste käsikäyttötavalla kuulan keskipisteeseen. Jos { $q-sphere-preset } = 1 tai { $q-sphere-preset } = 3, paikoita sen sijaan kosketusjärjestelmä käsin kosketusakselilla kalibrointikuulan yläpuolelle ja koneistustasossa kuulan keskelle.
 step-start-calibration-program = Valitse ohjelmanajon käyttötapa ja käynnistä kalibrointiohjelma.
-step-set-preset-before-measuring = Ohjaus asettaa esiasetuksen:
-say-preset-into-sphere-before = jos { $q-sphere-preset } = 1 tai 3, kuulan keskipisteeseen ennen mittausta
+step-set-preset-before-measuring = { $q-sphere-preset } määrää, mikä esiasetus mittauksessa on voimassa:
+say-preset-into-sphere-before = jos { $q-sphere-preset } = 1 tai 3, ohjaus tekee esiasetuksen kuulan keskipisteeseen ennen mittausta
 say-preset-set-by-hand = muussa tapauksessa se käyttää käsin asetettua peruspistettä
 step-move-to-measuring-positions = Kosketusjärjestelmä siirtyy mittausasemiin:
 say-move-without-retraction = jos { $q-retraction-height } = 0, vetäytymättä mitattavalla akselilla; ensimmäiseen mittausasemaan järjestyksessä A, B, C
 say-move-over-retraction-height = muussa tapauksessa karan akseli siirtyy ensin vetäytymiskorkeudelle { $q-retraction-height } ja kosketusjärjestelmä koneistustasossa nollapisteeseen
 step-measure-rotary-axes = Ohjaus mittaa automaattisesti kaikki kiertoakselit peräkkäin määritellyllä tarkkuudella. Referenssimittaus tehdään kulmassa 0°.
-step-measure-backlash = Ohjaus mittaa välyksen:
-say-backlash-from-two-measurements = kulman { $q-backlash-angle } avulla, kullakin kiertoakselilla kahdella mittauksella
+step-measure-backlash = { $q-backlash-angle } määrää, mittaako ohjaus välyksen:
+say-backlash-from-two-measurements = jos parametrissa { $q-backlash-angle } on kulma, ohjaus määrittää välyksen mittaamalla kunkin kiertoakselin kahdesti
 say-no-backlash-measurement = jos { $q-backlash-angle } = 0, välystä ei mitata
 step-adapt-kinematics = Ohjaus arvioi mittaustulokset tilan { $q-kinematics-mode } mukaan:
-say-report-possible-optimization = tarkastus: ohjaus määrittää mitatuista asemista kääntömuunnoksen staattisen tarkkuuden, kirjaa pöytäkirjaan, mitä asemien optimoinnilla voitaisiin saavuttaa, eikä muuta mitään
-say-optimize-axis-positions = aseman optimointi: ohjaus määrittää kääntömuunnoksen staattisen tarkkuuden, pyrkii muuttamaan kiertoakselien asemaa kinematiikkamallissa niin, että tarkkuus paranee, ja mukauttaa konetiedot automaattisesti
-say-optimize-angles-then-positions = aseman ja kulman optimointi: ohjaus määrittää kääntömuunnoksen staattisen tarkkuuden, pyrkii ensin optimoimaan kiertoakselien kulma-aseman kompensoinnilla (optio 52, KinematicsComp) ja, jos se onnistuu, optimoi aseman toisella mittaussarjalla
+say-report-possible-optimization = tarkastus: ohjaus määrittää mitatuista asemista staattisen kääntötarkkuuden, kirjaa pöytäkirjaan, mitä asemien optimoinnilla voitaisiin saavuttaa, eikä muuta mitään
+say-optimize-axis-positions = aseman optimointi: ohjaus määrittää staattisen kääntötarkkuuden, pyrkii muuttamaan kiertoakselien asemaa kinematiikkamallissa niin, että tarkkuus paranee, ja mukauttaa konetiedot automaattisesti
+say-optimize-angles-then-positions = aseman ja kulman optimointi: ohjaus määrittää staattisen kääntötarkkuuden, pyrkii ensin optimoimaan kiertoakselien kulma-aseman kompensoinnilla (optio 52, KinematicsComp) ja, jos se onnistuu, optimoi aseman toisella mittaussarjalla
 step-store-scatter-and-offsets = Ohjaus tallentaa mitatut arvot tulosparametreihin.
-step-set-preset-after-measuring = Mittauksen jälkeen ohjaus asettaa esiasetuksen:
-say-preset-into-sphere-after = jos { $q-sphere-preset } = 2 tai 3, kuulan keskipisteeseen
+step-set-preset-after-measuring = Mittauksen jälkeen { $q-sphere-preset } määrää, asettaako ohjaus esiasetuksen:
+say-preset-into-sphere-after = jos { $q-sphere-preset } = 2 tai 3, se asetetaan kuulan keskipisteeseen
 say-no-preset-after = muussa tapauksessa sitä ei aseteta
 step-write-kinematics-log = Ohjaus laatii pöytäkirjan (TCHPR{ $cycle }.TXT).
 result-scatter-measured-a = A-akselin mitattu keskihajonta (−1, jos akselia ei mitattu)

@@ -60,7 +60,7 @@ result-measured-length-deviation = Mitatun pituuden poikkeama
 # --- 427 ---
 cycle-measure-coordinate = Koordinaatin mittaus
     .nc = KOORDINAATIN MITTAUS
-    .purpose = Työkierto mittaa koordinaatin valittavalla akselilla ja tallentaa arvon parametriin. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametreihin.
+    .purpose = Työkierto mittaa koordinaatin valittavalla akselilla ja tallentaa arvon parametriin. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeamat parametreihin.
 step-position-against-traverse-direction = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun kosketuspisteeseen pikaliikkeellä (arvo sarakkeesta { $mp-positioning-feed }) ja paikoituslogiikalla. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran liikesuuntaa { $q-traverse-direction } vastaan.
 step-position-against-traverse-direction__tnc426-430 = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun kosketuspisteeseen pikaliikkeellä (arvo koneparametrista { $mp-positioning-feed } tai { $mp-analog-positioning-feed }) ja paikoituslogiikalla. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran liikesuuntaa { $q-traverse-direction } vastaan.
 step-probe-coordinate = Ohjaus paikoittaa kosketusjärjestelmän koneistustasossa ohjelmoituun kosketuspisteeseen ja mittaa siellä todellisarvon valitulla akselilla.
@@ -69,14 +69,14 @@ say-part-is-scrap__measure-coordinate = hylky (Q182 = 1), jos mitattu koordinaat
 say-part-needs-rework__measure-coordinate = jälkityö (Q181 = 1), jos mitattu koordinaatti on suurempi kuin { $q-greatest-dimension }
 say-correct-tool-length = jos { $q-monitored-tool } ei ole 0 ja { $q-measuring-axis } = 3, se korjaa työkalun pituutta työkalutaulukon sarakkeessa DL; jos poikkeama on suurempi kuin rikkotoleranssi RBREAK, se antaa virheilmoituksen, pysäyttää ohjelmanajon ja asettaa työkalulle eston (sarake TL = L)
 say-correct-tool-radius__measure-coordinate = jos { $q-monitored-tool } ei ole 0 ja { $q-measuring-axis } = 1 tai 2, se korjaa delta-sädettä työkalutaulukon sarakkeessa DR parametrista { $q-traverse-direction } määräytyvään suuntaan; jos poikkeama on suurempi kuin rikkotoleranssi RBREAK, se antaa virheilmoituksen, pysäyttää ohjelmanajon ja asettaa työkalulle eston (sarake TL = L)
-note-coordinate-is-outside-dimension = Ohjaus olettaa, että mitataan ulkomitta (kaula). Mittauksen tila saadaan oikeaksi valitsemalla suurin ja pienin mitta sekä kosketussuunta sopivasti.
+note-coordinate-is-outside-dimension = Ohjaus olettaa, että mitataan ulkomitta (kaula). Muissa tapauksissa mittauksen tila saadaan oikeaksi valitsemalla suurin ja pienin mitta sekä kosketussuunta sopivasti.
 note-coordinate-corrects-radius-or-length = Jos mittausakselina on koneistustason akseli ({ $q-measuring-axis } = 1 tai 2), ohjaus korjaa työkalun sädettä; korjauksen suunta määräytyy liikesuunnasta { $q-traverse-direction }. Jos mittausakselina on kosketusakseli ({ $q-measuring-axis } = 3), se korjaa työkalun pituutta.
 result-measured-coordinate__measure-coordinate = Mitattu koordinaatti
 
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Reikäympyrän mittaus
     .nc = REIKÄYMPYRÄN MITTAUS
-    .purpose = Työkierto mittaa reikäympyrän keskipisteen ja halkaisijan mittaamalla sen kolme reikää. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametreihin.
+    .purpose = Työkierto mittaa reikäympyrän keskipisteen ja halkaisijan mittaamalla sen kolme reikää. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeamat parametreihin.
 step-measure-centre-of-hole = Kosketusjärjestelmä siirtyy mittauskorkeudelle { $q-measuring-height } ja määrittää reiän keskipisteen neljällä kosketuksella.
 step-travel-to-next-hole = Kosketusjärjestelmä palaa varmuuskorkeudelle { $q-clearance-height } ja paikoittuu seuraavan reiän annettuun keskipisteeseen.
 until-three-holes-measured = kaikkien kolmen reiän keskipisteet on määritetty

@@ -31,7 +31,7 @@ say-back-to-slot-centre = { $q-slot-position } = 0: ohjaus palauttaa työkalun k
 say-stays-in-working-plane = muussa tapauksessa ohjaus ei paikoita työkalua koneistustasossa
 note-position-at-slot-start = Paikoita työkalu koneistustason alkupisteeseen sädekorjauksella R0. Ota huomioon uran sijainti { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Paikoita työkalu koneistustason alkupisteeseen sädekorjauksella R0. Ota huomioon uran sijainnin perusta { $q-slot-position-reference }.
-note-slot-end-position = Työkierron lopussa ohjaus palauttaa työkalun koneistustasossa uran keskelle; koneistustason toisella akselilla se ei paikoita työkalua. Jos uran sijainti { $q-slot-position } ei ole 0, ohjaus paikoittaa työkalun vain työkaluakselin suunnassa 2. varmuusetäisyydelle. Aja työkalu takaisin aloitusasemaan ennen työkierron uutta kutsua tai ohjelmoi ennen kutsua absoluuttiset liikkeet.
+note-slot-end-position = Työkierron lopussa ohjaus palauttaa työkalun koneistustasossa uran keskelle. Poikkeus: jos uran sijainti { $q-slot-position } ei ole 0, se paikoittaa työkalun vain työkaluakselin suunnassa 2. varmuusetäisyydelle. Aja työkalu takaisin aloitusasemaan ennen työkierron uutta kutsua tai ohjelmoi ennen kutsua absoluuttiset liikkeet.
 note-wide-slot-is-cleared = Jos ura on leveämpi kuin kaksi kertaa työkalun halkaisija, ohjaus rouhii sen vastaavasti sisältä ulospäin. Näin minkä levyisiä uria tahansa voidaan jyrsiä myös pienillä työkaluilla.
 
 # --- 254 ---
@@ -45,7 +45,7 @@ step-end-of-circular-slot = Työkalun asema työkierron lopussa riippuu uran sij
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: ohjaus palauttaa työkalun koneistustasossa alkupisteeseen (jakoympyrän keskipisteeseen)
 condition-slot-at-entered-centre = uran sijainti määräytyy jakoympyrän annetusta keskipisteestä ({ $q-slot-position-reference } = 0)
 note-circular-slot-end-position = Työkierron lopussa ohjaus palauttaa työkalun koneistustasossa alkupisteeseen (jakoympyrän keskipisteeseen). Poikkeus: jos uran sijainti { $q-slot-position-reference } ei ole 0, se paikoittaa työkalun vain työkaluakselin suunnassa 2. varmuusetäisyydelle. Ohjelmoi tällöin työkierron kutsun jälkeen aina absoluuttiset liikkeet.
-note-circular-slot-with-pattern = Jos työkierto 254 (pyöreä ura) yhdistetään työkiertoon 221, uran sijainti 0 ei ole sallittu.
+note-circular-slot-with-pattern = Jos työkierto 254 (pyöreä ura) yhdistetään työkiertoon 221, uran sijainnille ei saa antaa arvoa 0.
 
 # --- 256 ---
 cycle-rectangular-stud = Suorakulmakaula
@@ -77,7 +77,7 @@ step-leave-stud-on-spiral = Ohjaus irrottaa työkalun muodosta spiraalirataa pit
 step-next-infeed-near-departure = Jos tarvitaan useita asetusliikkeitä, seuraava tehdään irtautumiskohtaa lähinnä olevassa pisteessä.
 step-retract-and-return-to-stud-centre = Kun työkalu on työkierron lopussa irtautunut spiraalirataa pitkin, ohjaus paikoittaa sen työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (ellei sitä ole annettu, varmuusetäisyydelle) ja sen jälkeen kaulan keskipisteeseen.
 note-position-at-stud-centre = Paikoita työkalu koneistustason alkupisteeseen (kaulan keskipisteeseen) sädekorjauksella R0.
-note-circular-stud-end-height = Törmäysvaara! Lopussa ohjaus palauttaa työkalun varmuusetäisyydelle tai, jos se on annettu, 2. varmuusetäisyydelle. Työkalun loppuasema työkierron jälkeen voi siis poiketa sen aloitusasemasta.
+note-circular-stud-end-height = Törmäysvaara! Lopussa ohjaus palauttaa työkalun varmuusetäisyydelle tai, jos se on annettu, 2. varmuusetäisyydelle. Työkaluakselin suunnassa loppuasema työkierron jälkeen voi siis poiketa aloitusasemasta.
 
 # --- 221 ---
 cycle-line-pattern = Pistekuvio suorilla

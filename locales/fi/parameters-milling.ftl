@@ -225,7 +225,7 @@ choice-line-by-line-with-retraction = Rivi kerrallaan, vetäytyminen ja sivuttai
 
 # --- koordinaattimuunnokset ---
 parameter-mirrored-axes = Peilattavat akselit
-    .help = Akselit, jotka peilataan. Kaikki akselit voidaan peilata, myös kiertoakselit, lukuun ottamatta karan akselia ja sen sivuakselia. Enintään kolme NC-akseleista X, Y, Z, U, V, W, A, B, C.
+    .help = Akselit, jotka peilataan. Kaikki akselit voidaan peilata, myös kiertoakselit, lukuun ottamatta karan akselia ja sen suuntaista sivuakselia. Enintään kolme NC-akseleista X, Y, Z, U, V, W, A, B, C.
     .prompt = Peilausakseli?
 parameter-scaling-factor = Kerroin
     .help = Mittakerroin SCL. Ohjaus kertoo koordinaatit ja säteet sillä.

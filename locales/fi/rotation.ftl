@@ -54,7 +54,7 @@ cycle-rotation-by-rotary-axis = Peruskäännön kompensointi kiertoakselin avull
     .purpose = Työkierto mittaa kaksi pistettä, joiden on oltava samalla suoralla, ja määrittää niistä työkappaleen vinon asennon. Ohjaus kompensoi sen kääntämällä A-, B- tai C-akselia. Työkappale voi olla kiinnitettynä mihin tahansa kohtaan pyöröpöytää.
 step-retract-and-turn-rotary-axis = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja kääntää kiertoakselia { $q-compensation-axis } lasketun arvon verran. Se tallentaa kulman myös tulosparametriin. Haluttaessa se asettaa näytön suuntauksen jälkeen lukemaan 0.
 step-retract-and-turn-rotary-axis__tnc426-430 = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja kääntää kiertoakselia { $q-compensation-axis } lasketun arvon verran.
-note-compensation-may-be-turned-180 = Törmäysvaara! Ohjaus tarkastaa vain, sopivatko kosketuspisteet ja kompensoiva akseli yhteen. Kompensointiliike voi siksi olla kääntynyt 180°.
+note-compensation-may-be-turned-180 = Törmäysvaara! Ohjaus tarkastaa vain karkeasti, sopivatko kosketuspisteet ja kompensoiva akseli yhteen. Kompensointiliike voi siksi olla kääntynyt 180°.
 note-compensation-axis-combinations = Mittausakselin { $q-measuring-axis } ja kompensoivan akselin { $q-compensation-axis } sallitut yhdistelmät. Kosketusakseli Z: 1 ja 6, 2 ja 6, 3 ja 5 tai 4. Kosketusakseli Y: 1 ja 5, 2 ja 5, 3 ja 6 tai 4. Kosketusakseli X: 1 ja 4, 2 ja 4, 3 ja 5 tai 6.
 note-only-without-tilting = Käytä tätä työkiertoa vain, kun koneistustason kääntö ei ole voimassa.
 

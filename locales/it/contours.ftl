@@ -69,7 +69,7 @@ step-plunge-to-contour-level = L’utensile scende di { $q-contour-plunging-dept
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: in verticale con l’avanzamento { $q-contour-plunging-feed }, anche se per l’utensile attivo è definito un angolo di penetrazione { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: in verticale con l’avanzamento con pendolamento { $q-reciprocation-feed }
 say-plunge-on-helix-or-in-strokes = altrimenti lungo un’elica con l’angolo di penetrazione { $mp-plunging-angle }, oppure con pendolamento dove un’elica non è possibile
-step-rough-contour-level = A questa profondità l’utensile fresa il profilo dall’interno verso l’esterno con l’avanzamento { $q-roughing-feed }. Intorno alle isole fresa su traiettorie che si avvicinano sempre più al profilo della tasca:
+step-rough-contour-level = A questa profondità l’utensile fresa il profilo dall’interno verso l’esterno con l’avanzamento { $q-roughing-feed }; intorno alle isole fresa su traiettorie che si avvicinano sempre più al profilo della tasca. L’utensile lavora:
 say-rough-what-coarser-tool-left = se è inserito un utensile di sgrossatura { $q-coarse-roughing-tool }, soltanto ciò che questo utensile non ha potuto lavorare
 say-rough-whole-region = altrimenti l’intera area
 message-contour-material-left = L’utensile non raggiunge tutto il profilo: lascia materiale negli angoli o nei punti stretti.
@@ -170,7 +170,7 @@ note-program-centre-path-of-slot = Programmare la traiettoria centrale del profi
 cycle-cylinder-surface-ridge = Isola su superficie cilindrica
     .nc = ISOLA SU SUP. CILINDRICA
     .purpose = Trasferisce sulla superficie di un cilindro un’isola definita nello sviluppo, con pareti parallele.
-step-position-over-ridge-start = Il controllo posiziona l’utensile sopra il punto di partenza della lavorazione, che calcola dalla larghezza dell’isola e dal diametro dell’utensile: a fianco del primo punto del sottoprogramma del profilo, spostato di metà della larghezza dell’isola e del diametro dell’utensile. La correzione del raggio determina il lato: a sinistra dell’isola (fresatura concorde) o a destra (fresatura discorde).
+step-position-over-ridge-start = Il controllo posiziona l’utensile sopra il punto di partenza della lavorazione, che calcola dalla larghezza dell’isola e dal diametro dell’utensile: a fianco del primo punto del sottoprogramma del profilo, spostato di metà della larghezza dell’isola più il diametro dell’utensile. La correzione del raggio determina il lato: a sinistra dell’isola (fresatura concorde) o a destra (fresatura discorde).
 step-approach-ridge-wall = A questa profondità l’utensile si accosta al profilo su un arco tangente con l’avanzamento { $q-contour-milling-feed }, tenendo conto del sovrametallo di finitura laterale { $q-side-allowance }, se presente.
 step-mill-along-ridge-wall = L’utensile fresa lungo la parete dell’isola con l’avanzamento { $q-contour-milling-feed } fino a completare l’isola.
 step-leave-ridge-wall = L’utensile lascia tangenzialmente la parete dell’isola e ritorna al punto di partenza della lavorazione.

@@ -96,27 +96,27 @@ parameter-backlash-angle__itnc530 = ANGOLO GIOCO
 # --- 451 ---
 cycle-measure-kinematics = Misura cinematica
     .nc = MISURA CINEMATICA
-    .purpose = Verifica la cinematica della macchina e, se richiesto, la ottimizza. Un sistema di tastatura 3D misura una sfera calibrata HEIDENHAIN fissata sulla tavola della macchina. Il controllo valuta la precisione statica della rotazione; il software riduce al minimo l’errore nello spazio che ne deriva e memorizza la geometria della macchina nelle costanti macchina della descrizione della cinematica.
+    .purpose = Verifica la cinematica della macchina e, se richiesto, la ottimizza. Un sistema di tastatura 3D misura una sfera calibrata HEIDENHAIN fissata sulla tavola della macchina. Il controllo valuta la precisione statica di rotazione; il software riduce al minimo l’errore nello spazio che ne deriva e memorizza la geometria della macchina nelle costanti macchina della descrizione della cinematica.
 step-clamp-sphere = Serrare la sfera calibrata in modo da escludere collisioni.
 step-set-datum-in-sphere = Nel modo operativo Funzionamento manuale impostare l’origine al centro della sfera. Con { $q-sphere-preset }=1 o { $q-sphere-preset }=3 posizionare invece manualmente il sistema di tastatura sopra la sfera calibrata nell’asse del tastatore e al centro della sfera nel piano di lavoro.
 step-start-calibration-program = Avviare il programma di calibrazione in un modo operativo di esecuzione del programma.
-step-set-preset-before-measuring = Il controllo imposta il Preset:
-say-preset-into-sphere-before = con { $q-sphere-preset }=1 o 3 al centro della sfera, prima della misurazione
+step-set-preset-before-measuring = { $q-sphere-preset } determina quale Preset vale per la misurazione:
+say-preset-into-sphere-before = con { $q-sphere-preset }=1 o 3 il controllo imposta il Preset al centro della sfera prima della misurazione
 say-preset-set-by-hand = altrimenti utilizza l’origine impostata manualmente
 step-move-to-measuring-positions = Il sistema di tastatura si porta alle posizioni di misura:
 say-move-without-retraction = con { $q-retraction-height }=0 senza ritrarsi, nell’asse da misurare; alla prima posizione di misura nella sequenza A, B, C
 say-move-over-retraction-height = altrimenti l’asse del mandrino si porta prima all’altezza di ritorno { $q-retraction-height } e il sistema di tastatura sull’origine nel piano di lavoro
 step-measure-rotary-axes = Il controllo misura in automatico gli assi rotativi, uno dopo l’altro, con la precisione definita. La misurazione di riferimento viene eseguita a 0°.
-step-measure-backlash = Il controllo misura il gioco:
-say-backlash-from-two-measurements = con l’angolo { $q-backlash-angle } mediante due misurazioni per ogni asse rotativo
-say-no-backlash-measurement = con { $q-backlash-angle }=0 non lo misura
+step-measure-backlash = { $q-backlash-angle } determina se il controllo misura il gioco:
+say-backlash-from-two-measurements = se in { $q-backlash-angle } è inserito un angolo, determina il gioco con due misurazioni per ogni asse rotativo
+say-no-backlash-measurement = con { $q-backlash-angle }=0 non misura il gioco
 step-adapt-kinematics = Il controllo elabora la misurazione in base al modo { $q-kinematics-mode }:
-say-report-possible-optimization = verifica: determina dalle posizioni misurate la precisione statica della trasformazione di rotazione, registra nel protocollo ciò che un’ottimizzazione delle posizioni potrebbe ottenere e non esegue alcun adattamento
-say-optimize-axis-positions = ottimizzazione posizione: determina la precisione statica della trasformazione di rotazione, cerca di modificare la posizione degli assi rotativi nel modello cinematico in modo da aumentare la precisione e adatta automaticamente i dati macchina
-say-optimize-angles-then-positions = ottimizzazione posizione e angolo: determina la precisione statica della trasformazione di rotazione, cerca dapprima di ottimizzare la posizione angolare degli assi rotativi mediante compensazione (opzione 52, KinematicsComp) e, in caso di esito positivo, ottimizza la posizione in un’ulteriore serie di misurazioni
+say-report-possible-optimization = verifica: determina dalle posizioni misurate la precisione statica di rotazione, registra nel protocollo ciò che un’ottimizzazione delle posizioni potrebbe ottenere e non esegue alcun adattamento
+say-optimize-axis-positions = ottimizzazione posizione: determina la precisione statica di rotazione, cerca di modificare la posizione degli assi rotativi nel modello cinematico in modo da aumentare la precisione e adatta automaticamente i dati macchina
+say-optimize-angles-then-positions = ottimizzazione posizione e angolo: determina la precisione statica di rotazione, cerca dapprima di ottimizzare la posizione angolare degli assi rotativi mediante compensazione (opzione 52, KinematicsComp) e, in caso di esito positivo, ottimizza la posizione in un’ulteriore serie di misurazioni
 step-store-scatter-and-offsets = Il controllo memorizza i valori misurati nei parametri di risultato.
-step-set-preset-after-measuring = Dopo la misurazione il controllo imposta il Preset:
-say-preset-into-sphere-after = con { $q-sphere-preset }=2 o 3 al centro della sfera
+step-set-preset-after-measuring = Dopo la misurazione { $q-sphere-preset } determina se il controllo imposta il Preset:
+say-preset-into-sphere-after = con { $q-sphere-preset }=2 o 3 lo imposta al centro della sfera
 say-no-preset-after = altrimenti non lo imposta
 step-write-kinematics-log = Il controllo crea un protocollo (TCHPR{ $cycle }.TXT).
 result-scatter-measured-a = Scostamento standard misurato asse A (−1 se l’asse non è stato misurato)

@@ -40,7 +40,7 @@ step-probe-first-in-positive-direction__tnc426-430 = Il sistema di tastatura ese
 step-probe-first-in-negative-direction = Il sistema di tastatura esegue la prima tastatura con l’avanzamento di tastatura (colonna { $mp-probing-feed }), sempre in direzione negativa dell’asse programmato.
 step-probe-first-in-negative-direction__tnc426-430 = Il sistema di tastatura esegue la prima tastatura con l’avanzamento di tastatura ({ $mp-probing-feed } o { $mp-analog-probing-feed }), sempre in direzione negativa dell’asse programmato.
 step-probe-second-side-of-slot = Il sistema di tastatura esegue la seconda tastatura in base a { $q-second-measurement-offset }:
-step-probe-second-side-of-slot__tnc640 = Il sistema di tastatura esegue la seconda tastatura in base a { $q-second-measurement-offset }. Se la lunghezza nominale è grande, il controllo si porta in rapido al secondo punto di tastatura:
+step-probe-second-side-of-slot__tnc640 = Se la lunghezza nominale è grande, il controllo si porta in rapido al secondo punto di tastatura. Il sistema di tastatura esegue la seconda tastatura in base a { $q-second-measurement-offset }:
 say-offset-second-measurement = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura di questo offset, parallelamente agli assi, fino al punto di tastatura successivo ed esegue qui la tastatura
 say-offset-second-measurement__tnc640 = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura di questo offset fino al punto di tastatura successivo, con { $q-traverse-to-clearance-height }=1 all’altezza di sicurezza { $q-clearance-height }, ed esegue qui la tastatura
 say-measure-in-opposite-direction = con { $q-second-measurement-offset }=0 misura la larghezza direttamente nella direzione opposta
@@ -56,7 +56,7 @@ result-measured-length-deviation = Scostamento lunghezza misurata
 # --- 427 ---
 cycle-measure-coordinate = Misurazione coordinata in un asse selezionabile
     .nc = MISURARE COORDINATA
-    .purpose = Misura una coordinata in un asse selezionabile e memorizza il valore in un parametro. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento nei parametri di risultato.
+    .purpose = Misura una coordinata in un asse selezionabile e memorizza il valore in un parametro. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
 step-position-against-traverse-direction = Il controllo posiziona il sistema di tastatura sul punto di tastatura programmato, in rapido (valore della colonna { $mp-positioning-feed }) e con logica di posizionamento, arretrandolo della distanza di sicurezza in senso opposto alla direzione di spostamento { $q-traverse-direction }.
 step-position-against-traverse-direction__tnc426-430 = Il controllo posiziona il sistema di tastatura sul punto di tastatura programmato, in rapido (valore di { $mp-positioning-feed } o { $mp-analog-positioning-feed }) e con logica di posizionamento, arretrandolo della distanza di sicurezza in senso opposto alla direzione di spostamento { $q-traverse-direction }.
 step-probe-coordinate = Il controllo posiziona il sistema di tastatura nel piano di lavoro sul punto di tastatura programmato e misura qui il valore reale nell’asse selezionato.
@@ -71,7 +71,7 @@ note-coordinate-corrects-radius-or-length = Se l’asse di misura è un asse del
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Misurazione cerchio di fori
     .nc = MISURARE CERCHIO DI FORI
-    .purpose = Misura il centro e il diametro di un cerchio di fori misurando tre dei suoi fori. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento nei parametri di risultato.
+    .purpose = Misura il centro e il diametro di un cerchio di fori misurando tre dei suoi fori. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
 step-measure-centre-of-hole = Il sistema di tastatura si porta all’altezza di misura { $q-measuring-height } e rileva il centro del foro con quattro tastature.
 step-travel-to-next-hole = Il sistema di tastatura ritorna all’altezza di sicurezza { $q-clearance-height } e viene posizionato sul centro inserito del foro successivo.
 until-three-holes-measured = non sono stati rilevati i centri di tutti e tre i fori

@@ -31,7 +31,7 @@ say-back-to-slot-centre = { $q-slot-position } = 0: il controllo riporta l’ute
 say-stays-in-working-plane = altrimenti: il controllo non posiziona l’utensile nel piano di lavoro
 note-position-at-slot-start = Posizionare l’utensile sul punto di partenza nel piano di lavoro con correzione del raggio R0. Tenere conto della posizione della scanalatura { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Posizionare l’utensile sul punto di partenza nel piano di lavoro con correzione del raggio R0. Tenere conto del riferimento per la posizione della scanalatura { $q-slot-position-reference }.
-note-slot-end-position = Al termine del ciclo il controllo riporta l’utensile nel piano di lavoro al centro della scanalatura; nell’altro asse del piano di lavoro non esegue alcun posizionamento. Se è definita una posizione della scanalatura { $q-slot-position } diversa da 0, il controllo posiziona l’utensile solo nell’asse utensile alla 2ª distanza di sicurezza. Prima di richiamare il ciclo riportare l’utensile nella posizione di partenza oppure programmare spostamenti assoluti prima della chiamata.
+note-slot-end-position = Al termine del ciclo il controllo riporta l’utensile nel piano di lavoro al centro della scanalatura. Eccezione: se è definita una posizione della scanalatura { $q-slot-position } diversa da 0, lo posiziona solo nell’asse utensile alla 2ª distanza di sicurezza. Prima di richiamare il ciclo riportare l’utensile nella posizione di partenza oppure programmare spostamenti assoluti prima della chiamata.
 note-wide-slot-is-cleared = Se la scanalatura è più larga del doppio del diametro dell’utensile, il controllo la svuota dall’interno verso l’esterno. Si possono quindi fresare scanalature di qualsiasi larghezza anche con utensili piccoli.
 
 # --- 254 ---
@@ -77,7 +77,7 @@ step-leave-stud-on-spiral = L’utensile si distacca dal profilo su una traietto
 step-next-infeed-near-departure = Se sono necessari più incrementi, quello successivo avviene nel punto più vicino al distacco.
 step-retract-and-return-to-stud-centre = Al termine del ciclo, dopo il distacco a spirale, il controllo posiziona l’utensile nell’asse utensile alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (se non è inserita, alla distanza di sicurezza) e poi al centro dell’isola.
 note-position-at-stud-centre = Posizionare l’utensile sul punto di partenza (centro dell’isola) nel piano di lavoro con correzione del raggio R0.
-note-circular-stud-end-height = Pericolo di collisione! Al termine il controllo riporta l’utensile alla distanza di sicurezza oppure, se inserita, alla 2ª distanza di sicurezza. La posizione finale dell’utensile dopo il ciclo può quindi essere diversa dalla sua posizione di partenza.
+note-circular-stud-end-height = Pericolo di collisione! Al termine il controllo riporta l’utensile alla distanza di sicurezza oppure, se inserita, alla 2ª distanza di sicurezza. Nell’asse utensile, la posizione finale dopo il ciclo può quindi essere diversa dalla sua posizione di partenza.
 
 # --- 221 ---
 cycle-line-pattern = Sagome di punti su linee
@@ -135,7 +135,7 @@ step-mill-face-line = L’utensile fresa con l’avanzamento programmato { $q-mi
 say-line-ends-outside-surface = { $q-face-milling-strategy } = 0: all’esterno della superficie; il controllo lo calcola dal punto di partenza, dalla lunghezza e dalla distanza laterale { $q-side-clearance } programmati e dal raggio dell’utensile
 say-line-ends-inside-surface = { $q-face-milling-strategy } = 1: all’interno della superficie; il controllo lo calcola dal punto di partenza e dalla lunghezza programmati e dal raggio dell’utensile
 say-line-ends-outside-surface-by-lines = { $q-face-milling-strategy } = 2: all’esterno della superficie; il controllo lo calcola dal punto di partenza, dalla lunghezza e dalla distanza laterale { $q-side-clearance } programmati e dal raggio dell’utensile
-step-step-over-on-face = Il controllo sposta l’utensile trasversalmente sul punto di partenza della riga successiva. Calcola lo spostamento dalla larghezza programmata { $q-second-side-length }, dal raggio dell’utensile e dal fattore di sovrapposizione massimo { $q-max-path-overlap }:
+step-step-over-on-face = Il controllo calcola lo spostamento dalla larghezza programmata { $q-second-side-length }, dal raggio dell’utensile e dal fattore di sovrapposizione massimo { $q-max-path-overlap } e sposta l’utensile trasversalmente sul punto di partenza della riga successiva:
 say-step-over-outside = { $q-face-milling-strategy } = 0: con l’avanzamento di avvicinamento { $q-pre-positioning-feed }
 say-step-over-inside = { $q-face-milling-strategy } = 1: all’interno del pezzo, con l’avanzamento di fresatura { $q-milling-feed }
 say-retract-and-return-to-next-line = { $q-face-milling-strategy } = 2: l’utensile si porta nell’asse del mandrino alla distanza di sicurezza { $q-set-up-clearance } sopra la profondità attuale e con l’avanzamento di avvicinamento { $q-pre-positioning-feed } direttamente sul punto di partenza della riga successiva

@@ -81,24 +81,24 @@ cycle-measure-kinematics = Medir cinemática
 step-clamp-sphere = Fixe a esfera de calibração de modo que não possa ocorrer nenhuma colisão.
 step-set-datum-in-sphere = No modo de funcionamento Manual, memorize o ponto de referência no centro da esfera. Com { $q-sphere-preset }=1 ou { $q-sphere-preset }=3, posicione em vez disso o apalpador à mão, no eixo do apalpador por cima da esfera de calibração e no plano de maquinação no centro da esfera.
 step-start-calibration-program = Selecione um modo de funcionamento de execução do programa e inicie o programa de calibração.
-step-set-preset-before-measuring = O preset para a medição é determinado assim:
+step-set-preset-before-measuring = { $q-sphere-preset } determina que preset é válido para a medição:
 say-preset-into-sphere-before = com { $q-sphere-preset }=1 ou 3, o comando memoriza-o no centro da esfera, antes da medição
 say-preset-set-by-hand = caso contrário, utiliza o ponto de referência memorizado manualmente
 step-move-to-measuring-positions = O apalpador desloca-se para as posições de medição:
 say-move-without-retraction = com { $q-retraction-height }=0, sem recuo, no eixo a medir; para a primeira posição de medição, pela ordem A, B, C
 say-move-over-retraction-height = caso contrário, o eixo do cabeçote desloca-se primeiro para a altura de recuo { $q-retraction-height } e o apalpador para o ponto zero no plano de maquinação
 step-measure-rotary-axes = O comando mede automaticamente, um após outro, todos os eixos rotativos com a exatidão definida. A medição de referência faz-se a 0°.
-step-measure-backlash = Medição da folga:
-say-backlash-from-two-measurements = com o ângulo { $q-backlash-angle }, por meio de duas medições de cada eixo rotativo
-say-no-backlash-measurement = com { $q-backlash-angle }=0, a folga não é medida
+step-measure-backlash = { $q-backlash-angle } determina se o comando mede a folga:
+say-backlash-from-two-measurements = com um ângulo em { $q-backlash-angle }, determina a folga por meio de duas medições de cada eixo rotativo
+say-no-backlash-measurement = com { $q-backlash-angle }=0, não mede a folga
 step-adapt-kinematics = O comando avalia a medição conforme o modo { $q-kinematics-mode }:
 say-report-possible-optimization = verificar: determina a exatidão estática da inclinação a partir das posições medidas, regista o que uma otimização das posições poderia alcançar e não adapta nada
 say-optimize-axis-positions = otimizar a posição: determina a exatidão estática da inclinação, procura alterar a posição dos eixos rotativos no modelo cinemático de modo que a exatidão melhore e adapta automaticamente os dados da máquina
 say-optimize-angles-then-positions = otimizar a posição e o ângulo: determina a exatidão estática da inclinação, procura primeiro otimizar a posição angular dos eixos rotativos por compensação (opção 52, KinematicsComp) e, se o conseguir, otimiza a posição noutra série de medições
 step-store-scatter-and-offsets = O comando guarda os valores medidos nos parâmetros de resultado.
-step-set-preset-after-measuring = Memorização do preset depois da medição:
-say-preset-into-sphere-after = com { $q-sphere-preset }=2 ou 3, no centro da esfera
-say-no-preset-after = caso contrário, não é memorizado
+step-set-preset-after-measuring = Depois da medição, { $q-sphere-preset } determina se o comando memoriza o preset:
+say-preset-into-sphere-after = com { $q-sphere-preset }=2 ou 3, memoriza-o no centro da esfera
+say-no-preset-after = caso contrário, não o memoriza
 step-write-kinematics-log = O comando cria um registo (TCHPR{ $cycle }.TXT).
 result-scatter-measured-a = Desvio padrão medido do eixo A (−1 se o eixo não foi medido)
 result-scatter-measured-b = Desvio padrão medido do eixo B (−1 se o eixo não foi medido)

@@ -31,7 +31,7 @@ say-back-to-slot-centre = { $q-slot-position } = 0: o comando faz regressar a fe
 say-stays-in-working-plane = caso contrário: o comando não posiciona a ferramenta no plano de maquinação
 note-position-at-slot-start = Posicione a ferramenta no ponto de partida no plano de maquinação com correção de raio R0. Tenha em conta a posição da ranhura { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Posicione a ferramenta no ponto de partida no plano de maquinação com correção de raio R0. Tenha em conta a referência da posição da ranhura { $q-slot-position-reference }.
-note-slot-end-position = No fim do ciclo, o comando faz regressar a ferramenta no plano de maquinação ao centro da ranhura; no outro eixo do plano de maquinação não a posiciona. Se estiver definida uma posição da ranhura { $q-slot-position } diferente de 0, o comando posiciona a ferramenta apenas no eixo da ferramenta, à 2ª distância de segurança. Antes de chamar de novo o ciclo, volte a levar a ferramenta à posição de partida ou programe deslocações absolutas antes da chamada.
+note-slot-end-position = No fim do ciclo, o comando faz regressar a ferramenta no plano de maquinação ao centro da ranhura. Exceção: se estiver definida uma posição da ranhura { $q-slot-position } diferente de 0, posiciona-a apenas no eixo da ferramenta, à 2ª distância de segurança. Antes de chamar de novo o ciclo, volte a levar a ferramenta à posição de partida ou programe deslocações absolutas antes da chamada.
 note-wide-slot-is-cleared = Se a ranhura for mais larga do que o dobro do diâmetro da ferramenta, o comando desbasta-a de dentro para fora. Assim também se podem fresar ranhuras de qualquer largura com ferramentas pequenas.
 
 # --- 254 ---
@@ -45,7 +45,7 @@ step-end-of-circular-slot = O local em que a ferramenta fica no fim do ciclo dep
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: o comando faz regressar a ferramenta no plano de maquinação ao ponto de partida (centro do círculo teórico)
 condition-slot-at-entered-centre = a posição da ranhura resultar do centro do círculo teórico introduzido ({ $q-slot-position-reference } = 0)
 note-circular-slot-end-position = No fim do ciclo, o comando faz regressar a ferramenta no plano de maquinação ao ponto de partida (centro do círculo teórico). Exceção: se estiver definida uma posição da ranhura { $q-slot-position-reference } diferente de 0, posiciona-a apenas no eixo da ferramenta, à 2ª distância de segurança. Neste caso, programe sempre deslocações absolutas depois da chamada do ciclo.
-note-circular-slot-with-pattern = Se o ciclo 254 (ranhura circular) for combinado com o ciclo 221, não é permitida a posição da ranhura 0.
+note-circular-slot-with-pattern = Se o ciclo 254 (ranhura circular) for combinado com o ciclo 221, não é permitido o valor 0 para a posição da ranhura.
 
 # --- 256 ---
 cycle-rectangular-stud = Ilha retangular
@@ -78,7 +78,7 @@ step-leave-stud-on-spiral = O comando afasta a ferramenta do contorno em espiral
 step-next-infeed-near-departure = Se forem necessários vários passos em profundidade, o seguinte faz-se no ponto mais próximo da saída.
 step-retract-and-return-to-stud-centre = No fim do ciclo, depois da saída em espiral, o comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (ou à distância de segurança, se aquela não tiver sido introduzida) e depois no centro da ilha.
 note-position-at-stud-centre = Posicione a ferramenta no ponto de partida (centro da ilha) no plano de maquinação com correção de raio R0.
-note-circular-stud-end-height = Perigo de colisão! No fim, o comando faz regressar a ferramenta à distância de segurança ou, se tiver sido introduzida, à 2ª distância de segurança. A posição final da ferramenta depois do ciclo pode, portanto, diferir da posição de partida.
+note-circular-stud-end-height = Perigo de colisão! No fim, o comando faz regressar a ferramenta à distância de segurança ou, se tiver sido introduzida, à 2ª distância de segurança. No eixo da ferramenta, a posição final depois do ciclo pode, portanto, diferir da posição de partida.
 
 # --- 221 ---
 cycle-line-pattern = Figura de pontos sobre linhas

@@ -66,7 +66,7 @@ parameter-probing-traverse-type = Tipo de deslocação? Reta=0/círculo=1
     .prompt = Tipo de deslocação? Reta=0/círculo=1
     .help = Trajetória do apalpador entre os pontos de medição quando se desloca à altura segura ({ $q-traverse-to-clearance-height }=1).
 choice-traverse-straight = deslocar-se em linha reta
-choice-traverse-on-circle = deslocar-se num arco com o diâmetro do círculo teórico
+choice-traverse-on-circle = deslocar-se num arco de círculo entre os pontos de medição
 
 # --- the datum ---
 parameter-datum-row-number = Número de ponto zero na tabela

@@ -26,7 +26,7 @@ guard-helix-too-small = O diâmetro da hélice de penetração é menor do que o
 note-without-tool-table-plunge-vertically = Se não estiver ativa nenhuma tabela de ferramentas, a penetração tem de ser sempre vertical ({ $q-plunging-strategy } = 0), porque não é possível definir um ângulo de penetração.
 note-position-at-pocket-start = Posicione a ferramenta no ponto de partida no plano de maquinação com correção de raio R0. Tenha em conta a posição da caixa { $q-pocket-position }.
 note-positions-in-tool-axis-itself = O comando posiciona automaticamente a ferramenta no eixo da ferramenta. Tenha em conta a 2ª distância de segurança { $q-second-set-up-clearance }.
-note-returns-to-starting-point = No fim do ciclo, o comando faz regressar a ferramenta ao ponto de partida.
+note-returns-to-starting-point = No fim do ciclo, o comando faz regressar a ferramenta, no plano de maquinação, ao ponto de partida.
 note-clearance-above-chips = Depois de desbastar cada nível, a ferramenta regressa em avanço rápido ao centro da caixa, à distância de segurança acima da profundidade de passo atual. Escolha a distância de segurança de modo que a ferramenta não possa ficar presa em aparas durante a deslocação.
 note-helix-diameter-monitored = Na penetração em hélice, o comando emite um aviso de erro se o diâmetro da hélice que calculou for menor do que o dobro do diâmetro da ferramenta. Para ferramentas que cortam ao centro, esta verificação pode ser desligada com o parâmetro de máquina { $mp-suppress-plunge-err }.
 note-cutting-edge-limits-infeed = Se a navalha for mais curta do que a profundidade de passo { $q-plunging-depth }, o comando reduz a profundidade de passo à longitude { $mp-cutting-edge-length } da tabela de ferramentas.

@@ -54,7 +54,7 @@ cycle-rotation-by-rotary-axis = Compensar rotação básica através de um eixo 
     .purpose = Determina a inclinação de uma peça medindo dois pontos que têm de situar-se sobre uma reta. O comando compensa-a rodando o eixo A, B ou C. A peça pode estar fixada em qualquer local da mesa rotativa.
 step-retract-and-turn-rotary-axis = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e roda o eixo rotativo { $q-compensation-axis } no valor calculado. Guarda também o ângulo no parâmetro de resultado. Se pretendido, coloca a visualização a 0 depois de alinhar.
 step-retract-and-turn-rotary-axis__tnc426-430 = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e roda o eixo rotativo { $q-compensation-axis } no valor calculado.
-note-compensation-may-be-turned-180 = Perigo de colisão! O comando só verifica se os pontos de apalpação e o eixo de compensação fazem sentido em conjunto. Por isso, pode haver movimentos de compensação rodados 180°.
+note-compensation-may-be-turned-180 = Perigo de colisão! O comando só verifica de forma aproximada se os pontos de apalpação e o eixo de compensação fazem sentido em conjunto. Por isso, pode haver movimentos de compensação rodados 180°.
 note-compensation-axis-combinations = Combinações permitidas do eixo de medição { $q-measuring-axis } e do eixo de compensação { $q-compensation-axis }. Eixo do apalpador Z: 1 com 6, 2 com 6, 3 com 5 ou 4. Eixo do apalpador Y: 1 com 5, 2 com 5, 3 com 6 ou 4. Eixo do apalpador X: 1 com 4, 2 com 4, 3 com 5 ou 6.
 note-only-without-tilting = Utilize este ciclo só enquanto a função de inclinação do plano de maquinação não estiver ativa.
 

@@ -69,7 +69,7 @@ step-plunge-to-contour-level = Orodje se spusti na naslednjo globino primika, za
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: navpično s pomikom { $q-contour-plunging-feed }, tudi če je za aktivno orodje definiran kot spuščanja { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: navpično z nihajnim pomikom { $q-reciprocation-feed }
 say-plunge-on-helix-or-in-strokes = sicer po vijačnici pod kotom spuščanja { $mp-plunging-angle } ali, če vijačnica ni mogoča, nihajoče
-step-rough-contour-level = Na tej globini orodje konturo rezka od znotraj navzven s pomikom { $q-roughing-feed }. Okoli otokov rezka po poteh, ki se približujejo konturi žepa:
+step-rough-contour-level = Na tej globini orodje konturo rezka od znotraj navzven s pomikom { $q-roughing-feed }, okoli otokov pa po poteh, ki se približujejo konturi žepa. Pri tem obdela:
 say-rough-what-coarser-tool-left = če je vneseno orodje za predvrtanje { $q-coarse-roughing-tool }, samo tisto, česar to orodje ni moglo obdelati
 say-rough-whole-region = sicer celotno površino
 message-contour-material-left = Orodje ne doseže celotne konture: v vogalih ali na ozkih mestih pusti material.
@@ -170,7 +170,7 @@ note-program-centre-path-of-slot = Programirajte pot središča konture s poprav
 cycle-cylinder-surface-ridge = Plašč valja – rezkanje stojin
     .nc = STOJINA NA PLAŠČU VALJA
     .purpose = Stojino, definirano na odvoju, prenese na plašč valja; njene stene so vzporedne.
-step-position-over-ridge-start = Krmiljenje premakne orodje nad začetno točko obdelave, ki jo izračuna iz širine stojine in premera orodja: ob prvi točki konturnega podprograma, zamaknjeno za polovico širine stojine in za premer orodja. Stran določa popravek polmera: levo od stojine (sotek) ali desno od nje (protitek).
+step-position-over-ridge-start = Krmiljenje premakne orodje nad začetno točko obdelave, ki jo izračuna iz širine stojine in premera orodja: ob prvi točki konturnega podprograma, zamaknjeno za polovico širine stojine in še za premer orodja. Stran določa popravek polmera: levo od stojine (sotek) ali desno od nje (protitek).
 step-approach-ridge-wall = Na tej globini se orodje s pomikom { $q-contour-milling-feed } po tangencialnem krožnem loku premakne h konturi; morebitna nadmera stranskega finega rezkanja { $q-side-allowance } se upošteva.
 step-mill-along-ridge-wall = Orodje s pomikom { $q-contour-milling-feed } rezka vzdolž stene stojine, dokler ta ni v celoti izdelana.
 step-leave-ridge-wall = Orodje se od stene stojine odmakne tangencialno in se vrne na začetno točko obdelave.

@@ -99,22 +99,22 @@ cycle-measure-kinematics = Merjenje kinematike
 step-clamp-sphere = Umeritveno kroglo vpnite tako, da ne more priti do kolizije.
 step-set-datum-in-sphere = V ročnem načinu določite referenčno točko v središču krogle. Pri { $q-sphere-preset } = 1 ali { $q-sphere-preset } = 3 namesto tega { -probe(case: "accusative") } ročno premaknite v { -working-plane(case: "locative") } na sredino { -calibration-sphere(case: "genitive") }, po { -probe-axis(case: "locative") } pa nadnjo.
 step-start-calibration-program = Izberite način programskega teka in zaženite program za umerjanje.
-step-set-preset-before-measuring = Krmiljenje določi prednastavitev:
-say-preset-into-sphere-before = pri { $q-sphere-preset } = 1 ali 3 v središču krogle, pred meritvijo
+step-set-preset-before-measuring = { $q-sphere-preset } določa, katera prednastavitev velja za meritev:
+say-preset-into-sphere-before = pri { $q-sphere-preset } = 1 ali 3 jo krmiljenje pred meritvijo določi v središču krogle
 say-preset-set-by-hand = sicer uporabi ročno določeno referenčno točko
 step-move-to-measuring-positions = Tipalni sistem se premakne na merilne položaje:
 say-move-without-retraction = pri { $q-retraction-height } = 0 brez odmika, po osi, ki se meri; na prvi merilni položaj v vrstnem redu A, B, C
 say-move-over-retraction-height = sicer se najprej os vretena premakne na višino odmika { $q-retraction-height }, { -probe(case: "nominative") } pa v { -working-plane(case: "locative") } na ničelno točko
 step-measure-rotary-axes = Krmiljenje samodejno zaporedoma izmeri vse rotacijske osi s programirano natančnostjo. Referenčna meritev poteka pri 0°.
-step-measure-backlash = Za zračnost rotacijskih osi velja:
-say-backlash-from-two-measurements = če je v { $q-backlash-angle } vnesen kot, krmiljenje vsako rotacijsko os izmeri dvakrat
+step-measure-backlash = { $q-backlash-angle } določa, ali krmiljenje izmeri zračnost rotacijskih osi:
+say-backlash-from-two-measurements = če je v { $q-backlash-angle } vnesen kot, zračnost določi tako, da vsako rotacijsko os izmeri dvakrat
 say-no-backlash-measurement = pri { $q-backlash-angle } = 0 zračnosti ne izmeri
 step-adapt-kinematics = Krmiljenje meritev ovrednoti, kot določa način { $q-kinematics-mode }:
-say-report-possible-optimization = preverjanje: iz izmerjenih položajev določi statično natančnost transformacije pri vrtenju, v protokol zapiše, kaj bi lahko doseglo optimiranje položajev, in ničesar ne prilagodi
-say-optimize-axis-positions = optimiranje položaja: določi statično natančnost transformacije pri vrtenju, skuša položaj rotacijskih osi v kinematičnem modelu spremeniti tako, da se natančnost izboljša, in samodejno prilagodi strojne podatke
-say-optimize-angles-then-positions = optimiranje položaja in kota: določi statično natančnost transformacije pri vrtenju, skuša najprej s kompenzacijo optimirati kotni položaj rotacijskih osi (možnost 52, KinematicsComp) in, če to uspe, v drugem nizu meritev optimira položaj
+say-report-possible-optimization = preverjanje: iz izmerjenih položajev določi statično natančnost vrtenja, v protokol zapiše, kaj bi lahko doseglo optimiranje položajev, in ničesar ne prilagodi
+say-optimize-axis-positions = optimiranje položaja: določi statično natančnost vrtenja, skuša položaj rotacijskih osi v kinematičnem modelu spremeniti tako, da se natančnost izboljša, in samodejno prilagodi strojne podatke
+say-optimize-angles-then-positions = optimiranje položaja in kota: določi statično natančnost vrtenja, skuša najprej s kompenzacijo optimirati kotni položaj rotacijskih osi (možnost 52, KinematicsComp) in, če to uspe, v drugem nizu meritev optimira položaj
 step-store-scatter-and-offsets = Krmiljenje shrani izmerjene vrednosti v parametre rezultatov.
-step-set-preset-after-measuring = Za prednastavitev po meritvi velja:
+step-set-preset-after-measuring = { $q-sphere-preset } določa, ali krmiljenje po meritvi določi prednastavitev:
 say-preset-into-sphere-after = pri { $q-sphere-preset } = 2 ali 3 jo krmiljenje določi v središču krogle
 say-no-preset-after = sicer je ne določi
 step-write-kinematics-log = Krmiljenje ustvari protokol (TCHPR{ $cycle }.TXT).

@@ -43,7 +43,7 @@ step-probe-first-in-positive-direction__tnc426-430 = Tipalni sistem izvede prvo 
 step-probe-first-in-negative-direction = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }), vedno v negativni smeri programirane osi.
 step-probe-first-in-negative-direction__tnc426-430 = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }), vedno v negativni smeri programirane osi.
 step-probe-second-side-of-slot = Tipalni sistem izvede drugo tipanje, kot določa { $q-second-measurement-offset }:
-step-probe-second-side-of-slot__tnc640 = Tipalni sistem izvede drugo tipanje, kot določa { $q-second-measurement-offset }. Pri veliki želeni dolžini ga krmiljenje na drugo tipalno točko premakne v hitrem teku:
+step-probe-second-side-of-slot__tnc640 = Pri veliki želeni dolžini krmiljenje tipalni sistem na drugo tipalno točko premakne v hitrem teku. Tipalni sistem izvede drugo tipanje, kot določa { $q-second-measurement-offset }:
 say-offset-second-measurement = če { $q-second-measurement-offset } ni 0, krmiljenje tipalni sistem vzporedno z osjo premakne za ta zamik na naslednjo tipalno točko in tam izvede tipanje
 say-offset-second-measurement__tnc640 = če { $q-second-measurement-offset } ni 0, krmiljenje tipalni sistem premakne za ta zamik na naslednjo tipalno točko, pri { $q-traverse-to-clearance-height } = 1 na varni višini { $q-clearance-height }, in tam izvede tipanje
 say-measure-in-opposite-direction = pri { $q-second-measurement-offset } = 0 širino izmeri neposredno v nasprotni smeri
@@ -60,7 +60,7 @@ result-measured-length-deviation = Odstopanje izmerjene dolžine
 cycle-measure-coordinate = Merjenje koordinate
     .nc = MERJENJE KOORDINATE
     .nc-aliases = MERITEV KOORDINATE
-    .purpose = Izmeri koordinato na izbrani osi in vrednost shrani v parameter. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanje shrani v parametre.
+    .purpose = Izmeri koordinato na izbrani osi in vrednost shrani v parameter. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
 step-position-against-traverse-direction = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) in s pozicionirno logiko na programirano tipalno točko. Pri tem ga zamakne za varnostno razdaljo v smeri, nasprotni smeri premika { $q-traverse-direction }.
 step-position-against-traverse-direction__tnc426-430 = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) in s pozicionirno logiko na programirano tipalno točko. Pri tem ga zamakne za varnostno razdaljo v smeri, nasprotni smeri premika { $q-traverse-direction }.
 step-probe-coordinate = Krmiljenje v obdelovalni ravnini pozicionira tipalni sistem na programirano tipalno točko in tam izmeri dejansko vrednost na izbrani osi.
@@ -69,14 +69,14 @@ say-part-is-scrap__measure-coordinate = izvržek (Q182 = 1), če je izmerjena ko
 say-part-needs-rework__measure-coordinate = potrebna je dodatna obdelava (Q181 = 1), če je izmerjena koordinata večja od { $q-greatest-dimension }
 say-correct-tool-length = če { $q-monitored-tool } ni 0, pri { $q-measuring-axis } = 3 popravi dolžino orodja v stolpcu DL preglednice orodij; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
 say-correct-tool-radius__measure-coordinate = če { $q-monitored-tool } ni 0, pri { $q-measuring-axis } = 1 ali 2 popravi vrednost delta polmera v stolpcu DR preglednice orodij, in sicer v smeri, ki izhaja iz { $q-traverse-direction }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
-note-coordinate-is-outside-dimension = Krmiljenje predvideva, da se meri zunanja mera (čep). Pravilno stanje meritve je mogoče doseči z ustrezno izbiro največje in najmanjše mere skupaj s smerjo tipanja.
+note-coordinate-is-outside-dimension = Krmiljenje predvideva, da se meri zunanja mera (čep). V drugih primerih je pravilno stanje meritve mogoče doseči z ustrezno izbiro največje in najmanjše mere skupaj s smerjo tipanja.
 note-coordinate-corrects-radius-or-length = Če je merilna os katera od osi obdelovalne ravnine ({ $q-measuring-axis } = 1 ali 2), krmiljenje popravi polmer orodja; smer popravka izhaja iz smeri premika { $q-traverse-direction }. Če je merilna os os tipalnega sistema ({ $q-measuring-axis } = 3), popravi dolžino orodja.
 
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Merjenje krožne luknje
     .nc = MERJENJE KROŽNE LUKNJE
     .nc-aliases = MERITEV KROŽNE LUKNJE
-    .purpose = Z merjenjem treh vrtin izmeri središče in premer delnega kroga (krožne luknje). Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanje shrani v parametre.
+    .purpose = Z merjenjem treh vrtin izmeri središče in premer delnega kroga (krožne luknje). Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
 step-measure-centre-of-hole = Tipalni sistem se premakne na merilno višino { $q-measuring-height } in s štirimi tipanji določi središče vrtine.
 step-travel-to-next-hole = Tipalni sistem se vrne na varno višino { $q-clearance-height } in se pozicionira na vneseno središče naslednje vrtine.
 until-three-holes-measured = niso določena središča vseh treh vrtin

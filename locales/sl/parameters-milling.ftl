@@ -237,7 +237,7 @@ choice-line-by-line-with-retraction = vrstica za vrstico, z umikom in stranskim 
 
 # --- coordinate transforms ---
 parameter-mirrored-axes = Zrcaljena os
-    .help = Osi, ki naj se zrcalijo. Zrcaliti je mogoče vse osi, tudi rotacijske, razen osi vretena in njene pomožne osi. Največ tri od NC-osi X, Y, Z, U, V, W, A, B, C.
+    .help = Osi, ki naj se zrcalijo. Zrcaliti je mogoče vse osi, tudi rotacijske, razen osi vretena in pomožne osi, ki ji je vzporedna. Največ tri od NC-osi X, Y, Z, U, V, W, A, B, C.
     .prompt = Zrcaljena os?
 parameter-scaling-factor = Faktor
     .help = Faktor merila SCL. Krmiljenje z njim pomnoži koordinate in polmere.

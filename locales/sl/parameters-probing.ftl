@@ -64,7 +64,7 @@ parameter-probing-traverse-type = Način premika (0 = premočrtno, 1 = krožno)
     .help = Pot, po kateri se { -probe(case: "nominative") } premika med merilnimi točkami, če se premika na { -clearance-height(case: "locative") } ({ $q-traverse-to-clearance-height } = 1).
     .prompt = Način premika? Premočrtno=0/krožno=1
 choice-traverse-straight = premočrtno premikanje med merilnimi točkami
-choice-traverse-on-circle = krožno premikanje po delnem krogu med merilnimi točkami
+choice-traverse-on-circle = krožno premikanje med merilnimi točkami
 
 # --- the datum ---
 parameter-datum-row-number = Številka ničelne točke v preglednici

@@ -27,7 +27,7 @@ guard-helix-too-small = Premer vijačnice za spuščanje je manjši od dvakratne
 note-without-tool-table-plunge-vertically = Če nobena { -tool-table(case: "nominative") } ni aktivna, mora biti spuščanje vedno navpično ({ $q-plunging-strategy } = 0), ker kota spuščanja ni mogoče definirati.
 note-position-at-pocket-start = Orodje pozicionirajte na začetno točko v { -working-plane(case: "locative") } s popravkom polmera R0. Upoštevajte položaj žepa { $q-pocket-position }.
 note-positions-in-tool-axis-itself = Krmiljenje orodje po orodni osi pozicionira samodejno. Upoštevajte { -second-set-up-clearance(case: "accusative") } { $q-second-set-up-clearance }.
-note-returns-to-starting-point = Na koncu cikla krmiljenje vrne orodje na začetno točko.
+note-returns-to-starting-point = Na koncu cikla krmiljenje orodje v obdelovalni ravnini vrne na začetno točko.
 note-clearance-above-chips = Po vsaki obdelani ravni se orodje v hitrem teku vrne v središče žepa, in sicer na { -set-up-clearance(case: "locative") } nad trenutno { -plunging-depth(case: "instrumental") }. Izberite tako { -set-up-clearance(case: "accusative") }, da se orodje med premikom ne more zagozditi zaradi ostružkov.
 note-helix-diameter-monitored = Pri vijačnem spuščanju krmiljenje javi napako, če je izračunani premer vijačnice manjši od dvakratnega premera orodja. Za orodja, ki režejo po sredini, lahko to preverjanje izklopite s strojnim parametrom { $mp-suppress-plunge-err }.
 note-cutting-edge-limits-infeed = Če je rezalni rob krajši od { -plunging-depth(case: "genitive") } { $q-plunging-depth }, krmiljenje zmanjša { -plunging-depth(case: "accusative") } na dolžino { $mp-cutting-edge-length } iz { -tool-table(case: "genitive") }.

@@ -53,7 +53,7 @@ cycle-rotation-by-rotary-axis = Izravnava osnovne rotacije z rotacijsko osjo
     .purpose = Z merjenjem dveh točk, ki morata ležati na premici, določi poševni položaj obdelovanca. Krmiljenje ga izravna z vrtenjem osi A, B ali C. Obdelovanec je lahko na okrogli mizi vpet kjer koli.
 step-retract-and-turn-rotary-axis = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in zavrti rotacijsko os { $q-compensation-axis } za izračunano vrednost. Kot shrani tudi v parameter rezultata. Na zahtevo po izravnavi nastavi prikaz na 0.
 step-retract-and-turn-rotary-axis__tnc426-430 = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in zavrti rotacijsko os { $q-compensation-axis } za izračunano vrednost.
-note-compensation-may-be-turned-180 = Nevarnost kolizije! Krmiljenje preveri samo, ali so tipalne točke in izravnalna os skupaj smiselne. Izravnalni premiki so zato lahko zasukani za 180°.
+note-compensation-may-be-turned-180 = Nevarnost kolizije! Krmiljenje le okvirno preveri, ali so tipalne točke in izravnalna os skupaj smiselne. Izravnalni premiki so zato lahko zasukani za 180°.
 note-compensation-axis-combinations = Dovoljene kombinacije merilne osi { $q-measuring-axis } in izravnalne osi { $q-compensation-axis }. Os tipalnega sistema Z: 1{"\u00A0"}s 6, 2{"\u00A0"}s 6, 3{"\u00A0"}s 5 ali 4. Os tipalnega sistema Y: 1{"\u00A0"}s 5, 2{"\u00A0"}s 5, 3{"\u00A0"}s 6 ali 4. Os tipalnega sistema X: 1{"\u00A0"}s 4, 2{"\u00A0"}s 4, 3{"\u00A0"}s 5 ali 6.
 note-only-without-tilting = Ta cikel uporabljajte samo, kadar funkcija za vrtenje obdelovalne ravnine ni aktivna.
 

@@ -8,7 +8,7 @@ cycle-tapping = Vrtanje navojev (NOVO) z izravnalno vpenjalno glavo
 cycle-rigid-tapping = Vrtanje navojev GS brez izravnalne vpenjalne glave (NOVO)
     .nc = VRTANJE NAVOJEV GS NOVO
     .nc-aliases = VRTANJE NAVOJEV Z VIŠINO NAVOJA – NOVO | VRTANJE NAVOJEV BREZ IZRAVNALNE VPENJALNE GLAVE
-    .purpose = Z enim ali več premiki izdela navoj brez izravnalne vpenjalne glave.
+    .purpose = Z enim premikom izdela navoj brez izravnalne vpenjalne glave.
 cycle-tapping-with-chip-breaking = Vrtanje navojev z drobljenjem ostružkov
     .nc = VRTANJE NAVOJEV LOM OSTRUŽ.
     .nc-aliases = VRTANJE NAVOJEV Z DROBLJENJEM OSTRUŽKOV | VRTANJE NAVOJEV Z LOMOM OSTRUŽKOV
@@ -81,8 +81,8 @@ step-feed-directly-to-countersinking-depth = Če je stranska varnostna razdalja 
 step-countersink-on-circle = Glede na razpoložljivi prostor krmiljenje orodje mehko primakne iz središča ali s stranskim predpozicioniranjem in izvede krožni premik.
 step-feed-to-depth-at-front = Orodje se s pomikom za predpozicioniranje { $q-in-and-out-feed } premakne na globino čelnega grezenja { $q-depth-at-front }.
 step-feed-to-depth-at-front-before-or-after = Če je grezenje pred obdelavo navoja ({ $q-countersinking-moment } = 0), se orodje s pomikom pri grezenju { $q-countersinking-feed } premakne na globino čelnega grezenja { $q-depth-at-front }; če je po obdelavi navoja, s pomikom za predpozicioniranje { $q-in-and-out-feed }.
-step-countersink-at-front = Krmiljenje brez popravka premakne orodje v polkrogu iz središča na čelni zamik { $q-offset-at-front } in izvede krožni premik s pomikom pri grezenju { $q-countersinking-feed }.
-step-countersink-at-front__thread-drilling-milling = Krmiljenje brez popravka premakne orodje v polkrogu iz središča na čelni zamik { $q-offset-at-front } in izvede krožni premik s pomikom { $q-plunging-feed }.
+step-countersink-at-front = Krmiljenje brez popravka polmera premakne orodje v polkrogu iz središča na čelni zamik { $q-offset-at-front } in izvede krožni premik s pomikom pri grezenju { $q-countersinking-feed }.
+step-countersink-at-front__thread-drilling-milling = Krmiljenje brez popravka polmera premakne orodje v polkrogu iz središča na čelni zamik { $q-offset-at-front } in izvede krožni premik s pomikom { $q-plunging-feed }.
 step-leave-countersink-at-front = Krmiljenje v polkrogu vrne orodje v središče vrtine.
 step-leave-countersink-at-front__outside-thread-milling = Krmiljenje v polkrogu vrne orodje na začetno točko.
 step-countersink-after-thread = Če je grezenje po obdelavi navoja ({ $q-countersinking-moment } = 1), se izvede zdaj, kot je opisano zgoraj.
@@ -122,4 +122,6 @@ note-direction-of-outside-thread = Smer obdelave je odvisna od predznaka koraka 
 note-feed-of-cutting-edge = Pri rezkanju navojev krmiljenje programirani pomik nanaša na rezilo orodja. Ker prikazuje pomik po poti središča orodja, se prikazana vrednost razlikuje od programirane.
 note-mirroring-turns-thread = Smer navoja se spremeni, če se cikel izvede pri zrcaljenju (cikel 8) samo ene osi.
 note-same-signs-of-depths = Nevarnost kolizije! Za vse globine vedno vnesite enak predznak, ker cikli vsebujejo več potekov, ki niso odvisni drug od drugega. Če želite na primer ponoviti samo grezenje, za globino navoja vnesite 0; smer obdelave tedaj določa ugrezna globina.
+note-same-signs-of-depths__outside-thread-milling = Nevarnost kolizije! Za vse globine vedno vnesite enak predznak, ker cikli vsebujejo več potekov, ki niso odvisni drug od drugega. Če želite na primer ponoviti samo čelno grezenje, za globino navoja vnesite 0; smer obdelave tedaj določa čelna globina.
 note-tool-breakage-in-thread = Če se orodje med rezanjem navoja zlomi: zaustavite programski tek, preklopite v način Pozicioniranje z ročnim vnosom in orodje premočrtno premaknite v središče vrtine. Nato ga po osi primika umaknite in zamenjajte.
+note-tool-breakage-in-thread__outside-thread-milling = Če se orodje med rezanjem navoja zlomi: zaustavite programski tek, preklopite v način Pozicioniranje z ročnim vnosom in orodje premočrtno odmaknite od navoja. Nato ga po osi primika umaknite in zamenjajte.
