@@ -31,6 +31,7 @@ cli-texts-accepted = { $language }: { $count ->
        *[other] { $count } tekstiä hyväksytty.
     }
 cli-texts-left = { $language }: hyväksymättä jäivät tekstit, joiden englanninkielinen teksti on muuttunut mutta käännös ei: { $keys }. Jos käännös kelpaa sellaisenaan, hyväksy se komennolla ”ciklo texts accept --text KEY”.
+cli-texts-moved = { $language }: hyväksymättä jäivät tekstit, joilla on nyt toisten tekstien sanat (locale-moved): { $keys }. Jos käännös kelpaa sellaisenaan, hyväksy se komennolla ”ciklo texts accept --text KEY”.
 cli-texts-open =
     { $state ->
         [missing] puuttuu: { $key } ({ $file })

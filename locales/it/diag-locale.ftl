@@ -63,4 +63,5 @@ diag-locale-stale =
        *[other] Il testo inglese di «{ $key }» è cambiato dopo la traduzione nella lingua «{ $language }»: { $change }.
     }
 diag-locale-unrecorded = La traduzione di «{ $key }» nella lingua «{ $language }» non è ancora stata approvata.
+diag-locale-moved = La traduzione di «{ $key }» nella lingua «{ $language }» ha ora le parole approvate per «{ $name }».
 diag-locale-unknown-argument = «{ $key }» ({ $language }) usa l’argomento «{ $name }», che il testo inglese non ha.

@@ -11,7 +11,7 @@ explain-texts-no-language =
 explain-texts-file-unreadable =
     Il file è rifiutato per intero e non si modifica nulla. Si leggono XLIFF 1.2, XLIFF 2.0 e PO in UTF-8, e i termini in TBX o CSV. Se di più file uno non si può leggere, nessuno è ripreso. I tipi di documento e le entità proprie sono rifiutati perché possono richiamare altri file o crescere senza limite; per lo stesso motivo si rifiutano elementi annidati troppo in profondità. Controllare il punto indicato, oppure esportare di nuovo i testi e salvarli nella stessa forma con lo strumento di traduzione.
 explain-texts-unit-unknown =
-    L’identificatore di un’unità è la chiave di un testo, e nessun testo della lingua ha questa chiave. È stata rinominata o eliminata dopo l’esportazione, oppure l’identificatore è stato modificato nel file. Esportare di nuovo; una memoria di traduzione ritrova la traduzione già pronta dalle parole.
+    L’identificatore di un’unità è la chiave di un testo, e nessun testo della lingua ha questa chiave. È stata rinominata o eliminata dopo l’esportazione, oppure l’identificatore è stato modificato nel file. Esportare di nuovo; una memoria di traduzione ritrova la traduzione già pronta dalle parole. Un nuovo termine del glossario va scritto prima in locales/en/glossary.ftl; poi si possono importare le traduzioni.
 explain-texts-unit-twice =
     Due unità con lo stesso identificatore potrebbero dire cose diverse, e nulla indica quale sia quella giusta. Nessuna viene ripresa. Eliminarle tutte tranne una.
 explain-texts-unit-source-changed =

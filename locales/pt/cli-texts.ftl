@@ -31,6 +31,7 @@ cli-texts-accepted = { $language }: { $count ->
        *[other] { $count } textos aceites.
     }
 cli-texts-left = { $language }: não aceites, porque o texto inglês mudou e a tradução não: { $keys }. Para aceitar um texto tal como está, indique-o com «ciklo texts accept --text KEY».
+cli-texts-moved = { $language }: não aceites, porque têm agora as palavras de outros textos (locale-moved): { $keys }. Para aceitar um texto tal como está, indique-o com «ciklo texts accept --text KEY».
 cli-texts-open =
     { $state ->
         [missing] em falta: { $key } ({ $file })

@@ -39,8 +39,11 @@ title-datum-at-arc-centre-and-top = Memorizar o ponto de referência no centro d
 title-datum-at-arc-centre-and-top__tnc426-430 = Memorizar o ponto de referência no centro de um segmento de círculo
 
 # --- results ---
+result-side-main-actual = Valor real longitude do lado eixo principal
+result-side-minor-actual = Valor real longitude do lado eixo secundário
 result-slot-width-actual = Valor real da largura da ranhura medida
 result-ridge-width-actual = Valor real da largura da nervura medida
+result-centre-axis-actual = Valor real posição eixo central
 result-corner-main-actual = Valor real da esquina no eixo principal
 result-corner-minor-actual = Valor real da esquina no eixo secundário
 

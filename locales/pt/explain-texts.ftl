@@ -11,7 +11,7 @@ explain-texts-no-language =
 explain-texts-file-unreadable =
     O ficheiro é recusado na totalidade e nada é alterado. Leem-se XLIFF 1.2, XLIFF 2.0 e PO em UTF-8, e termos em TBX ou CSV. Se um de vários ficheiros não se puder ler, nenhum é aplicado. Declarações de tipo de documento e entidades próprias são recusadas porque podem ir buscar outros ficheiros ou crescer sem fim; pela mesma razão recusa-se um encaixe demasiado profundo de elementos. Verifique o local indicado, ou exporte os textos de novo e guarde-os na mesma forma com a ferramenta de tradução.
 explain-texts-unit-unknown =
-    O identificador de uma unidade é a chave de um texto, e nenhum texto do idioma tem esta chave. Foi mudada ou eliminada desde a exportação, ou o identificador foi alterado no ficheiro. Exporte de novo; uma memória de tradução encontra a tradução já feita pelas palavras.
+    O identificador de uma unidade é a chave de um texto, e nenhum texto do idioma tem esta chave. Foi mudada ou eliminada desde a exportação, ou o identificador foi alterado no ficheiro. Exporte de novo; uma memória de tradução encontra a tradução já feita pelas palavras. Um termo novo do glossário escreve-se primeiro em locales/en/glossary.ftl; depois podem importar-se as traduções.
 explain-texts-unit-twice =
     Duas unidades com o mesmo identificador poderiam dizer coisas diferentes, e nada indica qual é a certa. Nenhuma delas é adotada. Elimine todas menos uma.
 explain-texts-unit-source-changed =

@@ -160,6 +160,3 @@ note-probe-input-by-function = A função FN17: SYSWRITE ID 990 NR 6 determina s
 note-available-from-software-474 = Este ciclo está disponível a partir do software NC 280 474-xx.
 note-behaviour-defined-by-builder = O fabricante da máquina ou o fornecedor do software define o funcionamento deste ciclo em pormenor; utiliza-se dentro de ciclos de apalpação especiais.
 
-result-side-main-actual = Valor real longitude do lado eixo principal
-result-side-minor-actual = Valor real longitude do lado eixo secundário
-result-centre-axis-actual = Valor real posição eixo central

@@ -12,6 +12,7 @@ use fluent_syntax::ast::{self, Pattern};
 
 use super::language::{Form, Key, Language, Scope};
 use super::lock::Recorded;
+use super::moved::moved;
 use super::pattern::{self, Node, visit};
 use super::{LocaleError, Locales, SOURCE_LANGUAGE};
 use crate::base::diag::{Diagnostic, Place, Source, Span};
@@ -30,7 +31,7 @@ pub struct Finding {
     pub key: String,
     /// The text in question; where it is missing, that of the source language.
     pub place: Option<Place>,
-    /// An argument, where the finding is about one.
+    /// An argument, or the key of another text, where the finding is about one.
     pub argument: Option<String>,
     /// What changed in the source text since it was translated, where that is known: `“earlier” → “now”`.
     pub change: Option<String>,
@@ -81,6 +82,8 @@ pub struct Audit {
     pub stale: Vec<Finding>,
     /// Translations that were never accepted.
     pub unrecorded: Vec<Finding>,
+    /// Translations that have got the words of another text since they were accepted.
+    pub moved: Vec<Finding>,
     /// Texts with the words of the source language, which no list allows.
     pub same: Vec<Finding>,
     /// Arguments that a translation uses and its source does not.
@@ -98,6 +101,7 @@ impl Audit {
         self.append(&mut all, &self.orphans, "locale-orphan", warn);
         self.append(&mut all, &self.stale, "locale-stale", warn);
         self.append(&mut all, &self.unrecorded, "locale-unrecorded", warn);
+        self.append(&mut all, &self.moved, "locale-moved", warn);
         self.append(&mut all, &self.same, "locale-same-as-source", warn);
         all
     }
@@ -342,7 +346,11 @@ impl Locales {
                 audit.missing.push(finding(source, &text.key, text.form, None));
             }
         }
+        let moved = moved(source, translation);
         for text in texts(translation) {
+            if let Some(other) = moved.get(&text.key) {
+                audit.moved.push(finding(translation, &text.key, text.form, Some(other)));
+            }
             let original = counterpart(source, &text).and_then(|form| source.pattern(form));
             match original {
                 Some(original) => compare(&mut audit, (source, original), (translation, meanings), &text),
