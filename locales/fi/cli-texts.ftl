@@ -31,7 +31,8 @@ cli-texts-accepted = { $language }: { $count ->
        *[other] { $count } tekstiä hyväksytty.
     }
 cli-texts-left = { $language }: hyväksymättä jäivät tekstit, joiden englanninkielinen teksti on muuttunut mutta käännös ei: { $keys }. Jos käännös kelpaa sellaisenaan, hyväksy se komennolla ”ciklo texts accept --text KEY”.
-cli-texts-moved = { $language }: hyväksymättä jäivät tekstit, joilla on nyt toisten tekstien sanat (locale-moved): { $keys }. Jos käännös kelpaa sellaisenaan, hyväksy se komennolla ”ciklo texts accept --text KEY”.
+cli-texts-moved = { $language }: hyväksymättä jäivät tekstit, joilla on nyt toisten tekstien sanat: { $keys }. Jos käännös kelpaa sellaisenaan, hyväksy se komennolla ”ciklo texts accept --text KEY”.
+cli-texts-new = { $language }: hyväksymättä jäivät uudet tekstit: { $keys }. Komento ”ciklo texts accept --changed” hyväksyy ne.
 cli-texts-open =
     { $state ->
         [missing] puuttuu: { $key } ({ $file })

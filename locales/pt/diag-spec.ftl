@@ -92,5 +92,7 @@ diag-spec-measure = Em { $cycle }, { $reason ->
         [not-a-speed] está no lugar das rotações do cabeçote algo que não são rotações
         [not-a-number] está no lugar de um número sem unidade uma grandeza com unidade
         [bare-number] compara-se uma longitude ou um avanço com um número sem unidade
+        [same-operands] escolhe-se ou compara-se entre duas fórmulas iguais
+        [never-negative] toma-se o sinal ou o módulo de um parâmetro que nunca é negativo
        *[not-an-angle] está no lugar de um ângulo algo que não é um ângulo
     }.

@@ -35,7 +35,8 @@ cli-texts-accepted = { $language }: { $count ->
        *[other] potrjenih { $count } besedil.
     }
 cli-texts-left = { $language }: nepotrjena so ostala besedila, pri katerih se je angleško besedilo spremenilo, prevod pa ne: { $keys }. Če prevod ustreza tak, kot je, ga potrdite z ukazom »ciklo texts accept --text KEY«.
-cli-texts-moved = { $language }: nepotrjena so ostala besedila, ki imajo zdaj besede drugih besedil (locale-moved): { $keys }. Če prevod ustreza tak, kot je, ga potrdite z ukazom »ciklo texts accept --text KEY«.
+cli-texts-moved = { $language }: nepotrjena so ostala besedila, ki imajo zdaj besede drugih besedil: { $keys }. Če prevod ustreza tak, kot je, ga potrdite z ukazom »ciklo texts accept --text KEY«.
+cli-texts-new = { $language }: nepotrjena so ostala nova besedila: { $keys }. Potrdi jih »ciklo texts accept --changed«.
 cli-texts-open =
     { $state ->
         [missing] manjka: { $key } ({ $file })

@@ -105,11 +105,14 @@ fn report(session: &mut Session, tag: &str, accepted: &Accepted) {
     let args = Args::new().text("language", tag).number("count", accepted.taken.len() as f64);
     let line = session.ui.text("cli-texts-accepted", &args);
     session.output.remark(&line);
-    let open: Vec<&String> = accepted.stale.iter().chain(&accepted.unrecorded).collect();
-    let lists = [("cli-texts-left", open), ("cli-texts-moved", accepted.moved.iter().collect())];
+    let lists = [
+        ("cli-texts-left", &accepted.stale),
+        ("cli-texts-new", &accepted.unrecorded),
+        ("cli-texts-moved", &accepted.moved),
+    ];
     for (message, open) in lists.into_iter().filter(|(_, open)| !open.is_empty()) {
         let more = if open.len() > SHOWN { ", …" } else { "" };
-        let keys = open.iter().take(SHOWN).map(|key| key.as_str()).collect::<Vec<_>>().join(", ");
+        let keys = open.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>().join(", ");
         let args = Args::new().text("language", tag).number("count", open.len() as f64);
         let line = session.ui.text(message, &args.text("keys", format!("{keys}{more}")));
         session.output.remark(&line);
