@@ -645,7 +645,8 @@ fn terms_that_are_not_sound_are_refused_and_the_others_are_taken() {
     let what = |text: &str| exchange::read_terms(text).map(|_| ()).unwrap_err().what;
     assert_eq!(what(&table.replace("language", "tongue")), "columns");
     assert_eq!(what(&table.replace("Depth,", "Depth,,")), "form");
-    let open = exchange::read_terms("term,concept,language\nDepth,term-depth,en\n\"Syvyys,term-depth,fi\n").unwrap_err();
+    let open =
+        exchange::read_terms("term,concept,language\nDepth,term-depth,en\n\"Syvyys,term-depth,fi\n").unwrap_err();
     assert_eq!((open.what, open.at), ("quote", "term,concept,language\nDepth,term-depth,en\n".len()));
     assert_eq!(what(&base.replacen("<martif", "<!DOCTYPE martif SYSTEM \"a.dtd\">\n<martif", 1)), "document-type");
     assert_eq!(what(&base.replace("Kuinka", "&a;")), "entity");
@@ -656,7 +657,8 @@ fn terms_that_are_not_sound_are_refused_and_the_others_are_taken() {
 #[test]
 fn the_columns_of_a_table_may_be_in_any_order_and_in_quotation_marks() {
     let files = with_terms(FINNISH_TERMS);
-    let rows = [["language", "term", "concept"], ["en", "Depth", "parameter-depth"], ["fi", "Syvennys", "parameter-depth"]];
+    let rows =
+        [["language", "term", "concept"], ["en", "Depth", "parameter-depth"], ["fi", "Syvennys", "parameter-depth"]];
     for (sign, mark) in [(";", "\""), ("\t", "\""), (",", "")] {
         let table = rows.map(|cells| cells.map(|cell| format!("{mark}{cell}{mark}")).join(sign)).join("\r\n");
         assert!(exchange::is_terms(&table), "{table}");

@@ -135,14 +135,17 @@ fn results(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
             found.push(report(&result.is.place, q, "parameter"));
         }
     }
-    let is_known = |q: QRef| cycle.param(q).is_some() || cycle.file.results.iter().any(|result| result.q == Some(q));
+    let fields: Vec<QRef> = cycle.params.iter().filter_map(|param| param.field.as_ref()?.stands_for).collect();
+    let results = || cycle.file.results.iter().filter_map(|result| result.q);
+    let is_known = |q: QRef| cycle.param(q).is_some() || fields.contains(&q) || results().any(|own| own == q);
     for item in &cycle.file.run {
         walk(item, &mut |item| {
             let in_cases = item.choose.iter().flat_map(|case| &case.actions);
             for action in item.body.actions.iter().chain(&item.then).chain(in_cases) {
                 let (Verb::Set, Argument::Many(entries)) = (action.verb, &action.argument) else { continue };
                 let set = entries.0.iter().filter_map(|(name, _)| Some((name, QRef::parse(name.as_str())?)));
-                found.extend(set.filter(|(_, q)| !is_known(*q)).map(|(name, q)| report(&name.place, q, "not-a-result")));
+                found
+                    .extend(set.filter(|(_, q)| !is_known(*q)).map(|(name, q)| report(&name.place, q, "not-a-result")));
             }
         });
     }

@@ -45,7 +45,10 @@ pub fn is_terms(text: &str) -> bool {
 fn separator(begin: &str) -> Option<u8> {
     let head = begin.lines().next().unwrap_or_default();
     let is_concept = |cell: &str| cell.trim().trim_matches('"') == CONCEPT;
-    [',', ';', '\t'].into_iter().find(|sign| head.contains(*sign) && head.split(*sign).any(is_concept)).map(|sign| sign as u8)
+    [',', ';', '\t']
+        .into_iter()
+        .find(|sign| head.contains(*sign) && head.split(*sign).any(is_concept))
+        .map(|sign| sign as u8)
 }
 
 /// The name of the first element, if this is XML.
