@@ -422,6 +422,7 @@ diag-feed-unit =
        *[minute] { $parameter }={ $value } is a feed per minute here, because M136 is not active.
     }
 diag-turning-system-missing = { $cycle } is called here, but { $aligning } has not been defined since the tool call.
+diag-cutting-speed-unlimited = The cutting speed is constant and the speed has no limit, but in line { $line } the tool comes to the rotary axis.
 diag-two-signs = The number has two signs; they are read as { $right }.
 diag-unknown-cycle =
     { $name ->

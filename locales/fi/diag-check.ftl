@@ -421,6 +421,7 @@ diag-feed-unit =
        *[minute] { $parameter }={ $value } on tässä syöttöarvo minuutissa, koska M136 ei ole voimassa.
     }
 diag-turning-system-missing = { $cycle } kutsutaan tässä, mutta työkiertoa { $aligning } ei ole määritelty työkalukutsun jälkeen.
+diag-cutting-speed-unlimited = Lastuamisnopeus on vakio eikä pyörimisnopeutta ole rajoitettu, mutta rivillä { $line } työkalu tulee pyörintäakselille.
 diag-two-signs = Luvun edessä on kaksi etumerkkiä; ne luetaan merkkinä { $right }.
 diag-unknown-cycle =
     { $name ->

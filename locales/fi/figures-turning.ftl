@@ -4,6 +4,7 @@ figure-turning-roughing = Rouhinta
 figure-turning-finishing = Silitys
 figure-turning-inside = Sisäpuoli
 figure-turning-system = Koordinaatisto
+figure-turning-reversed-tool = Käännetty työkalu
 figure-turning-smoothing = Muodon tasoitus
 figure-turning-start-element = Elementti alussa
 figure-turning-end-element = Elementti lopussa

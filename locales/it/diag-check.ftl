@@ -421,6 +421,7 @@ diag-feed-unit =
        *[minute] { $parameter }={ $value } è qui un avanzamento al minuto, perché M136 non è attivo.
     }
 diag-turning-system-missing = Qui viene chiamato { $cycle }, ma { $aligning } non è stato definito dopo la chiamata utensile.
+diag-cutting-speed-unlimited = La velocità di taglio è costante e il numero di giri non è limitato, ma alla riga { $line } l’utensile arriva all’asse di rotazione.
 diag-two-signs = Davanti al numero ci sono due segni; vengono letti come { $right }.
 diag-unknown-cycle =
     { $name ->

@@ -422,6 +422,7 @@ diag-feed-unit =
        *[minute] Aqui { $parameter }={ $value } é um avanço por minuto, porque M136 não está ativo.
     }
 diag-turning-system-missing = { $cycle } é chamado aqui, mas { $aligning } não foi definido desde a chamada da ferramenta.
+diag-cutting-speed-unlimited = A velocidade de corte é constante e a velocidade de rotação não está limitada, mas na linha { $line } a ferramenta chega ao eixo de rotação.
 diag-two-signs = Antes do número há dois sinais; são lidos como { $right }.
 diag-unknown-cycle =
     { $name ->

@@ -4,6 +4,7 @@ figure-turning-roughing = Desbaste
 figure-turning-finishing = Acabamento
 figure-turning-inside = Lado interior
 figure-turning-system = Sistema de coordenadas
+figure-turning-reversed-tool = Ferramenta invertida
 figure-turning-smoothing = Alisamento do contorno
 figure-turning-start-element = Elemento no início
 figure-turning-end-element = Elemento no fim

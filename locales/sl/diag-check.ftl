@@ -425,6 +425,7 @@ diag-feed-unit =
        *[minute] { $parameter }={ $value } je tu pomik na minuto, ker M136 ni aktiven.
     }
 diag-turning-system-missing = { $cycle } se tu prikliče, od priklica orodja naprej pa { $aligning } ni bil definiran.
+diag-cutting-speed-unlimited = Hitrost rezanja je konstantna, število vrtljajev pa ni omejeno; v vrstici { $line } pride orodje do rotacijske osi.
 diag-two-signs = Pred številom sta dva predznaka; bereta se kot { $right }.
 diag-unknown-cycle =
     { $name ->

@@ -38,6 +38,7 @@ mod coordinate_out_of_place;
 mod coordinate_out_of_range;
 mod core_hole_too_large;
 mod corner_wrong;
+mod cutting_speed_unlimited;
 mod cutting_without_tool;
 mod cycle_line_empty;
 mod cycle_line_missing;
@@ -228,6 +229,7 @@ pub const RULES: &[&Rule] = &[
     &coordinate_out_of_range::RULE,
     &core_hole_too_large::RULE,
     &corner_wrong::RULE,
+    &cutting_speed_unlimited::RULE,
     &cutting_without_tool::RULE,
     &cycle_line_empty::RULE,
     &cycle_line_missing::RULE,
