@@ -222,11 +222,6 @@ impl Job {
     }
 
     fn program(&self) -> String {
-        self.program_of(1, false)
-    }
-
-    /// The same for so many calls; `updated` if the blank is one that turning updates.
-    fn program_of(&self, calls: usize, updated: bool) -> String {
         let number = match self.form {
             Form::Contour => 0,
             Form::Simple => 1,
@@ -263,9 +258,8 @@ impl Job {
             values.extend([(507, f64::from(u8::from(self.one_way))), (508, self.shorter), (509, self.compensation)]);
         }
         let (x, z) = self.start();
-        let (blank, subprogram) = self.ring().updated(updated);
         let mut text = format!(
-            "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\n{blank}L X{x:+} Z{z:+} R0 FMAX M303\n"
+            "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\nL X{x:+} Z{z:+} R0 FMAX M303\n"
         );
         if self.form == Form::Contour {
             text += "CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL 2\n";
@@ -274,10 +268,9 @@ impl Job {
         for (q, value) in values {
             let _ = writeln!(text, "Q{q}={value:+}");
         }
-        text += &"CYCL CALL\n".repeat(calls);
-        text += "M30\n";
+        text += "CYCL CALL\n";
         if self.form == Form::Contour {
-            text += "LBL 2\n";
+            text += "M30\nLBL 2\n";
             let far = DVec2::new(3.0, 0.0);
             let beside = |at: DVec2| (at, 0, 0.0);
             // An element at an edge needs the surface beside it.
@@ -294,7 +287,7 @@ impl Job {
             }
             text += "LBL 0\n";
         }
-        text + &subprogram
+        text
     }
 
     /// Where the tool begins.
@@ -304,10 +297,6 @@ impl Job {
     }
 
     fn run(&self) -> Result<(Vec<Event>, Option<Left>), TestCaseError> {
-        self.run_program(&self.program())
-    }
-
-    fn run_program(&self, program: &str) -> Result<(Vec<Event>, Option<Left>), TestCaseError> {
         let (x, z) = self.start();
         let text = format!(
             "scene: 1\ntools: [{{T: 1, L: 80, R: 0, RS: {}, CUTWIDTH: {}}}]\nstart: [{}, 0, {z}]\n",
@@ -315,7 +304,7 @@ impl Job {
             self.width,
             x / 2.0,
         );
-        turned_body::run(program, &text, Some(self.ring()))
+        turned_body::run(&self.program(), &text, Some(self.ring()))
     }
 
     /// A point as cuts see it, as the place on the rotary axis and the radius.
@@ -589,29 +578,6 @@ laws! {
     #[test]
     fn grooves_keep_their_profile(job in job()) {
         keeps_its_profile(&job)?;
-    }
-}
-
-laws! {
-    #![proptest_config(crate::cases::config(20))]
-
-    /// A blank that turning updates: the groove is the same as without it, with no more cuts; what was turned between walls
-    /// is not cut again.
-    #[test]
-    fn updated_blanks_leave_the_same_groove(job in job()) {
-        let job = Job { operation: 1, above: 0.0, ..job };
-        let run = |calls, updated| job.run_program(&job.program_of(calls, updated));
-        let program = job.program_of(1, true);
-        let ((plain, whole), (sparing, left), (twice, _)) = (run(1, false)?, run(1, true)?, run(2, true)?);
-        let (Some(whole), Some(left)) = (whole, left) else { return Err(TestCaseError::fail("no stock")) };
-        left.is_sound(true, &program)?;
-        let apart = (whole.volume() - left.volume()).abs();
-        prop_assert!(apart < 1e-2, "{} mm³ apart of {}\n{}", apart, whole.volume(), program);
-        let [before, after, again] = [&plain, &sparing, &twice].map(|events| turned_body::at_feed(events));
-        prop_assert!(after < before + EXACT, "{} instead of {}\n{}", after, before, program);
-        if job.turned {
-            prop_assert!(again < after + EXACT, "{} after {}\n{}", again, after, program);
-        }
     }
 }
 

@@ -3,7 +3,7 @@ use std::fmt::Write as _;
 
 use ciklo::base::diag::Source;
 use ciklo::engine::region::section::{Cell, Section};
-use ciklo::engine::run::{Engine, Event, EventKind, FindingKind, MoveKind, NoTexts, Status};
+use ciklo::engine::run::{Engine, Event, FindingKind, NoTexts, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::stock::{Machining, Report};
 use ciklo::program::syntax;
@@ -88,17 +88,6 @@ pub(crate) fn run(
         Left { cells, volume, report }
     });
     Ok((events, left))
-}
-
-/// How far cycles go at a feed, mm, but for what smooths a contour, which they follow altogether.
-pub(crate) fn at_feed(events: &[Event]) -> f64 {
-    let length = |event: &Event| match &event.kind {
-        EventKind::Move { kind: MoveKind::Feed | MoveKind::Arc { rapid: false, .. }, path, .. } => path.length(),
-        _ => 0.0,
-    };
-    let step = |event: &Event| event.at.cycle.as_ref().and_then(|(_, step)| step.clone());
-    let roughs = |event: &&Event| step(event).is_some_and(|step| !step.starts_with("smooth"));
-    events.iter().filter(roughs).map(length).sum()
 }
 
 impl Left {

@@ -14,7 +14,7 @@ use super::turning_shape::{Treated, points_elsewhere, way_through};
 use crate::base::expr::tand;
 use crate::engine::machine::TurningInsert;
 use crate::engine::region::Way;
-use crate::engine::region::groove::{CuttingEdge, EASED};
+use crate::engine::region::groove::CuttingEdge;
 use crate::engine::region::profile::{Allowance, Envelope, GoesBack};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -159,8 +159,7 @@ impl Wanted {
         let material = match &self.blank {
             None => None,
             Some(None) => Some(Envelope::default()),
-            // The walls of a groove that is as wide as the insert are not left over in front of it.
-            Some(Some(outline)) => Some(self.edge.eased_over(EASED[1], (outline, none, 0.0))?),
+            Some(Some(outline)) => Some(self.edge.over(outline, none, 0.0)?),
         };
         let top = material
             .as_ref()
