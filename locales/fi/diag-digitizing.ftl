@@ -2,7 +2,7 @@
 diag-digitizing-axis-wrong = Akseli { $axis } ei sovi digitointiin työkaluakselilla { $tool }.
 explain-digitizing-axis-wrong = Työkierron ALUE kosketusjärjestelmän akselin täytyy olla viimeisen työkalukutsun työkaluakseli; rivien ja lähestymisen suunnat ovat koneistustason akseleita. Esimerkki: työkaluakseli Z ja rivien suunta Z. Korjaus: ohjelmoi alueeseen työkaluakseli ja suunnaksi X tai Y.
 diag-digitizing-contour-lost = Kosketusvarsi ei pysty seuraamaan kappaletta asemasta X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } eteenpäin.
-explain-digitizing-contour-lost = Kuula ei löydä tässä asemassa tietä kappaletta pitkin: rako on kuulan levyinen tai kappale päättyy tällä korkeudella. Esimerkki: korkeuskäyrät urassa, joka on yhtä leveä kuin kuula. Korjaus: pienempi kuula tai toinen aloituspiste, korkeus tai alue.
+explain-digitizing-contour-lost = Kuula ei löydä tässä asemassa tietä kappaletta pitkin: rako on kuulan levyinen, kappale päättyy tällä korkeudella tai käyrä palaa tähän käymättä ensimmäisessä pisteessään. Esimerkki: korkeuskäyrät urassa, joka on yhtä leveä kuin kuula. Korjaus: pienempi kuula tai toinen aloituspiste, korkeus tai alue.
 diag-digitizing-range-incomplete = Digitointialueelta puuttuu koordinaatti akselilla { $axis }.
 explain-digitizing-range-incomplete = Työkierron 5 MIN-piste ja MAX-piste tarvitsevat koordinaatit akseleilla X, Y ja Z. Esimerkki: ”X+0 Y+0” ilman akselia Z. Korjaus: lisää akseli molempiin pisteisiin.
 diag-digitizing-range-left = Asemassa X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } kosketusvarsi poistuisi digitointialueelta.

@@ -2,7 +2,7 @@
 diag-digitizing-axis-wrong = L’asse { $axis } non è adatto alla digitalizzazione con l’asse utensile { $tool }.
 explain-digitizing-axis-wrong = L’asse di tastatura del ciclo CAMPO deve essere l’asse utensile dell’ultima chiamata utensile; le direzioni delle righe e di avvicinamento sono assi del piano di lavoro. Esempio: asse utensile Z e righe in direzione Z. Rimedio: programmare nel campo l’asse utensile e come direzione X o Y.
 diag-digitizing-contour-lost = Lo stilo non può seguire il pezzo oltre la posizione X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) }.
-explain-digitizing-contour-lost = In questa posizione la sfera non trova la via lungo il pezzo: uno spazio è stretto quanto la sfera, oppure il pezzo finisce a questa altezza. Esempio: linee di livello in una scanalatura larga quanto la sfera. Rimedio: una sfera più piccola, oppure un altro punto di partenza, un’altra altezza o un altro campo.
+explain-digitizing-contour-lost = In questa posizione la sfera non trova la via lungo il pezzo: uno spazio è stretto quanto la sfera, il pezzo finisce a questa altezza oppure la linea ritorna qui senza aver raggiunto il suo primo punto. Esempio: linee di livello in una scanalatura larga quanto la sfera. Rimedio: una sfera più piccola, oppure un altro punto di partenza, un’altra altezza o un altro campo.
 diag-digitizing-range-incomplete = Nel campo di digitalizzazione manca la coordinata in { $axis }.
 explain-digitizing-range-incomplete = Il punto MIN e il punto MAX del ciclo 5 richiedono coordinate in X, Y e Z. Esempio: «X+0 Y+0» senza Z. Rimedio: aggiungere l’asse a entrambi i punti.
 diag-digitizing-range-left = In X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } lo stilo uscirebbe dal campo di digitalizzazione.

@@ -2,7 +2,7 @@
 diag-digitizing-axis-wrong = O eixo { $axis } não serve para a digitalização com o eixo da ferramenta { $tool }.
 explain-digitizing-axis-wrong = O eixo do apalpador do ciclo CAMPO tem de ser o eixo da ferramenta da última chamada; as direções das linhas e da aproximação são eixos do plano de maquinação. Exemplo: eixo da ferramenta Z e linhas na direção Z. Solução: programe no campo o eixo da ferramenta e, como direção, X ou Y.
 diag-digitizing-contour-lost = A haste não consegue seguir a peça a partir de X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) }.
-explain-digitizing-contour-lost = Nesta posição, a esfera não encontra caminho ao longo da peça: uma abertura é tão estreita como a esfera, ou a peça acaba a esta altura. Exemplo: linhas de nível numa ranhura da largura da esfera. Solução: uma esfera mais pequena, ou outro ponto de partida, altura ou campo.
+explain-digitizing-contour-lost = Nesta posição, a esfera não encontra caminho ao longo da peça: uma abertura é tão estreita como a esfera, a peça acaba a esta altura, ou a linha volta aqui sem ter alcançado o seu primeiro ponto. Exemplo: linhas de nível numa ranhura da largura da esfera. Solução: uma esfera mais pequena, ou outro ponto de partida, altura ou campo.
 diag-digitizing-range-incomplete = No campo de digitalização falta a coordenada em { $axis }.
 explain-digitizing-range-incomplete = O ponto MIN e o ponto MAX do ciclo 5 precisam de coordenadas em X, Y e Z. Exemplo: «X+0 Y+0» sem Z. Solução: acrescente o eixo aos dois pontos.
 diag-digitizing-range-left = Em X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } a haste sairia do campo de digitalização.

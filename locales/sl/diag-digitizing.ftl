@@ -2,7 +2,7 @@
 diag-digitizing-axis-wrong = Os { $axis } ni primerna za digitaliziranje z orodno osjo { $tool }.
 explain-digitizing-axis-wrong = Os tipalnega sistema v ciklu OBMOČJE mora biti orodna os zadnjega priklica orodja; smeri vrstic in primika so osi obdelovalne ravnine. Primer: orodna os Z in smer vrstic Z. Rešitev: v območju programirajte orodno os, kot smer pa X ali Y.
 diag-digitizing-contour-lost = Tipalna glava obdelovancu ne more slediti naprej od položaja X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) }.
-explain-digitizing-contour-lost = Na tem položaju krogla ne najde poti vzdolž obdelovanca: reža je tako ozka kot krogla ali pa se obdelovanec na tej višini konča. Primer: plastnice v utoru, širokem kot krogla. Rešitev: manjša krogla ali druga začetna točka, višina ali območje.
+explain-digitizing-contour-lost = Na tem položaju krogla ne najde poti vzdolž obdelovanca: reža je tako ozka kot krogla, obdelovanec se na tej višini konča ali pa se plastnica vrne sem, ne da bi dosegla svojo prvo točko. Primer: plastnice v utoru, širokem kot krogla. Rešitev: manjša krogla ali druga začetna točka, višina ali območje.
 diag-digitizing-range-incomplete = V območju za digitaliziranje manjka koordinata na osi { $axis }.
 explain-digitizing-range-incomplete = Točki MIN in MAX cikla 5 potrebujeta koordinate v oseh X, Y in Z. Primer: »X+0 Y+0« brez Z. Rešitev: os dodajte obema točkama.
 diag-digitizing-range-left = Na položaju X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } bi tipalna glava zapustila območje za digitaliziranje.

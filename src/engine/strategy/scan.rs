@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::action::{Control, Course, Felt};
 use super::digitized::{Range, SAME};
-use crate::base::expr::sind;
+use crate::base::expr::{cosd, sind};
 use crate::engine::geometry::RotaryAxis;
 use crate::engine::report::fault::{Class, Fault};
 
@@ -28,6 +28,13 @@ const LEAST: f64 = 1e-3;
 const MOST: usize = 400_000;
 /// A ball is moved off a surface so far before it is felt whether its way is free, mm.
 const OFF: f64 = 1e-4;
+/// A line that comes back to a place of its own, but not to its first one, is gone through again so often, each time
+/// with half the step.
+const FINER: i32 = 6;
+/// Such a place is looked for from so many points of a line.
+const RETURNS: usize = 16;
+/// Between two places where a surface turns by less than this, degrees, it goes on without a gap.
+const SMOOTH: f64 = 20.0;
 /// The way around a part at one place, degrees.
 const AROUND: f64 = 355.0;
 
@@ -313,6 +320,14 @@ fn meeting(a: DVec2, out_of_a: DVec2, b: DVec2, out_of_b: DVec2) -> Option<DVec2
     (cross.abs() > SAME && way.is_finite()).then(|| a + along * way)
 }
 
+/// How a line around a part has ended.
+enum Line {
+    /// At its first place.
+    Closed(Vec<Sample>),
+    /// There, at a place where it has been before, without the first one.
+    Missed(DVec3),
+}
+
 /// A part that is followed around at one height.
 pub(super) struct Level<'c> {
     pub control: &'c dyn Control,
@@ -350,29 +365,46 @@ impl Level<'_> {
 
     /// All places from the first one around the part and back to it, at most that far from each other.
     pub(super) fn trace(&self, first: Sample, spacing: f64) -> Result<Vec<Sample>, Fault> {
+        // With a finer step the stylus follows what it went past.
+        let mut step = spacing;
+        for finer in 0.. {
+            match self.trace_once(first, step)? {
+                Line::Closed(all) => return Ok(all),
+                Line::Missed(at) if finer == FINER => return Err(lost(self.control, at)),
+                Line::Missed(_) => step = (step / 2.0).max(LEAST),
+            }
+        }
+        Err(too_long())
+    }
+
+    /// The same with that step.
+    fn trace_once(&self, first: Sample, spacing: f64) -> Result<Line, Fault> {
         let mut all = vec![first];
         let mut has_left = false;
+        // A place to which the stylus may return instead of the first one, farther on whenever the way has doubled.
+        let mut known = 0;
         while all.len() < MOST {
             let Some(now) = all.last().copied() else { break };
             let back = (now.at - first.at).length();
             if has_left && back <= self.accuracy {
-                return Ok(all);
+                return Ok(Line::Closed(all));
             }
             has_left |= back > self.accuracy.max(spacing);
             let near = all.len() > 2 && back <= spacing + SAME;
             if near && self.is_next(&now, &first, back)? {
                 all.extend(self.inside_corner(&now, &first, spacing)?);
                 all.push(first);
-                return Ok(all);
+                return Ok(Line::Closed(all));
             }
-            let mut step = spacing;
-            let next = loop {
-                match self.next(&now, step)? {
-                    Some(next) => break next,
-                    None if step > LEAST => step /= 2.0,
-                    None => return Err(lost(self.control, now.at)),
-                }
-            };
+            if self.has_returned(&all, known, spacing)? {
+                return Ok(Line::Missed(now.at));
+            }
+            if all.len() >= 2 * known.max(RETURNS) {
+                known = all.len() - 1;
+            }
+            // Not past the first place.
+            let step = if near && has_left { spacing.min(back / 2.0) } else { spacing };
+            let next = self.follow(&now, step)?;
             let axes = self.control.axes(next.at);
             if (self.range.least - axes).max_element() > SAME || (axes - self.range.greatest).max_element() > SAME {
                 return Err(beyond(self.control, next.at));
@@ -380,6 +412,45 @@ impl Level<'_> {
             all.push(self.inside_corner(&now, &next, spacing)?.unwrap_or(next));
         }
         Err(too_long())
+    }
+
+    /// Whether a place before the last ones, not the first, comes next again.
+    fn has_returned(&self, all: &[Sample], known: usize, spacing: f64) -> Result<bool, Fault> {
+        let (Some(now), Some(place)) = (all.last(), all.get(known)) else { return Ok(false) };
+        let distance = (now.at - place.at).length();
+        if known == 0 || known + 3 > all.len() || distance > spacing {
+            return Ok(false);
+        }
+        self.is_next(now, place, distance)
+    }
+
+    /// The next place at that distance, or nearer where there is another wall before it is reached along this one.
+    fn follow(&self, now: &Sample, spacing: f64) -> Result<Sample, Fault> {
+        let mut step = spacing;
+        loop {
+            match self.next(now, step)? {
+                Some(next) if step <= LEAST || self.is_joined(now, &next, step)? => return Ok(next),
+                None if step <= LEAST => return Err(lost(self.control, now.at)),
+                _ => step = (step / 2.0).max(LEAST),
+            }
+        }
+    }
+
+    /// Whether the stylus stays in contact on the way to a place at that distance, and does not go over a gap.
+    fn is_joined(&self, from: &Sample, to: &Sample, distance: f64) -> Result<bool, Fault> {
+        let way = (to.at - from.at).normalize_or_zero();
+        let leans = way.dot(from.away).abs().max(way.dot(to.away).abs());
+        if distance <= 2.0 * LEAST || (from.away.dot(to.away) > cosd(SMOOTH) && leans < sind(SMOOTH)) {
+            return Ok(true);
+        }
+        let half = distance / 2.0;
+        let Some(middle) = self.next(from, half)? else { return Ok(false) };
+        let rest = (to.at - middle.at).length();
+        let comes = match self.next(&middle, rest)? {
+            Some(next) => (next.at - to.at).length() < TOUCHES,
+            None => false,
+        };
+        Ok(comes && self.is_joined(from, &middle, half)? && self.is_joined(&middle, to, rest)?)
     }
 
     /// Whether the first place comes next.
