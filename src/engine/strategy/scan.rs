@@ -33,6 +33,10 @@ const OFF: f64 = 1e-4;
 const FINER: i32 = 6;
 /// Such a place is looked for from so many points of a line.
 const RETURNS: usize = 16;
+/// Gaps and notches that are narrower, mm, are gone over; each time less.
+const NARROW: f64 = 0.01;
+/// The least step out of a notch that was gone over, mm.
+const TINY: f64 = LEAST / 16.0;
 /// Between two places where a surface turns by less than this, degrees, it goes on without a gap.
 const SMOOTH: f64 = 20.0;
 /// The way around a part at one place, degrees.
@@ -354,7 +358,7 @@ impl Level<'_> {
         let control = self.control;
         let start = now.at + now.away * spacing;
         let free = !control.touches(control.axes(start), 0.0)?
-            && feel(control, now.at + now.away * OFF.min(spacing), start)?.is_none();
+            && feel(control, now.at + now.away * OFF.min(spacing / 2.0), start)?.is_none();
         if !free {
             return Ok(None);
         }
@@ -366,21 +370,21 @@ impl Level<'_> {
     /// All places from the first one around the part and back to it, at most that far from each other.
     pub(super) fn trace(&self, first: Sample, spacing: f64) -> Result<Vec<Sample>, Fault> {
         // With a finer step the stylus follows what it went past.
-        let mut step = spacing;
+        let (mut step, mut narrow) = (spacing, NARROW);
         for finer in 0.. {
-            match self.trace_once(first, step)? {
+            match self.trace_once(first, step, narrow)? {
                 Line::Closed(all) => return Ok(all),
                 Line::Missed(at) if finer == FINER => return Err(lost(self.control, at)),
-                Line::Missed(_) => step = (step / 2.0).max(LEAST),
+                Line::Missed(_) => (step, narrow) = ((step / 2.0).max(LEAST), (narrow / 2.0).max(LEAST)),
             }
         }
         Err(too_long())
     }
 
-    /// The same with that step.
-    fn trace_once(&self, first: Sample, spacing: f64) -> Result<Line, Fault> {
+    /// The same with that step, over gaps that are so narrow.
+    fn trace_once(&self, first: Sample, spacing: f64, narrow: f64) -> Result<Line, Fault> {
         let mut all = vec![first];
-        let mut has_left = false;
+        let (mut has_left, mut has_crossed) = (false, false);
         // A place to which the stylus may return instead of the first one, farther on whenever the way has doubled.
         let mut known = 0;
         while all.len() < MOST {
@@ -404,7 +408,8 @@ impl Level<'_> {
             }
             // Not past the first place.
             let step = if near && has_left { spacing.min(back / 2.0) } else { spacing };
-            let next = self.follow(&now, step)?;
+            let (next, crossed) = self.follow(&now, step, narrow, has_crossed)?;
+            has_crossed = crossed;
             let axes = self.control.axes(next.at);
             if (self.range.least - axes).max_element() > SAME || (axes - self.range.greatest).max_element() > SAME {
                 return Err(beyond(self.control, next.at));
@@ -424,33 +429,39 @@ impl Level<'_> {
         self.is_next(now, place, distance)
     }
 
-    /// The next place at that distance, or nearer where there is another wall before it is reached along this one.
-    fn follow(&self, now: &Sample, spacing: f64) -> Result<Sample, Fault> {
+    /// The next place at that distance, or nearer where there is another wall before it is reached along this one; on the
+    /// other side of a narrow notch where the ball has no room for a step. With `has_crossed` it has come from there and
+    /// goes out again; whether it still does comes back.
+    fn follow(&self, now: &Sample, spacing: f64, narrow: f64, has_crossed: bool) -> Result<(Sample, bool), Fault> {
+        let least = if has_crossed { TINY } else { narrow.min(spacing) };
         let mut step = spacing;
         loop {
             match self.next(now, step)? {
-                Some(next) if step <= LEAST || self.is_joined(now, &next, step)? => return Ok(next),
-                None if step <= LEAST => return Err(lost(self.control, now.at)),
-                _ => step = (step / 2.0).max(LEAST),
+                Some(next) if step <= narrow || self.is_joined(now, &next, step, narrow)? => {
+                    return Ok((next, has_crossed && step < 2.0 * narrow));
+                }
+                None if step <= least => break,
+                _ => step = (step / 2.0).max(least),
             }
         }
+        let off = |way: f64| now.at + now.away * way;
+        let felt = if has_crossed { None } else { feel(self.control, off(OFF.min(step / 2.0)), off(step))? };
+        let across = felt.as_ref().and_then(Self::sample).filter(|across| across.away.dot(now.away) < 0.0);
+        across.map(|across| (across, true)).ok_or_else(|| lost(self.control, now.at))
     }
 
     /// Whether the stylus stays in contact on the way to a place at that distance, and does not go over a gap.
-    fn is_joined(&self, from: &Sample, to: &Sample, distance: f64) -> Result<bool, Fault> {
+    fn is_joined(&self, from: &Sample, to: &Sample, distance: f64, narrow: f64) -> Result<bool, Fault> {
         let way = (to.at - from.at).normalize_or_zero();
         let leans = way.dot(from.away).abs().max(way.dot(to.away).abs());
-        if distance <= 2.0 * LEAST || (from.away.dot(to.away) > cosd(SMOOTH) && leans < sind(SMOOTH)) {
+        if distance <= narrow || (from.away.dot(to.away) > cosd(SMOOTH) && leans < sind(SMOOTH)) {
             return Ok(true);
         }
         let half = distance / 2.0;
         let Some(middle) = self.next(from, half)? else { return Ok(false) };
         let rest = (to.at - middle.at).length();
-        let comes = match self.next(&middle, rest)? {
-            Some(next) => (next.at - to.at).length() < TOUCHES,
-            None => false,
-        };
-        Ok(comes && self.is_joined(from, &middle, half)? && self.is_joined(&middle, to, rest)?)
+        let comes = self.next(&middle, rest)?.is_some_and(|next| (next.at - to.at).length() < TOUCHES);
+        Ok(comes && self.is_joined(from, &middle, half, narrow)? && self.is_joined(&middle, to, rest, narrow)?)
     }
 
     /// Whether the first place comes next.
