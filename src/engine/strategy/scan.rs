@@ -18,6 +18,8 @@ const EXACT: f64 = 1e-11;
 const SEARCHES: usize = 120;
 /// A surface that turns by more than this between two points, degrees, has an inside corner between them.
 const CORNER: f64 = 10.0;
+/// A notch whose walls are at a smaller angle, degrees, has no inside corner.
+const NOTCH: f64 = 60.0;
 /// A direction this near to another one, as a cosine, is that one.
 const STEEP: f64 = 0.999;
 /// A ball that is farther from a surface, mm, does not touch it.
@@ -476,7 +478,8 @@ impl Level<'_> {
     fn inside_corner(&self, a: &Sample, b: &Sample, spacing: f64) -> Result<Option<Sample>, Fault> {
         let (first, second) = (a.away.truncate(), b.away.truncate());
         // On a way with the material on the right, the normal turns to the left in an inside corner.
-        if first.perp_dot(second) * -self.sign() < sind(CORNER) {
+        // In the tip of a notch nothing says in which direction the ball comes out.
+        if first.perp_dot(second) * -self.sign() < sind(CORNER) || first.dot(second) < -cosd(NOTCH) {
             return Ok(None);
         }
         let corner = meeting(a.at.truncate(), first, b.at.truncate(), second);
