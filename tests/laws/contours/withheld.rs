@@ -131,7 +131,10 @@ mod found {
         assert!(first.to.distance(second) < 1e-6, "{first:?}");
         // The arc touches both lines at the same distance from their corner.
         let far = third.distance(line.to);
-        assert!((third - line.to).perp_dot(third - second).abs() < 1e-6 * far && (far - third.distance(arc.to)).abs() < 1e-6);
+        assert!(
+            (third - line.to).perp_dot(third - second).abs() < 1e-6 * far
+                && (far - third.distance(arc.to)).abs() < 1e-6
+        );
         assert!(last.to.distance(DVec2::new(25.0, 0.0)) < 1e-6);
     }
 }

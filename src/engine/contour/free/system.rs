@@ -28,7 +28,7 @@ const MOST_SOLUTIONS: usize = 32;
 /// So many starts at least find nothing new before the search ends.
 const QUIET_STARTS: usize = 40;
 /// So many where nothing was found at all.
-const PATIENT_STARTS: usize = 400;
+const PATIENT_STARTS: usize = 360;
 /// The ends of short arcs are no farther from each other, as a share of the size of the contour.
 const SHORT: f64 = 0.1;
 /// Never more starts than that.
