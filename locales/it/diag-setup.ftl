@@ -56,6 +56,7 @@ diag-tool-table-contradicts =
         [locked] L’utensile { $tool } è bloccato nella tabella utensili (TL) e non è indicato alcun utensile gemello (RT).
         [point] { $value } centra qui sul diametro, ma per l’utensile { $tool } la tabella utensili non indica l’angolo del tagliente (T-ANGLE).
         [turning] { $value } non è adatto all’utensile { $tool }, che nella tabella degli utensili per tornire è di tipo { $other } (TYPE).
+        [size] L’utensile { $tool } ha nella tabella utensili il diametro { $other }, ma il nome dice { $value }.
        *[type] { $value } non è adatto all’utensile { $tool }, che nella tabella utensili è di tipo { $other } (TYP).
     }
 diag-translate-encoding = Il file viene scritto in { $encoding }: vi ha gli stessi byte e vi sono tutte le lettere delle nuove etichette.

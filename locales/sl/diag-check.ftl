@@ -17,6 +17,7 @@ diag-arc-wrong =
        *[centre] začetek je od središča oddaljen { $first }, konec pa { $second }
     }.
 diag-axis-twice = Os { $axis } je v tem stavku navedena dvakrat.
+diag-back-boring-inside = Po ciklu je material debel { $value }, surovec pa sega { $other } pod površino.
 diag-blocks-after-end = Za stavkom END PGM so še drugi stavki.
 diag-blank-wrong =
     { $what ->
@@ -51,6 +52,7 @@ diag-contour-def-wrong =
        *[island] { $found }: prva kontura v CONTOUR DEF mora biti žep, in sicer najgloblji.
     }
 diag-contour-depth-missing = { $contour } nima DEPTH, druge konture pa ga imajo.
+diag-contour-returns = Kontura se vrne v točko { $value }; { $other }, ki je že njeno oglišče.
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } je bila že določena.
@@ -77,6 +79,7 @@ diag-contour-wrong =
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.
 diag-core-hole-too-large = Premer vrtine je { $other }, navoja { $value }: za navoj ne ostane materiala.
+diag-core-hole-too-small = Navoj { $value } se vrta v vrtino { $other }: vrtina je preozka.
 diag-corner-wrong =
     Tega vogala ni mogoče obdelati: { $what ->
         [twice] neposredno pred njim je druga zaokrožitev ali posneti rob
@@ -87,6 +90,11 @@ diag-corner-wrong =
         [size] njegov polmer ali dolžina ni pozitivna
        *[long] potrebuje več, kot je dolga krajša premica, { $least }
     }.
+diag-cutting-speed-unusual =
+    { $side ->
+        [above] Rezalna hitrost { $value } m/min je za to orodje s premerom { $other } veliko prevelika.
+       *[below] Rezalna hitrost { $value } m/min je za to orodje s premerom { $other } veliko premajhna.
+    }
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
 diag-cycle-line-zero-missing = Pred vrstico { $line } manjka vrstica { $head }.
 diag-cycle-line-empty = V vrstici { $line } cikla { $cycle } ni ničesar.
@@ -165,6 +173,7 @@ diag-hole-outside-blank =
         [surface] Površina pri { $value } je daleč od surovca.
        *[through] Vrtina sega do { $value }, daleč skozi surovec.
     }
+diag-holes-overlap = Dve vrtini s premerom { $other } sta tu narazen samo { $value }: prekrivata se.
 diag-insert-points-away = Rezalna ploščica ne more rezati v smeri, v katero gre { $cycle }: njena usmerjenost (TO) je { $orientation }, zato je konica obrnjena stran od obdelovanca ali od pomika.
 diag-iso-incomplete =
     Ta stavek je nepopoln: { $what ->
@@ -193,6 +202,7 @@ diag-loop-endless = Ta skok sklene zanko, ki se nikoli ne konča.
 diag-machine-coordinates-compensated = Strojne koordinate (M91, M92) so tu programirane s popravkom polmera.
 diag-machine-coordinates-missing = Drugje se program odmakne na { $value } z M91; tu M91 manjka in višina velja od izhodišča obdelovanca.
 diag-main-runs-into-subprogram = Glavni program se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
+diag-measuring-height-above-surface = Merilna višina { $value } je nad obdelovancem, ki se konča pri { $other }.
 diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ $value }, pod dnom pri { $floor }, ki ga tam pusti { $milling }.
 diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vrednost v milimetrih.
 diag-mirror-of-tool-axis = Orodne osi { $axis } ni mogoče zrcaliti.
@@ -224,6 +234,7 @@ diag-no-result =
     }.
 diag-no-table-open = FN 27 in FN 28 potrebujeta preglednico, ki jo je odprl FN 26.
 diag-not-a-program = Ta datoteka ni NC-program.
+diag-nothing-left = Vrtina je tu že široka { $other }: orodje s premerom { $value } ne odvzame ničesar.
 diag-number-does-not-exist = { $name } ne obstaja: največja številka je { $greatest }.
 diag-older-parameter-set = { $cycle } ima parametre starejše različice programske opreme; krmiljenje doda { $parameter }.
 diag-out-of-range =
@@ -248,6 +259,7 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } v ciklu { $cycle } zahteva novejšo različico programske opreme od { $software }, ki jo opisuje priročnik.
 diag-parameter-unassigned =
     { $parameter } se tu bere, vrednosti pa mu ni določilo nič.
+diag-path-twice = Celotna pot od tu naprej je bila s tem orodjem že obdelana pri drugi transformaciji.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } ne more priklicati { $called } z { $value }.
@@ -263,6 +275,7 @@ diag-pattern-wrong =
         [same] { $word } ponovi prejšnji položaj.
        *[diameter] Premer { $word } delnega kroga mora biti večji od 0.
     }
+diag-pilot-hole-too-shallow = Poglobljena začetna točka je pri { $value }, vrtina, ki je tam, pa se konča pri { $other }.
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -274,7 +287,9 @@ diag-plane-not-reset =
         [zero] { $cycle } tu vse kote nastavi na 0, vrtenja obdelovalne ravnine pa nič ne izklopi.
        *[tilted] Program se tu konča z zavrteno obdelovalno ravnino.
     }
+diag-plunge-too-fast = Orodje tu prodira v material za { $value } na vrtljaj.
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle }, nima pa absolutnih vrednosti za obe koordinati ravnine.
+diag-position-missing = Orodje gre navzdol do { $value }, preden ga je program pozicioniral v ravnini.
 diag-position-twice = Točka { $value }; { $other } je bila s to definicijo in tem orodjem že obdelana.
 diag-probe-while-turning = { $cycle } tu tipa, medtem ko se vreteno vrti.
 diag-probed-axis-missing = Tipa se v smeri { $direction }, v položaju pa ni osi { $axis }.
@@ -290,6 +305,12 @@ diag-program-end-missing =
 diag-programs-call-in-circle = Program { $name } neposredno ali prek drugih znova prikliče ta program.
 diag-rapid-into-blank = Orodje se tu v hitrem teku premakne v surovec: gre na Z { $value }, zgornji rob surovca pa je pri { $top }.
 diag-rapid-through-material = Orodje gre tu v hitrem teku skozi do { $value }{"\u00A0"}mm materiala.
+diag-reaming-wrong =
+    { $what ->
+        [none] Tu ni vrtine, ki bi jo bilo mogoče povrtati.
+        [deep] Povrtalo gre do { $value }, vrtina pa samo do { $other }.
+       *[allowance] Vrtina je široka { $other }: za povrtalo { $value } ostane veliko preveč materiala.
+    }
 diag-repeat-count-wrong = Število ponovitev mora biti celo število od 0 do 65534.
 diag-repeat-of-later-label = Oznaka LBL { $label } mora stati pred ponovitvijo, ne za njo.
 diag-repeated-infeed =
@@ -310,6 +331,7 @@ diag-retract-missing =
         [end] se program konča
        *[turn] se rotacijska os premakne v hitrem teku
     }: ni bilo odmaknjeno.
+diag-rotary-axis-jumps = Rotacijska os tu zaniha od { $other } do { $value } in v naslednjem stavku nazaj.
 diag-row-not-in-table =
     { $table ->
         [preset] V preglednici prednastavitev ni vrstice { $row }.
@@ -353,6 +375,7 @@ diag-text-wrong =
         [alone] »{ $found }« v besedilu parametra { $parameter } ni podvojen in ne stoji pred črko.
        *[character] Znak »{ $found }« v { $parameter } ni dovoljen.
     }
+diag-thread-pitch-unusual = Korak { $value } ni standarden za navoj s premerom { $other }.
 diag-tool-axis-missing = Ta priklic orodja nima orodne osi, pa tudi prejšnji je ni navedel.
 diag-tool-axis-other =
     { $what ->
@@ -360,6 +383,7 @@ diag-tool-axis-other =
         [lifted] Ta priklic orodja navaja drugo orodno os kot surovec, orodje pa se odmika samo v osi { $axis }.
        *[blank] Surovec ima orodno os { $axis }, nima pa je nobeno orodje programa.
     }
+diag-tool-cuts-sideways = Sveder, navojni sveder ali povrtalo se tu pomika bočno skozi material.
 diag-tool-definition-wrong =
     { $what ->
         [zero] Orodje 0 pomeni, da orodja ni, in ga ni mogoče določiti.
@@ -385,6 +409,7 @@ diag-uncalculable-contour =
         [crossing] kontura seka samo sebe
        *[approach] na konturo tako ni mogoče primakniti
     }.
+diag-value-unlike-others = Vrednost je tu { $value }, na vseh drugih takih mestih pa { $other }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.

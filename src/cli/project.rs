@@ -9,12 +9,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::jobs::Job;
+use super::neighbours::Neighbours;
 use super::{Failure, execution, program};
 use crate::base::data::Files;
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{self, Against, Called, Callee, Machine, Observed, Project, Rows, ToolName};
 use crate::engine::scene::Scene;
-use crate::program::syntax::Program;
+use crate::engine::run::Programs;
+use crate::program::syntax::{BlockKind, Program};
 use crate::program::table::{Table, TableKind};
 use crate::system::{self, Folder};
 use crate::tools::rehearse::Rehearsal;
@@ -505,7 +507,14 @@ impl Project for CheckedProgram<'_> {
                 self.asked.store(true, Ordering::Relaxed);
             }
         };
-        Rehearsal { on, catalogue, files, tools }.observed(program, &beside)
+        let neighbours = Neighbours::new(&self.path, catalogue);
+        let calls = program.blocks().iter().any(|block| matches!(block.kind, BlockKind::CallPgm(_)))
+            || !check::named(program, self.against).is_empty();
+        if calls {
+            self.asked.store(true, Ordering::Relaxed);
+        }
+        let programs = calls.then_some(&neighbours as &dyn Programs);
+        Rehearsal { on, catalogue, files, tools, programs }.observed(program, &beside)
     }
 
     fn knows_rows(&self) -> bool {

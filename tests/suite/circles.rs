@@ -48,7 +48,7 @@ const ENGINE: &[(&str, &[&str])] = &[
 
 /// The rooms of the checker, folders and files, from the ground up: a room uses only those before it.
 const CHECKER: &[&str] = &[
-    "cycle", "against", "machine", "program", "incident", "flow", "facts", "speech", "tools", "guards", "blank",
+    "cycle", "against", "machine", "program", "toolwords", "incident", "flow", "facts", "speech", "tools", "guards", "blank",
     "contours", "loops", "travel", "rule", "rules", "allow", "config",
 ];
 

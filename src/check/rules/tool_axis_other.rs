@@ -11,7 +11,7 @@ use crate::program::syntax::{Axis, Block, BlockKind, CallForm, Path};
 pub(super) const RULE: Rule = Rule { code: "tool-axis-other", severity: Severity::Warning, run };
 
 /// So many movements say along which axis a tool is lifted.
-const LIFTS: usize = 2;
+const LIFTS: usize = 1;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut blank, mut first, mut fits): (_, Option<(&Block, Axis)>, _) = (None, None, false);
@@ -45,8 +45,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ => {}
         }
     }
-    let Some(blank) = blank else { return };
-    if let (Some((block, _)), false) = (first, fits) {
+    // Without a blank the first tool says along which axis the workpiece is machined.
+    let usual = first.map(|(_, axis)| axis).filter(|_| blank.is_none());
+    if let Some(usual) = usual {
+        others = called_otherwise(facts, usual);
+    }
+    let Some(blank) = blank.or(usual) else { return };
+    if let (Some((block, _)), false, None) = (first, fits, usual) {
         found.push(rule.at(facts, facts.content(block)).arg("what", "blank").arg("axis", blank.name()));
         return;
     }
@@ -55,6 +60,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.at(facts, facts.content(block)).arg("what", "lifted").arg("axis", blank.name()));
         }
     }
+}
+
+/// The tool calls with another axis than the usual one, where that is by far the usual one.
+fn called_otherwise<'f>(facts: &'f Facts<'_>, usual: Axis) -> Vec<(usize, &'f Block, Axis)> {
+    let calls = facts.marked().filter_map(|(index, block)| match &block.kind {
+        BlockKind::ToolCall(own) => Some((index, block, own.axis?)),
+        _ => None,
+    });
+    let (same, others): (Vec<_>, Vec<_>) = calls.partition(|(.., axis)| *axis == usual);
+    if others.len() < same.len() { others } else { Vec::new() }
 }
 
 /// How many rapid movements move the tool that a block calls along an axis and no other.
