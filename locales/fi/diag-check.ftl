@@ -304,8 +304,8 @@ diag-rapid-through-material = Työkalu ajaa tässä pikaliikkeellä enimmillää
 diag-reaming-wrong =
     { $what ->
         [none] Tässä ei ole kalvittavaa reikää.
-        [deep] Kalvin menee arvoon { $value }, mutta reikä ulottuu vain arvoon { $other }.
-       *[allowance] Reikä on { $other } leveä: kalvimelle, jonka halkaisija on { $value }, jää aivan liikaa poistettavaa.
+        [deep] Kalvain menee arvoon { $value }, mutta reikä ulottuu vain arvoon { $other }.
+       *[allowance] Reikä on { $other } leveä: kalvaimelle, jonka halkaisija on { $value }, jää aivan liikaa poistettavaa.
     }
 diag-repeat-count-wrong = Toistojen määrän on oltava kokonaisluku 0–65534.
 diag-repeat-of-later-label = Labelin { $label } on oltava ennen toistoa, ei sen jäljessä.
@@ -379,7 +379,7 @@ diag-tool-axis-other =
         [lifted] Tässä työkalukutsussa on toinen työkaluakseli kuin aihiolla, mutta työkalua vedetään irti vain akselilla { $axis }.
        *[blank] Aihion työkaluakseli on { $axis }, mutta se ei ole yhdelläkään ohjelman työkalulla.
     }
-diag-tool-cuts-sideways = Pora, kierretappi tai kalvin liikkuu tässä sivusuunnassa materiaalin läpi.
+diag-tool-cuts-sideways = Pora, kierretappi tai kalvain liikkuu tässä sivusuunnassa materiaalin läpi.
 diag-tool-definition-wrong =
     { $what ->
         [zero] Työkalu 0 tarkoittaa, ettei työkalua ole; sitä ei voi määritellä.

@@ -289,7 +289,7 @@ diag-plane-not-reset =
     }
 diag-plunge-too-fast = Orodje tu prodira v material za { $value } na vrtljaj.
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle }, nima pa absolutnih vrednosti za obe koordinati ravnine.
-diag-position-missing = Orodje gre navzdol do { $value }, preden ga je program pozicioniral v ravnini.
+diag-position-missing = Orodje gre navzdol do { $value }, preden mu je program določil položaj v ravnini.
 diag-position-twice = Točka { $value }; { $other } je bila s to definicijo in tem orodjem že obdelana.
 diag-probe-while-turning = { $cycle } tu tipa, medtem ko se vreteno vrti.
 diag-probed-axis-missing = Tipa se v smeri { $direction }, v položaju pa ni osi { $axis }.

@@ -14,9 +14,9 @@ use super::{Failure, execution, program};
 use crate::base::data::Files;
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{self, Against, Called, Callee, Machine, Observed, Project, Rows, ToolName};
-use crate::engine::scene::Scene;
 use crate::engine::run::Programs;
-use crate::program::syntax::{BlockKind, Program};
+use crate::engine::scene::Scene;
+use crate::program::syntax::Program;
 use crate::program::table::{Table, TableKind};
 use crate::system::{self, Folder};
 use crate::tools::rehearse::Rehearsal;
@@ -508,12 +508,8 @@ impl Project for CheckedProgram<'_> {
             }
         };
         let neighbours = Neighbours::new(&self.path, catalogue);
-        let calls = program.blocks().iter().any(|block| matches!(block.kind, BlockKind::CallPgm(_)))
-            || !check::named(program, self.against).is_empty();
-        if calls {
-            self.asked.store(true, Ordering::Relaxed);
-        }
-        let programs = calls.then_some(&neighbours as &dyn Programs);
+        // That other files count is known since the calls were looked up.
+        let programs = Some(&neighbours as &dyn Programs);
         Rehearsal { on, catalogue, files, tools, programs }.observed(program, &beside)
     }
 

@@ -56,7 +56,9 @@ fn is_forgotten(facts: &Facts<'_>, index: usize, block: &Block) -> bool {
     for (at, next) in blocks.iter().enumerate().skip(index + 1) {
         match &next.kind {
             BlockKind::Motion(motion) if motion.outline().has_coords() && turns(&motion.words()) => return false,
-            BlockKind::Statement(_) | BlockKind::CallLbl(_) | BlockKind::Lbl(_) | BlockKind::CallPgm(_) => return false,
+            BlockKind::Statement(_) | BlockKind::CallLbl(_) | BlockKind::Lbl(_) | BlockKind::CallPgm(_) => {
+                return false;
+            }
             BlockKind::Functions(list) if list.iter().any(is_unusual) => return false,
             _ => {}
         }
@@ -162,7 +164,7 @@ fn stays(facts: &Facts<'_>, block: &Block) -> bool {
     own.kind == StatementKind::Plane
         && own.words.iter().any(|word| angle(word.value.kind) && !about_axis(word))
         && has(facts, block, "STAY")
-        && !["RESET", "ROT"].iter().any(|word| has(facts, block, word))
+        && !["RESET", "COORD"].iter().any(|word| has(facts, block, word))
 }
 
 fn has(facts: &Facts<'_>, block: &Block, wanted: &str) -> bool {

@@ -32,7 +32,8 @@ fn in_a_row(facts: &Facts<'_>) -> Option<(Span, [f64; 2])> {
         if is_silent(block) {
             continue;
         }
-        let place = Some(block).filter(|block| calls.contains(&index) && !block.skip).and_then(|block| place(facts, block));
+        let place =
+            Some(block).filter(|block| calls.contains(&index) && !block.skip).and_then(|block| place(facts, block));
         let Some(place) = place else {
             row.clear();
             continue;

@@ -16,6 +16,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some((span, what, value, other)) = first {
-        found.push(rule.at(facts, span).arg("what", what).arg("value", Arg::Number(value)).arg("other", Arg::Number(other)));
+        found.push(
+            rule.at(facts, span).arg("what", what).arg("value", Arg::Number(value)).arg("other", Arg::Number(other)),
+        );
     }
 }

@@ -31,7 +31,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         else {
             continue;
         };
-        if own.related_cycle().is_none_or(|cycle| with_meaning(cycle, "milling-type").is_some()) || tool.pitch.is_some() {
+        if own.related_cycle().is_none_or(|cycle| with_meaning(cycle, "milling-type").is_some()) || tool.pitch.is_some()
+        {
             continue;
         }
         let unit = if facts.inch { MM_PER_INCH } else { 1.0 };

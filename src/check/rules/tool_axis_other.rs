@@ -82,5 +82,5 @@ fn lifts(facts: &Facts<'_>, call: usize, axis: Axis) -> usize {
             && motion.outline().is_rapid()
             && matches!(motion.words().coords.as_slice(), [only] if only.axis == axis)
     };
-    part.filter(alone).count()
+    part.take_while(|block| !facts.ends(block)).filter(alone).count()
 }

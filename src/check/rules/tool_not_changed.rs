@@ -6,8 +6,8 @@ use std::collections::{HashMap, HashSet};
 
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::removes_material;
-use crate::check::program::with_meaning;
 use crate::check::incident::Incident;
+use crate::check::program::with_meaning;
 use crate::check::travel::incidents;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, Tri};
 use crate::spec::{Cycle, Group};

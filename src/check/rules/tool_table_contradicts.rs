@@ -8,13 +8,13 @@ use std::collections::HashSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::cycle::{probes, removes_material};
+use crate::check::incident::Incident;
 use crate::check::program::{number, with_meaning};
 use crate::check::tools::named;
-use crate::check::incident::Incident;
 use crate::check::travel::incidents;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolName, Tri, diameter_of};
 use crate::program::syntax::{BlockKind, Compensates, ToolRef};
-use crate::spec::{Cycle, Group};
+use crate::spec::{Cycle, Group, MM_PER_INCH};
 
 pub(super) const RULE: Rule = Rule { code: "tool-table-contradicts", severity: Severity::Warning, run };
 
@@ -121,7 +121,9 @@ fn sizes(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<
         let said = project.tool_word(name, "NAME").and_then(diameter_of);
         let radius = project.tool_value(name, "R").filter(|radius| *radius > 0.0);
         let Some((said, own)) = said.zip(radius.map(|radius| 2.0 * radius)) else { continue };
-        if (said - own).abs() > WORN.0 * said + WORN.1 && reported.insert(shown(facts, tool)) {
+        let near = |said: f64| (said - own).abs() <= WORN.0 * said + WORN.1;
+        // A name may give it in inches.
+        if !near(said) && !near(said * MM_PER_INCH) && reported.insert(shown(facts, tool)) {
             let finding = rule.at(facts, facts.content(block)).arg("what", "size").arg("tool", shown(facts, tool));
             found.push(finding.arg("value", Arg::Number(said)).arg("other", Arg::Number(own)));
         }

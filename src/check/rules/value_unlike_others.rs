@@ -92,7 +92,8 @@ fn is_slip(written: f64, meant: f64) -> bool {
 /// Whether two neighbouring digits are exchanged.
 fn exchanged(one: f64, other: f64) -> bool {
     let (one, other) = (one.to_string(), other.to_string());
-    let differ: Vec<usize> = one.bytes().zip(other.bytes()).enumerate().filter(|(_, (a, b))| a != b).map(|own| own.0).collect();
+    let differ: Vec<usize> =
+        one.bytes().zip(other.bytes()).enumerate().filter(|(_, (a, b))| a != b).map(|own| own.0).collect();
     let ([first, second], true) = (differ.as_slice(), one.len() == other.len()) else { return false };
     let at = |text: &str, place: usize| text.as_bytes().get(place).copied();
     second - first == 1 && at(&one, *first) == at(&other, *second) && at(&one, *second) == at(&other, *first)

@@ -288,7 +288,9 @@ impl Walk<'_, '_> {
     /// A deepened starting point is in the hole that is there.
     fn pilot(&mut self, read: &Definition<'_>, span: Span, place: [f64; 2]) {
         let value = |meaning: &str| read.item(meaning).and_then(number);
-        let (Some(deepened), Some(surface)) = (value(DEEPENED).filter(|own| *own > 0.0), value(SURFACE)) else { return };
+        let (Some(deepened), Some(surface)) = (value(DEEPENED).filter(|own| *own > 0.0), value(SURFACE)) else {
+            return;
+        };
         if self.holes.others || self.holes.made.is_empty() {
             return;
         }

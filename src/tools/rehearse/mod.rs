@@ -72,7 +72,7 @@ impl Rehearsal<'_> {
         let mut scene = Scene::parse(&Source::new("scene", text), self.files).ok()?;
         beside(&mut scene);
         let frame = Blank::find(program, &scene).map_or(scene.frame, |blank| blank.frame);
-        let mut watcher = Watcher::new(on, program, body, frame);
+        let mut watcher = Watcher::new((on, self.catalogue), program, body, frame);
         for tool in guess.tools.iter().filter(|tool| tool.origin != Origin::Assumed && tool.size[1] > 0.0) {
             watcher.radii.push((tool.number, tool.size[1]));
         }

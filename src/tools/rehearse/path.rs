@@ -34,8 +34,10 @@ pub(super) struct Ways {
 impl Ways {
     /// Notes a movement at feed.
     pub(super) fn note(&mut self, line: usize, from: DVec3, to: DVec3, body: &Body) {
-        self.lowest = Some(self.lowest.map_or(to.z, |lowest| lowest.min(to.z)).min(from.z));
         let flat = (to - from).truncate().length() > SAME;
+        if flat {
+            self.lowest = Some(self.lowest.map_or(to.z, |lowest| lowest.min(to.z)).min(from.z));
+        }
         if flat && body.distance(to) <= 0.0 {
             self.along.get_or_insert(line);
         }

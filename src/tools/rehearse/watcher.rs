@@ -12,7 +12,7 @@ use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MoveKind, Tool};
 use crate::engine::solid::Path;
 use crate::program::syntax::{self, Block, BlockKind, Program};
-use crate::spec::{CycleKey, Group, Keyword, MM_PER_INCH, OnControl};
+use crate::spec::{Catalogue, Cycle, CycleKey, Group, Keyword, MM_PER_INCH, OnControl};
 
 /// So many cells the longer side of the blank has.
 const CELLS: f64 = 64.0;
@@ -37,7 +37,8 @@ pub(super) const SAME: f64 = 0.01;
 
 /// What is known while a program runs.
 pub(super) struct Watcher<'w> {
-    pub(super) on: &'w OnControl,
+    on: &'w OnControl,
+    catalogue: &'w Catalogue,
     program: &'w Program,
     /// The blocks by their lines.
     blocks: BTreeMap<usize, &'w Block>,
@@ -74,6 +75,8 @@ pub(super) struct Watcher<'w> {
     pub(super) probes: Vec<f64>,
     pub(super) tool: Option<f64>,
     pub(super) calls: u32,
+    /// The line of the last tool call.
+    called: usize,
     with_speed: bool,
     spindle: i8,
     speed: f64,
@@ -92,7 +95,12 @@ pub(super) struct Watcher<'w> {
 
 impl<'w> Watcher<'w> {
     /// Before the run; `frame` leads from the coordinates of the blank to the machine.
-    pub(super) fn new(on: &'w OnControl, program: &'w Program, body: Option<Body>, frame: Frame) -> Self {
+    pub(super) fn new(
+        (on, catalogue): (&'w OnControl, &'w Catalogue),
+        program: &'w Program,
+        body: Option<Body>,
+        frame: Frame,
+    ) -> Self {
         let size = body.map_or(DVec3::ZERO, |body| body.high - body.low);
         let cell = (size.x.max(size.y) / CELLS).max(0.01);
         let columns = (size.x / cell).ceil().max(1.0) as usize;
@@ -103,6 +111,7 @@ impl<'w> Watcher<'w> {
         });
         Self {
             on,
+            catalogue,
             program,
             blocks: program.blocks().iter().rev().map(|block| (block.line, block)).collect(),
             unit: if inch { 1.0 / MM_PER_INCH } else { 1.0 },
@@ -129,6 +138,7 @@ impl<'w> Watcher<'w> {
             probes: Vec::new(),
             tool: None,
             calls: 0,
+            called: 0,
             with_speed: false,
             spindle: 0,
             speed: 0.0,
@@ -227,7 +237,7 @@ impl<'w> Watcher<'w> {
         }
         self.across = *axis != self.plane.tool;
         self.tool = Some(tool.number);
-        self.calls += 1;
+        (self.calls, self.called) = (self.calls + 1, self.line);
         self.spindle = direction;
     }
 
@@ -303,11 +313,8 @@ impl<'w> Watcher<'w> {
         self.worked |= feed.is_some();
         let places = self.places_of(path);
         let certain = self.known == [true; 3];
-        if let Some(height) = self.top().filter(|top| key.is_none() && self.at.z < top - SKIN)
-            && self.known[2]
-            && !(self.known[0] && self.known[1])
-        {
-            let _ = height;
+        let low = key.is_none() && block.is_some() && self.top().is_some_and(|top| self.at.z < top - SKIN);
+        if low && self.known[2] && !(self.known[0] && self.known[1]) && !self.is_placed() {
             self.report(self.line, Incident::Unplaced(self.at.z * self.unit));
         }
         let Some(feed) = feed else {
@@ -323,23 +330,50 @@ impl<'w> Watcher<'w> {
         };
         self.note(key, line, from, certain && begun);
         if let Some(body) = self.body.filter(|_| certain) {
-            self.look_at(&body, key, begun, from, feed, &places);
+            let plain = block.is_none_or(|own| matches!(own.kind, BlockKind::Motion(_)));
+            self.look_at(&body, (key, plain), begun, from, feed, &places);
         }
         self.others |= self.is_milling(key) && self.top().is_none_or(|top| self.at.z < top);
         self.cut(&places);
+    }
+
+    /// Whether the blocks since the last tool call may say where the tool is in the plane: a movement to where it happens to
+    /// be is none, and what was done elsewhere in the text is not looked at.
+    fn is_placed(&self) -> bool {
+        if self.line <= self.called {
+            return true;
+        }
+        let names = [self.plane.main, self.plane.secondary].map(letter);
+        let mut named = [false; 2];
+        for block in self.blocks.range(self.called..=self.line).map(|(_, block)| block) {
+            match &block.kind {
+                BlockKind::Motion(element) => {
+                    let words = element.words();
+                    let polar = [syntax::Axis::Pr, syntax::Axis::Pa].iter().any(|own| words.coord(*own).is_some());
+                    for (named, axis) in named.iter_mut().zip(names) {
+                        *named |= polar || words.coord(axis).is_some();
+                    }
+                }
+                BlockKind::CallLbl(_) | BlockKind::CallPgm(_) | BlockKind::CyclCall(_) | BlockKind::Lbl(_) => {
+                    return true;
+                }
+                _ => {}
+            }
+        }
+        named == [true; 2]
     }
 
     /// A movement at feed that is certain, in or beside a blank.
     fn look_at(
         &mut self,
         body: &Body,
-        key: Option<CycleKey>,
+        (key, plain): (Option<CycleKey>, bool),
         begun: bool,
         from: DVec3,
         feed: f64,
         places: &[DVec3],
     ) {
-        let group = key.and_then(|key| self.on.cycles.get(&key)).map(|own| own.file.group);
+        let group = key.and_then(|key| self.cycle(key)).map(|own| own.file.group);
         let solid = !self.open && begun && places.iter().any(|place| self.is_solid(*place));
         if !self.open && self.with_speed && self.probes.is_empty() && group != Some(Group::Threads) {
             // Where another tool has cut before, a tool that was not started still has to turn.
@@ -358,9 +392,12 @@ impl<'w> Watcher<'w> {
             if below && body.distance(self.at) > room {
                 self.report(self.line, Incident::Outside([self.at.x * self.unit, self.at.y * self.unit]));
             }
-            self.ways.note(self.line, from, self.at, body);
+            if plain {
+                self.ways.note(self.line, from, self.at, body);
+            }
         }
-        if self.at.z < body.low.z - UNDER && body.distance(self.at) <= 0.0 && self.is_milling(key) {
+        let under = if self.scaled { SCALED / 4.0 } else { UNDER };
+        if self.at.z < body.low.z - under && body.distance(self.at) <= 0.0 && self.is_milling(key) {
             self.report(self.line, Incident::Below(self.at.z * self.unit));
         }
     }
@@ -385,7 +422,7 @@ impl<'w> Watcher<'w> {
 
     /// A tool cuts with a cycle: whether it is called something else, or has done a job before that no such tool does.
     fn use_tool(&mut self, tool: f64, key: CycleKey) {
-        let Some(cycle) = self.on.cycles.get(&key) else { return };
+        let Some(cycle) = self.cycle(key) else { return };
         let number = tool.to_bits();
         if !self.used.insert((number, key)) {
             return;
@@ -393,7 +430,7 @@ impl<'w> Watcher<'w> {
         if let Some(kind) = self.kind().filter(|kind| kind.misfits(cycle)) {
             self.report(self.line, Incident::Misused { tool, kind, cycle: key });
         }
-        let job = |key: CycleKey| self.on.cycles.get(&key).and_then(super::work::job);
+        let job = |key: CycleKey| self.cycle(key).and_then(super::work::job);
         let own = job(key);
         let other = self.used.iter().find(|(before, done)| {
             *before == number && own.zip(job(*done)).is_some_and(|(own, other)| !own.goes_with(other))
@@ -403,12 +440,17 @@ impl<'w> Watcher<'w> {
         }
     }
 
+    /// A cycle as the control describes it, or another one if the manual of this one only names it.
+    pub(super) fn cycle(&self, key: CycleKey) -> Option<&'w Cycle> {
+        self.on.cycles.get(&key).or_else(|| self.catalogue.describing(key).map(|(_, cycle)| cycle))
+    }
+
     pub(super) fn top(&self) -> Option<f64> {
         self.body.map(|body| body.high.z)
     }
 
     pub(super) fn is_milling(&self, key: Option<CycleKey>) -> bool {
-        let group = key.and_then(|key| self.on.cycles.get(&key)).map(|own| own.file.group);
+        let group = key.and_then(|key| self.cycle(key)).map(|own| own.file.group);
         !matches!(group, Some(Group::Drilling | Group::Threads))
     }
 
@@ -419,11 +461,7 @@ impl<'w> Watcher<'w> {
             _ => None,
         });
         for (index, axis) in [self.plane.main, self.plane.secondary, self.plane.tool].into_iter().enumerate() {
-            let axis = match axis {
-                Axis::X => syntax::Axis::X,
-                Axis::Y => syntax::Axis::Y,
-                Axis::Z => syntax::Axis::Z,
-            };
+            let axis = letter(axis);
             let named = words.as_ref().is_some_and(|words| words.coord(axis).is_some_and(|coord| !coord.incremental));
             let moved = (from.to_array()[index] - self.at.to_array()[index]).abs() > 1e-9;
             self.known[index] |= named || moved;
@@ -479,5 +517,14 @@ impl<'w> Watcher<'w> {
                 }
             }
         }
+    }
+}
+
+/// An axis as programs write it.
+const fn letter(axis: Axis) -> syntax::Axis {
+    match axis {
+        Axis::X => syntax::Axis::X,
+        Axis::Y => syntax::Axis::Y,
+        Axis::Z => syntax::Axis::Z,
     }
 }

@@ -88,7 +88,7 @@ pub(super) fn job(cycle: &Cycle) -> Option<Job> {
 impl Watcher<'_> {
     /// Adds a cut to what a cycle does; `written` is the line of its call.
     pub(super) fn note(&mut self, key: Option<CycleKey>, written: usize, from: DVec3, known: bool) {
-        let Some((key, cycle)) = key.and_then(|key| Some((key, self.on.cycles.get(&key)?))) else { return };
+        let Some((key, cycle)) = key.and_then(|key| Some((key, self.cycle(key)?))) else { return };
         let (at, line) = (self.at, self.line);
         let group = cycle.file.group;
         let cuts = matches!(group, Group::Drilling | Group::Threads | Group::Pockets | Group::Contours);
@@ -152,9 +152,12 @@ impl Watcher<'_> {
         let reach = DVec3::new(radius, radius, 0.0);
         let nothing = (work.high + reach - body.low).truncate().min_element() < 0.0
             || (body.high - work.low + reach).truncate().min_element() < 0.0;
+        // The tool begins beside the blank of a stud.
+        let stud =
+            self.cycle(work.key).is_some_and(|own| own.params.iter().any(|param| param.is.as_str().contains("blank")));
         let outside = match work.group {
             Group::Special => over > SKIN,
-            Group::Pockets => nothing || body.distance(middle) > SKIN,
+            Group::Pockets => !stud && (nothing || body.distance(middle) > SKIN),
             Group::Surfaces => nothing || over > 2.0 * radius + BEYOND,
             _ => nothing,
         };
@@ -189,7 +192,7 @@ impl Watcher<'_> {
     fn drill(&mut self, work: &Work) {
         let width = self.width();
         let (bottom, unit) = (work.low.z, self.unit);
-        let reams = self.on.cycles.get(&work.key).is_some_and(is_reaming) && self.kind() != Some(ToolKind::Drill);
+        let reams = self.cycle(work.key).is_some_and(is_reaming) && self.kind() != Some(ToolKind::Drill);
         let reams = reams || self.kind() == Some(ToolKind::Reamer);
         let here = self.holes_at(work.start);
         // What only centres is not as wide as its tool.
@@ -241,7 +244,7 @@ impl Watcher<'_> {
     fn mill(&mut self, work: &Work) {
         let extent = work.high - work.low;
         let middle = (work.high + work.low) / 2.0;
-        let round = (extent.x - extent.y).abs() <= SAME && (middle - work.start).truncate().length() <= 0.1;
+        let round = (extent.x - extent.y).abs() <= 0.05 * extent.x;
         if let Some(width) = self.width().filter(|_| round && extent.x > 0.0) {
             self.remember(work, Some(extent.x + width), middle);
         }
