@@ -14,6 +14,9 @@ pub(super) const RULE: Rule = Rule { code: "measuring-height-above-surface", sev
 /// The meanings of the values.
 const HEIGHT: &str = "measuring-height";
 const SURFACE: &str = "surface-coordinate";
+const AXIS: &str = "measuring-axis";
+/// The value of that for the axis of the probe.
+const TOOL_AXIS: f64 = 3.0;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.begins() {
@@ -34,7 +37,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 None => {}
             }
         }
-        if let (true, Some(item)) = (probes(cycle), read.item(HEIGHT))
+        // Along the tool axis it is touched from above.
+        let sideways = read.item(AXIS).is_none_or(|item| number(item).is_some_and(|axis| axis != TOOL_AXIS));
+        if let (true, Some(item)) = (probes(cycle) && sideways, read.item(HEIGHT))
             && let Some(height) = number(item)
         {
             let unmoved = facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));

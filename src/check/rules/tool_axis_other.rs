@@ -5,13 +5,14 @@
 //! than the blank names, so only a program in which no tool has the axis of the blank is reported, and a tool that rapid
 //! movements along one axis alone lift along that of the blank, and never along its own.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::check::cycle::removes_material;
+use crate::check::{Aspect, Defined, Facts, Rule, Tri};
 use crate::program::syntax::{Axis, Block, BlockKind, CallForm, Path};
 
 pub(super) const RULE: Rule = Rule { code: "tool-axis-other", severity: Severity::Warning, run };
 
 /// So many movements say along which axis a tool is lifted.
-const LIFTS: usize = 1;
+const LIFTS: usize = 2;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut blank, mut first, mut fits): (_, Option<(&Block, Axis)>, _) = (None, None, false);
@@ -56,7 +57,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     for (index, block, axis) in others {
-        if lifts(facts, index, blank) >= LIFTS && lifts(facts, index, axis) == 0 {
+        // A single one will do where the tool machines.
+        let least = if machines(facts, index) { 1 } else { LIFTS };
+        if lifts(facts, index, blank) >= least && lifts(facts, index, axis) == 0 {
             found.push(rule.at(facts, facts.content(block)).arg("what", "lifted").arg("axis", blank.name()));
         }
     }
@@ -70,6 +73,16 @@ fn called_otherwise<'f>(facts: &'f Facts<'_>, usual: Axis) -> Vec<(usize, &'f Bl
     });
     let (same, others): (Vec<_>, Vec<_>) = calls.partition(|(.., axis)| *axis == usual);
     if others.len() < same.len() { others } else { Vec::new() }
+}
+
+/// Whether a cycle that removes material is defined for the tool that a block calls.
+fn machines(facts: &Facts<'_>, call: usize) -> bool {
+    let next = facts
+        .marked()
+        .find(|(index, block)| *index > call && matches!(&block.kind, BlockKind::ToolCall(own) if own.tool.is_some()));
+    let end = next.map_or(usize::MAX, |(index, _)| index);
+    let own = facts.definitions.iter().filter(|own| (call..end).contains(&own.view.first));
+    own.filter_map(Defined::related_cycle).any(removes_material)
 }
 
 /// How many rapid movements move the tool that a block calls along an axis and no other.

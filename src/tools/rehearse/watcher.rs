@@ -32,6 +32,8 @@ const UNDER: f64 = 15.0;
 const FAR: f64 = 50.0;
 /// So far beside the blank nothing is scaled on purpose, besides the radius of the tool, mm.
 const SCALED: f64 = 20.0;
+/// So many blocks in a row may show nothing.
+const SEVERAL: usize = 64;
 /// Places that are so near are the same, mm.
 pub(super) const SAME: f64 = 0.01;
 
@@ -164,6 +166,9 @@ impl<'w> Watcher<'w> {
     pub(super) fn see(&mut self, event: &Event) {
         let own = *event.at.program == *self.program.source().name();
         if event.at.line > 0 {
+            if own {
+                self.pass_over(event.at.line);
+            }
             self.line = if own { event.at.line } else { self.calling_line() };
         }
         let key = event.at.cycle.as_ref().map(|(key, _)| *key).filter(|key| key.keyword == Keyword::CyclDef);
@@ -207,6 +212,32 @@ impl<'w> Watcher<'w> {
         };
         let mut next = self.blocks.range(self.line..).skip(1).map(|(_, block)| *block).skip_while(|own| silent(own));
         next.next().filter(|own| matches!(own.kind, BlockKind::CallPgm(_))).map_or(self.line, |own| own.line)
+    }
+
+    /// Blocks up to a line that have shown nothing name where the tool already is.
+    fn pass_over(&mut self, to: usize) {
+        if to <= self.line {
+            return;
+        }
+        let blocks: Vec<&Block> = self.blocks.range(self.line + 1..=to).map(|(_, block)| *block).collect();
+        let elsewhere = |block: &&Block| {
+            matches!(
+                block.kind,
+                BlockKind::Lbl(_) | BlockKind::CallLbl(_) | BlockKind::FnJump(_) | BlockKind::ToolCall(_)
+            )
+        };
+        if blocks.len() > SEVERAL || blocks.iter().any(elsewhere) {
+            return;
+        }
+        for block in blocks.into_iter().filter(|block| !block.skip) {
+            if let BlockKind::Motion(element) = &block.kind {
+                let words = element.words();
+                for (known, axis) in self.known.iter_mut().zip([self.plane.main, self.plane.secondary, self.plane.tool])
+                {
+                    *known |= words.coord(letter(axis)).is_some_and(|coord| !coord.incremental);
+                }
+            }
+        }
     }
 
     /// Whether nothing can be said of where the tool goes.
