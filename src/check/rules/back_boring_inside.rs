@@ -1,7 +1,7 @@
 //! Counterboring from below whose material thickness ends far inside of the blank: the cutting edge would swing out in solid
 //! material.
 //!
-//! Only in programs with a box as their blank, and where the thickness is less than half of what is below the surface.
+//! Only in programs with a box as their blank, and where the thickness is less than a quarter of what is below the surface.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::program::number;
@@ -20,7 +20,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let unmoved = facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));
         let (Some(thickness), Some(surface)) = (number(item), number(surface)) else { continue };
         let below = surface - blank.low[2];
-        if unmoved && thickness > 0.0 && 2.0 * thickness < below {
+        if unmoved && thickness > 0.0 && 4.0 * thickness < below {
             let finding = rule.at(facts, item.value_span).arg("value", Arg::Number(thickness));
             found.push(finding.arg("other", Arg::Number(below)));
         }

@@ -296,7 +296,7 @@ impl Walk<'_, '_> {
         }
         let start = surface - deepened;
         let here: Option<Vec<f64>> = self.holes.at(place, SAME * self.unit).collect();
-        let Some(bottom) = here.map(|here| here.into_iter().fold(surface, f64::min)) else { return };
+        let Some(bottom) = here.and_then(|here| here.into_iter().reduce(f64::min)) else { return };
         if start < bottom - SAME * self.unit {
             let place = read.item(DEEPENED).map_or(span, |item| item.span);
             self.found.push((place, Incident::Pilot { start, bottom }));

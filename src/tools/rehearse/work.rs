@@ -219,7 +219,7 @@ impl Watcher<'_> {
     fn ream(&mut self, work: &Work, here: &[Hole]) {
         let unit = self.unit;
         let Some(lowest) = here.iter().map(|own| own.bottom).reduce(f64::min) else {
-            if !self.others {
+            if !self.others && self.kind() == Some(ToolKind::Reamer) {
                 self.report(work.line, Incident::Reamed { what: "none", value: 0.0, other: 0.0 });
             }
             return;
