@@ -4,8 +4,8 @@
     tests/round_trips.py [--ciklo PATH] [--lang LANG] [--file FILE]... [--require NAME]...
 
 The clients that are installed are used, the others are named as missing: translate-toolkit, polib and moz.l10n (Python
-packages of the interpreter that runs this), msgcat and msgmerge (gettext), xliff (a Node package, found from the working
-directory), omegat. --require makes a missing one a failure. Works on a copy of the data; exits with 1 if anything else
+packages of the interpreter that runs this), compare-locales (another one: it reads l10n.toml and must find nothing),
+msgcat and msgmerge (gettext), xliff (a Node package, found from the working directory), omegat. --require makes a missing one a failure. Works on a copy of the data; exits with 1 if anything else
 than what was edited changes.
 """
 import argparse, importlib.util, os, re, shutil, subprocess, sys, tempfile
@@ -195,6 +195,24 @@ def omegat_steps(options, root, files):
         yield f"omegat glossary, {len(terms[tag])} terms", None if found and not lacking else f"{lacking}\n{read.stderr[-400:]}"
 
 
+def compare_locales(root):
+    """What compare-locales finds in the languages of l10n.toml, or nothing."""
+    shutil.copy(os.path.join(ROOT, "l10n.toml"), root)
+    code = "import sys; from compare_locales.commands import CompareLocales; sys.exit(CompareLocales.call())"
+    with open(os.path.join(root, "l10n.toml"), encoding="utf-8") as file:
+        languages = re.findall(r'"(\w+)"', re.search(r"^locales = (.*)$", file.read(), re.M)[1])
+    run = subprocess.run([sys.executable, "-c", code, "--json", "-", "l10n.toml", ".", *languages], cwd=root, capture_output=True, text=True)
+    import json
+    try:
+        [found] = json.loads(run.stdout)
+    except ValueError:
+        return run.stdout + run.stderr
+    kinds = ("errors", "warnings", "missing", "obsolete")
+    counted = {tag: sum(own[kind] for kind in kinds) for tag, own in found["summary"].items()}
+    is_clean = run.returncode == 0 and counted == dict.fromkeys(languages, 0)
+    return None if is_clean else f"{counted}\n{json.dumps(found['details'], indent=1)[:2000]}"
+
+
 def has(package):
     return importlib.util.find_spec(package) is not None
 
@@ -285,6 +303,13 @@ def main():
             if not good:
                 print(f"    changed without an edit: {changed}; with one: {edited}, {left} bytes")
                 print("    " + "\n    ".join((same.stdout + once.stdout).splitlines()[:12]))
+        if has("compare_locales"):
+            wrong = compare_locales(root)
+            print(f"compare-locales: {'finds nothing' if wrong is None else 'FAILED: ' + wrong}")
+            failed += wrong is not None
+        else:
+            print("compare-locales    not installed")
+            failed += "compare-locales" in options.require
         if not shutil.which("omegat"):
             print("omegat             not installed")
             failed += "omegat" in options.require

@@ -31,6 +31,8 @@ cli-texts-accepted = { $language }: { $count ->
        *[other] { $count } texts accepted.
     }
 cli-texts-left = { $language }: not accepted because the English has changed and the translation has not: { $keys }. To accept one as it is, name it with “ciklo texts accept --text KEY”.
+cli-texts-moved = { $language }: not accepted because they now have the words of other texts: { $keys }. To accept one as it is, name it with “ciklo texts accept --text KEY”.
+cli-texts-new = { $language }: not accepted because they are new: { $keys }. “ciklo texts accept --changed” accepts them.
 cli-texts-open =
     { $state ->
         [missing] missing: { $key } ({ $file })

@@ -69,7 +69,7 @@ step-plunge-to-contour-level = The tool moves to the next plunging depth, { $q-c
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: vertically at the feed rate { $q-contour-plunging-feed }, even if a plunging angle { $mp-plunging-angle } is defined for the active tool
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: vertically at the reciprocation feed rate { $q-reciprocation-feed }
 say-plunge-on-helix-or-in-strokes = otherwise on a helix at the plunging angle { $mp-plunging-angle }, or with reciprocating movements where a helix is not possible
-step-rough-contour-level = At this depth the tool mills the contour from the inside out at the feed rate { $q-roughing-feed }. Around islands it mills on paths that come closer to the contour of the pocket:
+step-rough-contour-level = At this depth the tool mills the contour from the inside out at the feed rate { $q-roughing-feed }; around islands it mills on paths that come closer to the contour of the pocket. It machines:
 say-rough-what-coarser-tool-left = if a coarse roughing tool { $q-coarse-roughing-tool } is entered, only what that tool could not machine
 say-rough-whole-region = otherwise the whole area
 message-contour-material-left = The tool does not reach all of the contour: it leaves material in corners or narrow places.
@@ -170,7 +170,7 @@ note-program-centre-path-of-slot = Program the centre path of the contour with r
 cycle-cylinder-surface-ridge = Cylinder surface – ridge milling
     .nc = CYLINDER SURFACE RIDGE
     .purpose = Transfers a ridge that is defined on the unrolled surface to the surface of a cylinder, with parallel walls.
-step-position-over-ridge-start = The control positions the tool over the starting point of machining, which it calculates from the width of the ridge and the diameter of the tool: beside the first point of the contour subprogram, offset by half the ridge width and the tool diameter. The radius compensation determines the side: left of the ridge (climb milling) or right of it (up-cut milling).
+step-position-over-ridge-start = The control positions the tool over the starting point of machining, which it calculates from the width of the ridge and the diameter of the tool: beside the first point of the contour subprogram, offset by half the ridge width plus the tool diameter. The radius compensation determines the side: left of the ridge (climb milling) or right of it (up-cut milling).
 step-approach-ridge-wall = At this depth the tool moves to the contour on a tangential arc at the feed rate { $q-contour-milling-feed }, leaving the finishing allowance for side { $q-side-allowance } if one is defined.
 step-mill-along-ridge-wall = The tool mills along the wall of the ridge at the feed rate { $q-contour-milling-feed } until the ridge is complete.
 step-leave-ridge-wall = The tool leaves the wall of the ridge tangentially and returns to the starting point of machining.

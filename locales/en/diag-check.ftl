@@ -17,6 +17,7 @@ diag-arc-wrong =
        *[centre] its start is { $first } away from the centre, its end { $second }
     }.
 diag-axis-twice = Axis { $axis } is programmed twice in this block.
+diag-back-boring-inside = The material is { $value } thick according to the cycle, and the blank goes { $other } below the surface.
 diag-blocks-after-end = Blocks after END PGM are not executed.
 diag-blank-wrong =
     { $what ->
@@ -51,6 +52,7 @@ diag-contour-def-wrong =
        *[island] { $found }: the first contour of CONTOUR DEF must be a pocket, the deepest one.
     }
 diag-contour-depth-missing = { $contour } has no DEPTH, but other contours have one.
+diag-contour-returns = The contour comes back to { $value }, { $other }, a corner that it already has.
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } has already been declared.
@@ -77,6 +79,7 @@ diag-contour-wrong =
     }.
 diag-coordinate-out-of-place = { $path } does not take these coordinates.
 diag-core-hole-too-large = The hole has a diameter of { $other }, the thread { $value }: no material is left for the thread.
+diag-core-hole-too-small = A thread of { $value } is tapped in a hole of { $other }: the hole is too narrow.
 diag-corner-wrong =
     This corner cannot be machined: { $what ->
         [twice] it directly follows another rounding or chamfer
@@ -87,6 +90,11 @@ diag-corner-wrong =
         [size] its radius or length is not positive
        *[long] it needs more than the length of the shorter line, { $least }
     }.
+diag-cutting-speed-unusual =
+    { $side ->
+        [above] A cutting speed of { $value } m/min is far too high for this tool with a diameter of { $other }.
+       *[below] A cutting speed of { $value } m/min is far too low for this tool with a diameter of { $other }.
+    }
 diag-cutting-without-tool = The tool moves at feed rate before any tool call.
 diag-cycle-line-zero-missing = Line { $line } is not preceded by line { $head }.
 diag-cycle-line-empty = Line { $line } of { $cycle } is empty.
@@ -165,6 +173,7 @@ diag-hole-outside-blank =
         [surface] The surface at { $value } is far from the blank.
        *[through] The hole goes down to { $value }, far through the blank.
     }
+diag-holes-overlap = Two holes with a diameter of { $other } are only { $value } apart here: they overlap.
 diag-insert-points-away = The insert cannot cut where { $cycle } goes: its orientation (TO) is { $orientation }, so its tip points away from the part or from the feed.
 diag-iso-incomplete =
     This block is incomplete: { $what ->
@@ -191,6 +200,7 @@ diag-loop-endless = This jump closes a loop that never ends.
 diag-machine-coordinates-compensated = Machine coordinates (M91, M92) are programmed here with radius compensation.
 diag-machine-coordinates-missing = Elsewhere the program retracts to { $value } with M91; here M91 is missing, and the height counts from the workpiece datum.
 diag-main-runs-into-subprogram = The main program runs into the subprogram { $label } here: neither M2 nor M30 ends it.
+diag-measuring-height-above-surface = The measuring height { $value } is above the workpiece, which ends at { $other }.
 diag-measuring-height-below-floor = { $cycle } measures at { $parameter }={ $value }, below the floor at { $floor } that { $milling } leaves there.
 diag-metric-values-in-inch = The program is in inches, but { $value } looks like millimetres.
 diag-mirror-of-tool-axis = The tool axis { $axis } cannot be mirrored.
@@ -220,6 +230,7 @@ diag-no-result =
     }.
 diag-no-table-open = FN 27 and FN 28 need a table that FN 26 has opened.
 diag-not-a-program = This file is not an NC program.
+diag-nothing-left = The hole is already { $other } wide here: a tool of { $value } removes nothing.
 diag-number-does-not-exist = { $name } does not exist: the greatest number is { $greatest }.
 diag-older-parameter-set = { $cycle } has the parameters of an earlier software version; the control adds { $parameter }.
 diag-out-of-range =
@@ -244,6 +255,7 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } in { $cycle } needs a later software version than { $software }, which the manual describes.
 diag-parameter-unassigned =
     { $parameter } is read here, but nothing has given it a value.
+diag-path-twice = The whole path from here on has already been machined with this tool under another transformation.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } cannot call { $called } with { $value }.
@@ -259,6 +271,7 @@ diag-pattern-wrong =
         [same] { $word } repeats an earlier position.
        *[diameter] The diameter { $word } of a pitch circle must be greater than 0.
     }
+diag-pilot-hole-too-shallow = The deepened starting point is at { $value }, and the hole that is there ends at { $other }.
 diag-plane-incomplete = This PLANE lacks { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -270,7 +283,9 @@ diag-plane-not-reset =
         [zero] { $cycle } sets all angles to 0 here, but nothing switches the tilted working plane off.
        *[tilted] The program ends here with a tilted working plane.
     }
+diag-plunge-too-fast = The tool plunges into the material by { $value } per revolution here.
 diag-position-after-contour = This is the first position after { $cycle }, but it does not have absolute values for both coordinates of the plane.
+diag-position-missing = The tool goes down to { $value } before the program has positioned it in the plane.
 diag-position-twice = The point { $value }, { $other } has already been machined with this definition and this tool.
 diag-probe-while-turning = { $cycle } probes here while the spindle turns.
 diag-probed-axis-missing = { $direction } is probed, but the position has no { $axis }.
@@ -286,6 +301,12 @@ diag-program-end-missing =
 diag-programs-call-in-circle = The program { $name } calls this one back, directly or through others.
 diag-rapid-into-blank = The tool moves into the blank at rapid traverse here: it goes to Z { $value }, and the top of the blank is at { $top }.
 diag-rapid-through-material = The tool moves through up to { $value } mm of material at rapid traverse here.
+diag-reaming-wrong =
+    { $what ->
+        [none] There is no hole to be reamed here.
+        [deep] The reamer goes down to { $value }, and the hole only to { $other }.
+       *[allowance] The hole is { $other } wide: for a reamer of { $value } this leaves far too much.
+    }
 diag-repeat-count-wrong = The number of repeats must be a whole number from 0 to 65534.
 diag-repeat-of-later-label = The label { $label } must come before the repeat, not after it.
 diag-repeated-infeed =
@@ -307,6 +328,7 @@ diag-retract-missing =
         [end] the program ends
        *[turn] a rotary axis moves at rapid traverse
     }: it was not retracted.
+diag-rotary-axis-jumps = The rotary axis swings from { $other } to { $value } here and back in the next block.
 diag-row-not-in-table =
     { $table ->
         [preset] The preset table has no row { $row }.
@@ -350,6 +372,7 @@ diag-text-wrong =
         [alone] “{ $found }” in the text of { $parameter } is neither doubled nor followed by a letter.
        *[character] The character “{ $found }” is not permitted in { $parameter }.
     }
+diag-thread-pitch-unusual = A pitch of { $value } is not a standard one for a thread with a diameter of { $other }.
 diag-tool-axis-missing = This tool call has no tool axis, and no earlier one has named it.
 diag-tool-axis-other =
     { $what ->
@@ -357,6 +380,7 @@ diag-tool-axis-other =
         [lifted] This tool call names another tool axis than the blank, but the tool is only ever retracted along { $axis }.
        *[blank] The blank has the tool axis { $axis }, but no tool of the program has it.
     }
+diag-tool-cuts-sideways = A drill, tap or reamer moves sideways through the material here.
 diag-tool-definition-wrong =
     { $what ->
         [zero] Tool 0 means no tool and cannot be defined.
@@ -382,6 +406,7 @@ diag-uncalculable-contour =
         [crossing] the contour crosses itself
        *[approach] the contour cannot be approached like this
     }.
+diag-value-unlike-others = The value is { $value } here, and { $other } in all other places of this kind.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } probes here with the tool that has just machined.
@@ -422,6 +447,7 @@ diag-feed-unit =
        *[minute] { $parameter }={ $value } is a feed per minute here, because M136 is not active.
     }
 diag-turning-system-missing = { $cycle } is called here, but { $aligning } has not been defined since the tool call.
+diag-cutting-speed-unlimited = The cutting speed is constant and the speed has no limit, but in line { $line } the tool comes to the rotary axis.
 diag-two-signs = The number has two signs; they are read as { $right }.
 diag-unknown-cycle =
     { $name ->

@@ -18,6 +18,10 @@ diag-spec-odd-condition = The condition "{ $name }" says that { $q } is { $found
 diag-spec-odd-formula = The cycle { $cycle } calculates “{ $name }” from { $q }, but other cycles calculate it from { $usual }, which this one has as well.
 diag-spec-example-guarded = The printed example is refused by the check "{ $code }".
 diag-spec-unused-parameter = Nothing in the run, the checks or the sentences of { $cycle } uses { $q }.
+diag-spec-odd-result = { $reason ->
+        [parameter] { $q } is a result and a parameter of { $cycle }
+       *[not-a-result] The run of { $cycle } sets { $q }, which is neither a result nor a parameter of it
+    }.
 diag-consistency-reference-word = The text { $key } in the language { $language } does not say absolute or incremental as the languages { $others } do: { $found } instead of { $expected }.
 diag-locale-unused = No specification and no text uses the text { $key }.
 diag-spec-example-fails = The example "{ $name }" on { $control } does not have the expected result: { $what } should be { $expected }, but is { $found }.

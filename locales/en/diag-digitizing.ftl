@@ -2,11 +2,11 @@
 diag-digitizing-axis-wrong = The axis { $axis } does not fit digitizing with the tool axis { $tool }.
 explain-digitizing-axis-wrong = The touch probe axis of the cycle RANGE must be the tool axis of the last tool call; directions of lines and of approach are axes of the working plane. Example: tool axis Z and “DIRECTN: Z”. Remedy: program the tool axis in the range, and X or Y as a direction.
 diag-digitizing-contour-lost = The stylus cannot follow the part on from X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) }.
-explain-digitizing-contour-lost = At this position the ball finds no way along the part: a gap is as narrow as the ball, or the part ends at this height. Example: contour lines in a slot of the width of the ball. Remedy: a smaller ball, or another starting point, height or range.
+explain-digitizing-contour-lost = At this position the ball finds no way along the part: a gap is as narrow as the ball, the part ends at this height, or the line comes back here without having reached its first point. Example: contour lines in a slot of the width of the ball. Remedy: a smaller ball, or another starting point, height or range.
 diag-digitizing-range-incomplete = The range for digitizing gives no coordinate in { $axis }.
 explain-digitizing-range-incomplete = The MIN point and the MAX point of cycle 5 need coordinates in X, Y and Z. Example: “X+0 Y+0” without Z. Remedy: add the axis to both points.
 diag-digitizing-range-left = At X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } the stylus would leave the range for digitizing.
-explain-digitizing-range-left = The part is higher than the MAX point, or its contour lies outside of the range; the stylus would go on outside of the limits. For contour lines the range must be larger than the part by at least the radius of the stylus. Remedy: enlarge the range, or the clearance height if the stylus touches the part there.
+explain-digitizing-range-left = The part is higher than the MAX point, or its contour lies outside of the range; the stylus would go on outside of the limits. For contour lines the range must be larger than the part by at least the radius of the stylus. Remedy: enlarge the range or, if the stylus already touches the part at the clearance height, increase this height.
 diag-digitizing-range-missing = No range for digitizing has been defined.
 explain-digitizing-range-missing = The cycles that digitize take the range, the clearance height and the file for the data from the cycle RANGE, and none has been executed before. Example: cycle 6 without cycle 5. Remedy: define cycle 5 or 15 before it.
 diag-digitizing-range-of-points = Contour lines cannot be digitized in a range from a point table.

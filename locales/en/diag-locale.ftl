@@ -63,4 +63,5 @@ diag-locale-stale =
        *[other] The English text of “{ $key }” has changed since it was translated into “{ $language }”: { $change }.
     }
 diag-locale-unrecorded = The translation of “{ $key }” into “{ $language }” has not been accepted yet.
+diag-locale-moved = The translation of “{ $key }” into “{ $language }” now has the words that were accepted for “{ $name }”.
 diag-locale-unknown-argument = “{ $key }” ({ $language }) uses the argument “{ $name }”, which the English text does not have.

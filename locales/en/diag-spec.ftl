@@ -92,5 +92,7 @@ diag-spec-measure = In { $cycle } { $reason ->
         [not-a-speed] a value that is no spindle speed is given as one
         [not-a-number] a value with a unit is given where a number without unit belongs
         [bare-number] a length or feed is compared with a number that has no unit
+        [same-operands] a choice or comparison is between two formulas that are the same
+        [never-negative] the sign or magnitude of a parameter that is never negative is taken
        *[not-an-angle] a value that is no angle is given as an angle
     }.

@@ -9,6 +9,9 @@ diag-texts-file-unreadable = The file cannot be read: { $reason ->
         [encoding] the encoding is not UTF-8
         [depth] the elements are nested too deeply
         [columns] the table lacks the columns concept and language
+        [empty] the file is empty
+        [quote] a cell in quotation marks begins here and does not end
+        [size] it is larger than 64 MB
         [xliff] this is neither XLIFF 1.2 nor XLIFF 2.0
        *[form] the form is wrong from here on
     }.

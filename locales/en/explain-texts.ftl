@@ -11,7 +11,7 @@ explain-texts-no-language =
 explain-texts-file-unreadable =
     The file is refused as a whole, and nothing is changed. XLIFF 1.2, XLIFF 2.0 and PO in UTF-8 are read, and terms as TBX or CSV. Of several files, none is imported if one cannot be read. Document types and entities of their own are refused because they can fetch other files or grow without end; a deep nesting of elements is refused for the same reason. Look at the place that is named, or export the texts again and let the translation tool save them in the same form.
 explain-texts-unit-unknown =
-    The identifier of a unit is the key of a text, and no text of the language has this key. It was renamed or removed since the file was exported, or the identifier was changed in the file. Export again; a translation memory finds the finished translation by its words.
+    The identifier of a unit is the key of a text, and no text of the language has this key. It was renamed or removed since the file was exported, or the identifier was changed in the file. Export again; a translation memory finds the finished translation by its words. A new term of the glossary is written in locales/en/glossary.ftl first; then its translations can be imported.
 explain-texts-unit-twice =
     Two units with the same identifier could say different things, and nothing says which of them is right. None of them is imported. Remove all but one.
 explain-texts-unit-source-changed =

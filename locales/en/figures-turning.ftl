@@ -4,6 +4,7 @@ figure-turning-roughing = Roughing
 figure-turning-finishing = Finishing
 figure-turning-inside = Inside
 figure-turning-system = Coordinate system
+figure-turning-reversed-tool = Reversed tool
 figure-turning-smoothing = Contour smoothing
 figure-turning-start-element = Element at the beginning
 figure-turning-end-element = Element at the end

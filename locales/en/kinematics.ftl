@@ -81,23 +81,23 @@ cycle-measure-kinematics = Measure kinematics
 step-clamp-sphere = Clamp the calibration sphere so that no collision can occur.
 step-set-datum-in-sphere = In the mode Manual Operation, set the datum at the centre of the sphere. With { $q-sphere-preset }=1 or { $q-sphere-preset }=3, position the touch probe manually above the calibration sphere in the touch probe axis and at the centre of the sphere in the working plane instead.
 step-start-calibration-program = Select a program run mode and start the calibration program.
-step-set-preset-before-measuring = The control sets the preset:
-say-preset-into-sphere-before = with { $q-sphere-preset }=1 or 3 at the centre of the sphere, before the measurement
+step-set-preset-before-measuring = { $q-sphere-preset } determines which preset applies to the measurement:
+say-preset-into-sphere-before = with { $q-sphere-preset }=1 or 3 the control sets the preset at the centre of the sphere before the measurement
 say-preset-set-by-hand = otherwise it uses the datum that was set manually
 step-move-to-measuring-positions = The touch probe moves to the measuring positions:
 say-move-without-retraction = with { $q-retraction-height }=0 without retraction, in the axis to be measured; to the first measuring position in the order A, B, C
 say-move-over-retraction-height = otherwise the spindle axis first moves to the retraction height { $q-retraction-height } and the touch probe to the datum in the working plane
 step-measure-rotary-axes = The control automatically measures all rotary axes in succession with the accuracy defined. The reference measurement is made at 0°.
-step-measure-backlash = The control measures the backlash:
-say-backlash-from-two-measurements = with an angle in { $q-backlash-angle }: by measuring each rotary axis twice
-say-no-backlash-measurement = with { $q-backlash-angle }=0 it makes no such measurement
+step-measure-backlash = { $q-backlash-angle } determines whether the control measures the backlash:
+say-backlash-from-two-measurements = with an angle in { $q-backlash-angle } it determines the backlash by measuring each rotary axis twice
+say-no-backlash-measurement = with { $q-backlash-angle }=0 it does not measure the backlash
 step-adapt-kinematics = The control evaluates the measurement according to the mode { $q-kinematics-mode }:
-say-report-possible-optimization = check: it determines the static accuracy of the tilting transformation from the measured positions, logs what an optimization of the positions could achieve, and adapts nothing
-say-optimize-axis-positions = optimize position: it determines the static accuracy of the tilting transformation, tries to change the position of the rotary axes in the kinematic model so that the accuracy improves, and adapts the machine data automatically
-say-optimize-angles-then-positions = optimize position and angle: it determines the static accuracy of the tilting transformation, first tries to optimize the angular position of the rotary axes by compensation (option 52, KinematicsComp), and, if that succeeded, optimizes the position in another series of measurements
+say-report-possible-optimization = check: it determines the static tilting accuracy from the measured positions, logs what an optimization of the positions could achieve, and adapts nothing
+say-optimize-axis-positions = optimize position: it determines the static tilting accuracy, tries to change the position of the rotary axes in the kinematic model so that the accuracy improves, and adapts the machine data automatically
+say-optimize-angles-then-positions = optimize position and angle: it determines the static tilting accuracy, first tries to optimize the angular position of the rotary axes by compensation (option 52, KinematicsComp), and, if that succeeded, optimizes the position in another series of measurements
 step-store-scatter-and-offsets = The control stores the measured values in the result parameters.
-step-set-preset-after-measuring = After the measurement the control sets the preset:
-say-preset-into-sphere-after = with { $q-sphere-preset }=2 or 3 at the centre of the sphere
+step-set-preset-after-measuring = After the measurement { $q-sphere-preset } determines whether the control sets the preset:
+say-preset-into-sphere-after = with { $q-sphere-preset }=2 or 3 it sets it at the centre of the sphere
 say-no-preset-after = otherwise it leaves the preset as it is
 step-write-kinematics-log = The control creates a log (TCHPR{ $cycle }.TXT).
 result-scatter-measured-a = Measured standard deviation of the A-axis (−1 if the axis was not measured)

@@ -40,7 +40,7 @@ step-probe-first-in-positive-direction__tnc426-430 = The touch probe carries out
 step-probe-first-in-negative-direction = The touch probe carries out the first probing at the probing feed rate (column { $mp-probing-feed }), always in the negative direction of the programmed axis.
 step-probe-first-in-negative-direction__tnc426-430 = The touch probe carries out the first probing at the probing feed rate ({ $mp-probing-feed } or { $mp-analog-probing-feed }), always in the negative direction of the programmed axis.
 step-probe-second-side-of-slot = The touch probe carries out the second probing as defined in { $q-second-measurement-offset }:
-step-probe-second-side-of-slot__tnc640 = The touch probe carries out the second probing as defined in { $q-second-measurement-offset }. With a large nominal length the control moves to the second touch point at rapid traverse:
+step-probe-second-side-of-slot__tnc640 = With a large nominal length the control moves to the second touch point at rapid traverse. The touch probe carries out the second probing as defined in { $q-second-measurement-offset }:
 say-offset-second-measurement = with { $q-second-measurement-offset } not 0 the control moves the touch probe parallel to the axis by this offset to the next touch point and probes there
 say-offset-second-measurement__tnc640 = with { $q-second-measurement-offset } not 0 the control moves the touch probe by this offset to the next touch point, with { $q-traverse-to-clearance-height }=1 at clearance height { $q-clearance-height }, and probes there
 say-measure-in-opposite-direction = with { $q-second-measurement-offset }=0 it measures the width directly in the opposite direction
@@ -56,7 +56,7 @@ result-measured-length-deviation = Deviation of measured length
 # --- 427 ---
 cycle-measure-coordinate = Measure coordinate
     .nc = MEASURE COORDINATE
-    .purpose = Measures a coordinate in a selectable axis and stores the value in a parameter. If tolerances are defined in the cycle, the control compares nominal and actual values and stores the deviation in parameters.
+    .purpose = Measures a coordinate in a selectable axis and stores the value in a parameter. If tolerances are defined in the cycle, the control compares nominal and actual values and stores the deviations in parameters.
 step-position-against-traverse-direction = The control positions the touch probe at the programmed touch point, at rapid traverse (value from the column { $mp-positioning-feed }) and with positioning logic, offset by the set-up clearance opposite to the traverse direction { $q-traverse-direction }.
 step-position-against-traverse-direction__tnc426-430 = The control positions the touch probe at the programmed touch point, at rapid traverse (value from { $mp-positioning-feed } or { $mp-analog-positioning-feed }) and with positioning logic, offset by the set-up clearance opposite to the traverse direction { $q-traverse-direction }.
 step-probe-coordinate = The control positions the touch probe in the working plane at the programmed touch point and measures the actual value in the selected axis there.
@@ -65,13 +65,13 @@ say-part-is-scrap__measure-coordinate = scrap (Q182=1) if the measured coordinat
 say-part-needs-rework__measure-coordinate = rework (Q181=1) if the measured coordinate is greater than { $q-greatest-dimension }
 say-correct-tool-length = with { $q-monitored-tool } not 0 and { $q-measuring-axis }=3 it corrects the tool length in the column DL of the tool table; if the deviation is greater than the breakage tolerance RBREAK, it shows an error message, stops the program run and locks the tool (column TL = L)
 say-correct-tool-radius__measure-coordinate = with { $q-monitored-tool } not 0 and { $q-measuring-axis }=1 or 2 it corrects the delta radius in the column DR of the tool table, in the sense that follows from { $q-traverse-direction }; if the deviation is greater than the breakage tolerance RBREAK, it shows an error message, stops the program run and locks the tool (column TL = L)
-note-coordinate-is-outside-dimension = The control assumes that an outside dimension (stud) is measured. The measuring status can be corrected by a suitable choice of the greatest and the least dimension together with the probing direction.
+note-coordinate-is-outside-dimension = The control assumes that an outside dimension (stud) is measured. In other cases the measuring status can be put right by a suitable choice of the greatest and the least dimension together with the probing direction.
 note-coordinate-corrects-radius-or-length = If an axis of the working plane is the measuring axis ({ $q-measuring-axis }=1 or 2), the control corrects the tool radius; the sense of the correction follows from the traverse direction { $q-traverse-direction }. If the touch probe axis is the measuring axis ({ $q-measuring-axis }=3), it corrects the tool length.
 
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Measure bolt-hole circle
     .nc = MEAS. BOLT HOLE CIRC
-    .purpose = Measures the centre and the diameter of a bolt-hole circle by measuring three of its holes. If tolerances are defined in the cycle, the control compares nominal and actual values and stores the deviation in parameters.
+    .purpose = Measures the centre and the diameter of a bolt-hole circle by measuring three of its holes. If tolerances are defined in the cycle, the control compares nominal and actual values and stores the deviations in parameters.
 step-measure-centre-of-hole = The touch probe moves to the measuring height { $q-measuring-height } and determines the centre of the hole by probing four points.
 step-travel-to-next-hole = The touch probe returns to the clearance height { $q-clearance-height } and is positioned at the entered centre of the next hole.
 until-three-holes-measured = the centres of all three holes have been determined

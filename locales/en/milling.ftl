@@ -31,7 +31,7 @@ say-back-to-slot-centre = { $q-slot-position } = 0: the control returns the tool
 say-stays-in-working-plane = otherwise: the control does not position the tool in the working plane
 note-position-at-slot-start = Position the tool at the starting point in the working plane with radius compensation R0. Take the slot position { $q-slot-position } into account.
 note-position-at-slot-start__circular-slot = Position the tool at the starting point in the working plane with radius compensation R0. Take the reference for the slot position { $q-slot-position-reference } into account.
-note-slot-end-position = At the end of the cycle the control returns the tool in the working plane to the centre of the slot; it does not position the tool in the other axis of the working plane. If a slot position { $q-slot-position } other than 0 is defined, the control only positions the tool in the tool axis at the 2nd set-up clearance. Before the cycle is called again, move the tool back to the starting position, or program absolute traverses before the call.
+note-slot-end-position = At the end of the cycle the control returns the tool in the working plane to the centre of the slot. Exception: if a slot position { $q-slot-position } other than 0 is defined, it only positions the tool in the tool axis at the 2nd set-up clearance. Before the cycle is called again, move the tool back to the starting position, or program absolute traverses before the call.
 note-wide-slot-is-cleared = If the slot is wider than twice the tool diameter, the control clears it from the inside out accordingly. Slots of any width can therefore be milled with small tools, too.
 
 # --- 254 ---
@@ -45,7 +45,7 @@ step-end-of-circular-slot = Where the tool is at the end of the cycle depends on
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: the control returns the tool in the working plane to the starting point (the centre of the pitch circle)
 condition-slot-at-entered-centre = the position of the slot follows from the entered centre of the pitch circle ({ $q-slot-position-reference } = 0)
 note-circular-slot-end-position = At the end of the cycle the control returns the tool in the working plane to the starting point (the centre of the pitch circle). Exception: if a slot position { $q-slot-position-reference } other than 0 is defined, it only positions the tool in the tool axis at the 2nd set-up clearance. In this case always program absolute traverses after the cycle call.
-note-circular-slot-with-pattern = If cycle 254 (circular slot) is combined with cycle 221, the slot position 0 is not permitted.
+note-circular-slot-with-pattern = If cycle 254 (circular slot) is combined with cycle 221, the slot position must not have the value 0.
 
 # --- 256 ---
 cycle-rectangular-stud = Rectangular stud
@@ -77,7 +77,7 @@ step-leave-stud-on-spiral = The control departs from the contour on a spiral.
 step-next-infeed-near-departure = If several infeeds are needed, the next one takes place at the point nearest to the departure.
 step-retract-and-return-to-stud-centre = At the end of the cycle, after the departure on a spiral, the control positions the tool in the tool axis at the 2nd set-up clearance { $q-second-set-up-clearance } (at the set-up clearance if none is entered) and then at the centre of the stud.
 note-position-at-stud-centre = Position the tool at the starting point (the centre of the stud) in the working plane with radius compensation R0.
-note-circular-stud-end-height = Danger of collision! At the end the control returns the tool to the set-up clearance, or to the 2nd set-up clearance if one is entered. The end position of the tool after the cycle may therefore differ from its starting position.
+note-circular-stud-end-height = Danger of collision! At the end the control returns the tool to the set-up clearance, or to the 2nd set-up clearance if one is entered. In the tool axis its end position after the cycle may therefore differ from its starting position.
 
 # --- 221 ---
 cycle-line-pattern = Point pattern on lines
@@ -135,7 +135,7 @@ step-mill-face-line = The tool mills at the programmed feed rate { $q-milling-fe
 say-line-ends-outside-surface = { $q-face-milling-strategy } = 0: outside the surface; the control calculates it from the programmed starting point, length and clearance to the side { $q-side-clearance } and the tool radius
 say-line-ends-inside-surface = { $q-face-milling-strategy } = 1: inside the surface; the control calculates it from the programmed starting point and length and the tool radius
 say-line-ends-outside-surface-by-lines = { $q-face-milling-strategy } = 2: outside the surface; the control calculates it from the programmed starting point, length and clearance to the side { $q-side-clearance } and the tool radius
-step-step-over-on-face = The control moves the tool across to the starting point of the next line. It calculates the offset from the programmed width { $q-second-side-length }, the tool radius and the maximum path overlap factor { $q-max-path-overlap }:
+step-step-over-on-face = The control calculates the offset from the programmed width { $q-second-side-length }, the tool radius and the maximum path overlap factor { $q-max-path-overlap }, and moves the tool across to the starting point of the next line:
 say-step-over-outside = { $q-face-milling-strategy } = 0: at the feed rate for pre-positioning { $q-pre-positioning-feed }
 say-step-over-inside = { $q-face-milling-strategy } = 1: within the workpiece, at the feed rate for milling { $q-milling-feed }
 say-retract-and-return-to-next-line = { $q-face-milling-strategy } = 2: the tool moves in the spindle axis to the set-up clearance { $q-set-up-clearance } above the present infeed depth and at the feed rate for pre-positioning { $q-pre-positioning-feed } directly back to the starting point of the next line

@@ -225,7 +225,7 @@ choice-line-by-line-with-retraction = Line by line, with retraction and stepover
 
 # --- coordinate transforms ---
 parameter-mirrored-axes = Mirrored axes
-    .help = Axes to be mirrored. All axes may be mirrored, rotary axes included, except the spindle axis and its secondary axis. Up to three of the NC axes X, Y, Z, U, V, W, A, B, C.
+    .help = Axes to be mirrored. All axes may be mirrored, rotary axes included, except the spindle axis and the secondary axis parallel to it. Up to three of the NC axes X, Y, Z, U, V, W, A, B, C.
     .prompt = Mirrored axis?
 parameter-scaling-factor = Factor
     .help = Scaling factor SCL. The control multiplies coordinates and radii by it.

@@ -62,7 +62,7 @@ parameter-probing-traverse-type = Type of traverse? Line=0/circle=1
     .label = TYPE OF TRAVERSE
     .help = The path on which the touch probe moves between the measuring points if it moves at clearance height ({ $q-traverse-to-clearance-height }=1).
 choice-traverse-straight = move on a straight line
-choice-traverse-on-circle = move on an arc of the pitch circle diameter
+choice-traverse-on-circle = move on a circular arc between the measuring points
 
 # --- the datum ---
 parameter-datum-row-number = Datum number in table

@@ -25,7 +25,7 @@ guard-helix-too-small = The diameter of the helix for plunging is less than twic
 note-without-tool-table-plunge-vertically = If no tool table is active, plunging must always be vertical ({ $q-plunging-strategy } = 0), because no plunging angle can be defined.
 note-position-at-pocket-start = Position the tool at the starting point in the working plane with radius compensation R0. Take the pocket position { $q-pocket-position } into account.
 note-positions-in-tool-axis-itself = The control positions the tool in the tool axis automatically. Take the 2nd set-up clearance { $q-second-set-up-clearance } into account.
-note-returns-to-starting-point = At the end of the cycle the control returns the tool to the starting point.
+note-returns-to-starting-point = At the end of the cycle the control returns the tool in the working plane to the starting point.
 note-clearance-above-chips = Each time a level has been cleared, the tool returns at rapid traverse to the centre of the pocket, at the set-up clearance above the present plunging depth. Choose the set-up clearance so that the tool cannot jam on chips while it moves.
 note-helix-diameter-monitored = When plunging on a helix, the control reports an error if the helix diameter it has calculated is less than twice the tool diameter. For centre-cutting tools this check can be switched off with the machine parameter { $mp-suppress-plunge-err }.
 note-cutting-edge-limits-infeed = If the cutting edge is shorter than the plunging depth { $q-plunging-depth }, the control reduces the plunging depth to the length { $mp-cutting-edge-length } of the tool table.

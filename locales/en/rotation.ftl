@@ -52,7 +52,7 @@ cycle-rotation-by-rotary-axis = Basic rotation compensated by a rotary axis
     .purpose = Determines the misalignment of a workpiece by measuring two points that must lie on a straight line. The control compensates it by turning the A, B or C axis. The workpiece may be clamped anywhere on the rotary table.
 step-retract-and-turn-rotary-axis = The control returns the touch probe to the clearance height { $q-clearance-height } and turns the rotary axis { $q-compensation-axis } by the calculated value. It also stores the angle in the result parameter. If selected, it sets the display to 0 after the alignment.
 step-retract-and-turn-rotary-axis__tnc426-430 = The control returns the touch probe to the clearance height { $q-clearance-height } and turns the rotary axis { $q-compensation-axis } by the calculated value.
-note-compensation-may-be-turned-180 = Danger of collision! The control only checks whether the touch points and the compensating axis make sense together. Compensating movements may therefore be turned by 180°.
+note-compensation-may-be-turned-180 = Danger of collision! The control only checks roughly whether the touch points and the compensating axis make sense together. Compensating movements may therefore be turned by 180°.
 note-compensation-axis-combinations = Permitted combinations of the measuring axis { $q-measuring-axis } and the compensating axis { $q-compensation-axis }. Touch probe axis Z: 1 with 6, 2 with 6, 3 with 5 or 4. Touch probe axis Y: 1 with 5, 2 with 5, 3 with 6 or 4. Touch probe axis X: 1 with 4, 2 with 4, 3 with 5 or 6.
 note-only-without-tilting = Use this cycle only while the function for tilting the working plane is not active.
 

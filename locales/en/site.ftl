@@ -24,7 +24,7 @@ site-group = Group
 site-as-used = The manual of this control does not describe the cycle, but uses it in a program.
 site-purpose = Purpose
 site-run = Cycle run
-site-by-operator = Operator
+site-by-operator = Operator:
 site-notes = Please note
 
 # Signal words of notes

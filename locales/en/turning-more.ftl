@@ -3,42 +3,42 @@
 # --- 841, 842, 840, 851, 852, 850 ---
 cycle-simple-radial-recess-turning = Simple radial recess turning
     .nc = SIMPLE RECESS TURNING, RADIAL
-    .purpose = Machines rectangular grooves in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines rectangular grooves in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts are paraxial.
 cycle-extended-radial-recess-turning = Extended radial recess turning
     .nc = EXTENDED RECESS TURNING, RADIAL
-    .purpose = Machines grooves in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Machines grooves in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts are paraxial. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-radial-contour-recess-turning = Radial contour recess turning
     .nc = CONTOUR RECESS TURNING, RADIAL
-    .purpose = Machines grooves of any shape in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines grooves of any shape in the longitudinal direction by recess turning: roughing, finishing or both. The roughing cuts are paraxial.
 cycle-simple-axial-recess-turning = Simple axial recess turning
     .nc = SIMPLE RECESS TURNING, AXIAL
-    .purpose = Machines rectangular grooves in the transverse direction (on a face) by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines rectangular grooves in the transverse direction (on a face) by recess turning: roughing, finishing or both. The roughing cuts are paraxial.
 cycle-extended-axial-recess-turning = Extended axial recess turning
     .nc = EXTENDED RECESS TURNING, AXIAL
-    .purpose = Machines grooves in the transverse direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Machines grooves in the transverse direction by recess turning: roughing, finishing or both. The roughing cuts are paraxial. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-axial-contour-recess-turning = Axial contour recess turning
     .nc = CONTOUR RECESS TURNING, AXIAL
-    .purpose = Machines grooves of any shape in the transverse direction by recess turning: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Machines grooves of any shape in the transverse direction by recess turning: roughing, finishing or both. The roughing cuts are paraxial.
 
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Radial recessing
     .nc = RADIAL RECESSING
-    .purpose = Cuts rectangular grooves radially: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts rectangular grooves radially: roughing, finishing or both. The roughing cuts are paraxial.
 cycle-extended-radial-recessing = Extended radial recessing
     .nc = EXTENDED RADIAL RECESSING
-    .purpose = Cuts grooves radially: roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Cuts grooves radially: roughing, finishing or both. The roughing cuts are paraxial. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-radial-contour-recessing = Radial contour recessing
     .nc = RADIAL CONTOUR RECESSING
-    .purpose = Cuts grooves of any shape radially: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts grooves of any shape radially: roughing, finishing or both. The roughing cuts are paraxial.
 cycle-axial-recessing = Axial recessing
     .nc = AXIAL RECESSING
-    .purpose = Cuts rectangular grooves axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts rectangular grooves axially (face recessing): roughing, finishing or both. The roughing cuts are paraxial.
 cycle-extended-axial-recessing = Extended axial recessing
     .nc = EXTENDED AXIAL RECESSING
-    .purpose = Cuts grooves axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
+    .purpose = Cuts grooves axially (face recessing): roughing, finishing or both. The roughing cuts are paraxial. The groove may have inclined side walls, rounded corners, and a chamfer or rounding at the start and at the end of the contour.
 cycle-axial-contour-recessing = Axial contour recessing
     .nc = AXIAL CONTOUR RECESSING
-    .purpose = Cuts grooves of any shape axially (face recessing): roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Cuts grooves of any shape axially (face recessing): roughing, finishing or both. The roughing cuts are paraxial.
 
 # --- 831, 832, 830 ---
 cycle-longitudinal-thread = Longitudinal thread
@@ -69,7 +69,7 @@ say-infeed-at-both-sides = { $q-recess-direction } = 0 (both directions): the in
 step-recess-to-next-depth = The tool recesses to the next plunging depth.
 until-groove-depth-reached = the depth of the groove is reached
 step-recess-at-both-walls = The control positions the tool at the set-up clearance again and makes one recess at each side wall.
-step-infeed-parallel-to-axis = The control makes an infeed parallel to the axis at rapid traverse. The lateral infeed is 0.8 times the cutting width.
+step-infeed-parallel-to-axis = The control makes a paraxial infeed at rapid traverse. The lateral infeed is 0.8 times the cutting width.
 step-recess-radially = The control machines the area between the starting position and the end point in the radial direction at the feed rate { $q-turning-roughing-feed }.
 step-recess-axially = The control machines the area between the starting position and the end point in the axial direction at the feed rate { $q-turning-roughing-feed }.
 until-groove-width-reached = the width of the groove is reached

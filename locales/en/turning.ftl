@@ -3,7 +3,7 @@
 # --- common sentences of the turning cycles ---
 group-turning-roughing = Roughing
 group-turning-finishing = Finishing
-step-rapid-radial-infeed = The control advances the tool in the radial direction, parallel to the axis, at rapid traverse. It calculates the infeed from the maximum cutting depth { $q-max-cutting-depth }.
+step-rapid-radial-infeed = The control advances the tool in the radial direction, paraxially, at rapid traverse. It calculates the infeed from the maximum cutting depth { $q-max-cutting-depth }.
 step-cut-longitudinally = The control machines the area between the starting position and the end point in the longitudinal direction at the feed rate { $q-turning-roughing-feed }.
 step-retract-by-infeed = The control retracts the tool by the infeed at the defined feed rate:
 say-follow-contour-within-infeed = with { $q-contour-smoothing } = 0 along the contour, within the infeed range
@@ -14,7 +14,7 @@ step-smooth-after-last-cut = With { $q-contour-smoothing } = 1 the control smoot
 step-rapid-to-starting-point-of-cycle = The control returns the tool at rapid traverse to the starting point of the cycle.
 step-rapid-back-after-finishing = { step-rapid-to-starting-point-of-cycle }
 step-rapid-in-z-by-clearance = The control moves the tool in Z by the set-up clearance { $q-turning-clearance } at rapid traverse.
-step-rapid-paraxial-infeed = The control advances the tool parallel to the axis at rapid traverse.
+step-rapid-paraxial-infeed = The control advances the tool paraxially at rapid traverse.
 step-finish-turned-contour = The control finishes the contour of the workpiece at the feed rate { $q-turning-finishing-feed }.
 step-retract-by-clearance = The control retracts the tool by the set-up clearance { $q-turning-clearance } at the defined feed rate.
 guard-turning-mode-missing = Turning cycles can only be executed in the turning mode FUNCTION MODE TURN.
@@ -23,7 +23,7 @@ note-program-before-turning-cycle = Before the cycle is called, always program: 
 note-call-turning-cycle = Call the cycle with CYCL CALL or M99.
 note-outside-or-inside-by-tool-position = The cycle machines the outside if the tool is outside the contour to be machined when the cycle is called, and the inside if the tool is inside it.
 note-outside-or-inside-by-diameters = If the starting diameter { $q-contour-start-diameter } is greater than the end diameter { $q-contour-end-diameter }, the cycle machines the outside; if it is smaller, the inside.
-note-outside-or-inside-by-contour = If the starting point of the contour is greater than its end point, the cycle machines the outside; if it is smaller, the inside.
+note-outside-or-inside-by-contour = If the coordinate of the starting point of the contour is greater than that of its end point, the cycle machines the outside; if it is smaller, the inside.
 note-check-after-change-of-side = After changing between outside and inside machining, check the tool settings and the direction of rotation.
 note-area-from-tool-position-to-end-point = In roughing, the cycle machines the area from the position of the tool at the cycle call (the starting point of the cycle) to the end point defined in the cycle.
 note-position-at-starting-position = Before the cycle call, program a positioning block to the starting position with radius compensation R0.
@@ -37,10 +37,10 @@ note-feed-rates-with-m136 = If M136 is programmed before the cycle, the control 
 note-inclined-turning = If the cycle is executed during inclined machining (M144), the angles of the tool relative to the contour change. The control automatically takes this change into account and thus also monitors machining in the inclined position for damage to the contour.
 note-blank-form-update = With blank form update (FUNCTION TURNDATA BLANK) the control recognizes areas that are already machined and adapts all approach and departure paths to the individual operations. It is available only in a machining cycle in the turning mode; the blank must be a closed contour (starting position = end position) and is the cross-section of a rotationally symmetric body.
 note-finished-part-beyond-blank = With blank form update the control adapts approach and retraction to the updated blank. If areas of the finished part extend beyond the blank, workpiece and tool can be damaged.
-step-rapid-axial-infeed = The control advances the tool in the axial direction, parallel to the axis, at rapid traverse. It calculates the infeed from the maximum cutting depth { $q-max-axial-cutting-depth }.
+step-rapid-axial-infeed = The control advances the tool in the axial direction, paraxially, at rapid traverse. It calculates the infeed from the maximum cutting depth { $q-max-axial-cutting-depth }.
 step-cut-across-axis = The control machines the area between the starting position and the end point in the transverse direction at the feed rate { $q-turning-roughing-feed }.
-step-cut-contour-longitudinally = The control machines the area between the starting position and the end point in the longitudinal direction. The longitudinal cut runs parallel to the axis at the feed rate { $q-turning-roughing-feed }.
-step-cut-contour-across-axis = The control machines the area between the starting position and the end point in the transverse direction. The face cut runs parallel to the axis at the feed rate { $q-turning-roughing-feed }.
+step-cut-contour-longitudinally = The control machines the area between the starting position and the end point in the longitudinal direction. The longitudinal cut is paraxial and runs at the feed rate { $q-turning-roughing-feed }.
+step-cut-contour-across-axis = The control machines the area between the starting position and the end point in the transverse direction. The face cut is paraxial and runs at the feed rate { $q-turning-roughing-feed }.
 step-cut-parallel-to-contour = The control machines the area between the starting position and the end point. The cut runs parallel to the contour at the feed rate { $q-turning-roughing-feed }.
 step-retract-to-starting-position-in-x = The control retracts the tool at the defined feed rate to the starting position in X.
 step-clear-area-in-x-then-z = If the starting point (the position of the tool at the cycle call) lies within the area to be machined, the control positions the tool in X and then in Z at the set-up clearance { $q-turning-clearance } and starts the cycle from there.
@@ -63,27 +63,27 @@ title-shoulder-with-recess = Shoulder with recess
 # --- 811 ---
 cycle-turn-shoulder-longitudinal = Turn shoulder longitudinal
     .nc = SHOULDER, LONGITDNL.
-    .purpose = Turns right-angled shoulders in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns right-angled shoulders in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts are paraxial.
 
 # --- 812 ---
 cycle-turn-shoulder-longitudinal-extended = Turn shoulder longitudinal, extended
     .nc = SHOULDER, LONG. EXT.
-    .purpose = Turns shoulders in the longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts run parallel to the axis.
+    .purpose = Turns shoulders in the longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts are paraxial.
 
 # --- 813 ---
 cycle-turn-plunge-longitudinal = Turn plunge longitudinal
     .nc = TURN, LONG. PLUNGE
-    .purpose = Turns shoulders with plunging elements (undercuts) in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns shoulders with plunging elements (undercuts) in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts are paraxial.
 
 # --- 814 ---
 cycle-turn-plunge-longitudinal-extended = Turn plunge longitudinal, extended
     .nc = TURN, LONG. PLUNGE EXT.
-    .purpose = Turns shoulders with plunging elements (undercuts) in the longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts run parallel to the axis.
+    .purpose = Turns shoulders with plunging elements (undercuts) in the longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts are paraxial.
 
 # --- 810 ---
 cycle-turn-contour-longitudinal = Turn contour longitudinal
     .nc = TURN CONTOUR LONG.
-    .purpose = Turns workpieces with any turning contour described in a subprogram, in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns workpieces with any turning contour described in a subprogram, in the longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts are paraxial.
 
 # --- 815 ---
 cycle-turn-contour-parallel = Turn contour-parallel
@@ -93,27 +93,27 @@ cycle-turn-contour-parallel = Turn contour-parallel
 # --- 821 ---
 cycle-turn-shoulder-face = Turn shoulder face
     .nc = SHOULDER, FACE
-    .purpose = Turns right-angled shoulders in the transverse direction (face turning), outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns right-angled shoulders in the transverse direction (face turning), outside or inside: roughing, finishing or both. The roughing cuts are paraxial.
 
 # --- 822 ---
 cycle-turn-shoulder-face-extended = Turn shoulder face, extended
     .nc = SHOULDER, FACE EXT.
-    .purpose = Turns shoulders in the transverse direction (face turning), outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts run parallel to the axis.
+    .purpose = Turns shoulders in the transverse direction (face turning), outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts are paraxial.
 
 # --- 823 ---
 cycle-turn-plunge-face = Turn plunge face
     .nc = TURN, FACE PLUNGE
-    .purpose = Turns plunging elements (undercuts) in the transverse direction (face turning), outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns plunging elements (undercuts) in the transverse direction (face turning), outside or inside: roughing, finishing or both. The roughing cuts are paraxial.
 
 # --- 824 ---
 cycle-turn-plunge-face-extended = Turn plunge face, extended
     .nc = TURN, FACE PLUNGE EXT.
-    .purpose = Turns plunging elements (undercuts) in the transverse direction (face turning), outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts run parallel to the axis.
+    .purpose = Turns plunging elements (undercuts) in the transverse direction (face turning), outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts are paraxial.
 
 # --- 820 ---
 cycle-turn-contour-face = Turn contour face
     .nc = TURN CONTOUR FACE
-    .purpose = Turns workpieces with any turning contour described in a subprogram, in the transverse direction (face turning) outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+    .purpose = Turns workpieces with any turning contour described in a subprogram, in the transverse direction (face turning) outside or inside: roughing, finishing or both. The roughing cuts are paraxial.
 
 # --- 800 ---
 cycle-adapt-turning-system = Adapt rotary coordinate system

@@ -1,6 +1,6 @@
 # Komento ”serve”.
-cli-serve = Näyttää käsikirjat ja käännösten tilan tämän koneen selaimessa
-cli-serve-port = Kuunneltava portti (oletus: 8477); 0 ottaa minkä tahansa vapaan portin
+cli-serve = Näytä käsikirjat ja käännösten tilan tämän koneen selaimessa
+cli-serve-port = Kuunneltava portti (oletus: 8477); 0 valitsee minkä tahansa vapaan portin
 cli-serve-address = Käsikirjat ovat osoitteessa { $address }; Ctrl+C lopettaa.
 cli-serve-anew = Tiedot ovat muuttuneet: { $files ->
         [0] sivuja ei voida tehdä.

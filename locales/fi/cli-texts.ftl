@@ -1,5 +1,5 @@
 # Komento ”texts”.
-cli-texts = Näyttää, miten pitkällä käännökset ovat, hyväksyy niitä ja välittää ne kääntäjille ja takaisin
+cli-texts = Näytä, miten pitkällä käännökset ovat, hyväksy niitä ja välitä ne kääntäjille ja takaisin
 cli-texts-action = Mitä tehdään: status näyttää, mikä on kesken, accept merkitsee käännökset englanninkielisiä tekstejä vastaaviksi, export kirjoittaa tiedoston kääntäjille, import lukee sellaisen takaisin
 cli-texts-input = import: kääntäjien tiedostot, XLIFF tai PO, tai termit muodossa TBX tai CSV; useat otetaan käyttöön yhdessä
 cli-texts-lang = Vain tämä kieli; voidaan toistaa
@@ -31,6 +31,8 @@ cli-texts-accepted = { $language }: { $count ->
        *[other] { $count } tekstiä hyväksytty.
     }
 cli-texts-left = { $language }: hyväksymättä jäivät tekstit, joiden englanninkielinen teksti on muuttunut mutta käännös ei: { $keys }. Jos käännös kelpaa sellaisenaan, hyväksy se komennolla ”ciklo texts accept --text KEY”.
+cli-texts-moved = { $language }: hyväksymättä jäivät tekstit, joilla on nyt toisten tekstien sanat: { $keys }. Jos käännös kelpaa sellaisenaan, hyväksy se komennolla ”ciklo texts accept --text KEY”.
+cli-texts-new = { $language }: hyväksymättä jäivät uudet tekstit: { $keys }. Komento ”ciklo texts accept --changed” hyväksyy ne.
 cli-texts-open =
     { $state ->
         [missing] puuttuu: { $key } ({ $file })
@@ -106,6 +108,6 @@ cli-texts-note-cycles = { $more ->
 cli-texts-note-lines = Lähde ohjauksen { $control } käsikirjoissa, { $cycle }: { $lines }.
 cli-texts-note-page = Sivu: { $page }
 # Languages in the making, and the pseudo-language.
-cli-build-draft = Rakentaa yhden keskeneräisen kielen: puuttuva teksti on merkittynä englanniksi, ja jokainen sivu ilmoittaa siitä
+cli-build-draft = Kirjoita yksi keskeneräinen kieli: puuttuva teksti on merkittynä englanniksi, ja jokainen sivu ilmoittaa siitä
 cli-draft = { $language }: { $count } tekstiä puuttuu; ne ovat englanniksi merkkien ⟦ ⟧ sisällä.
-cli-arg-pseudo = Näyttää tekstit pseudokielellä, jotta huomataan, mikä katkeaa tai on kääntämättä: accents (pidennetyt sanat, joissa on tarkkeita) tai bidi (lisäksi oikealta vasemmalle)
+cli-arg-pseudo = Näytä tekstit pseudokielellä, jotta huomataan, mikä katkeaa tai on kääntämättä: accents (pidennetyt sanat, joissa on tarkkeita) tai bidi (lisäksi oikealta vasemmalle)

@@ -261,7 +261,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [spindle-stopped] Kara on pysähdyksissä, kun työkalu kulkee { $amount } mm:n matkan materiaalin läpi.
         [edges-too-short] Materiaalia lastutaan { $amount } mm kärjen yläpuolelle asti, enemmän kuin terien pituus on.
         [turns-together] Akselit kääntyvät työkalun liikkuessa: poistettua materiaalia ei tunneta.
-        [turned] Työkappaletta sorvataan, mutta se ei ole sorvausakselin suhteen pyörähdyskappale tai sitä on jyrsitty aiemmin: työkalun { $amount } poistamaa ainetta ei seurata.
+        [turned] Työkappaletta sorvataan, mutta se ei ole sorvausakselin suhteen pyörähdyskappale tai sitä on jyrsitty aiemmin: työkalun { $amount } poistamaa materiaalia ei seurata.
         [insert-unknown] Mikään työkierto ei kerro, miten työkalun { $amount } terä osuu työkappaleeseen: poistettua materiaalia ei tunneta.
         [thread-turned] Työkalu { $amount } sorvaa kierteen, jota seurattava kappale ei sisällä.
        *[no-radius] Työkalulla { $amount } ei ole sädettä: ei tiedetä, mitä se poistaa.

@@ -10,7 +10,7 @@ note-sign-of-milling-depth = Jyrsintäsyvyyden etumerkki määrää työskentely
 note-both-axes-after-contour-cycle = Törmäysvaara! Ohjelmoi SL-työkierron jälkeen koneistustason ensimmäinen liike molemmilla koordinaateilla, esimerkiksi L X+80 Y+0 R0 FMAX.
 note-contour-cycle-properties = Ohjaus paikoittaa työkalun itse varmuusetäisyydelle ennen jokaista työkiertoa. Jokainen taso jyrsitään työkalua nostamatta; saarekkeet kierretään sivulta. Sisänurkkien säde on ohjelmoitavissa: työkalu ei pysähdy niihin eikä jätä jälkiä (koskee rouhinnan uloimpaa rataa ja sivun silitystä). Sivun silityksessä ohjaus lähestyy muotoa tangentiaalista ympyränkaarta pitkin, pohjan silityksessä samoin työkappaletta (karan akselilla Z tasossa Z/X). Muoto koneistetaan kauttaaltaan myötälastulla tai vastalastulla.
 note-contour-tool-by-name = Työkalu voidaan antaa numerolla tai nimellä. Anna nimi painamalla ohjelmanäppäintä TOOL NAME; ohjaus lisää lainausmerkit itse, kun poistut kentästä.
-note-global-def-for-contours = Muodon jyrsinnän toiminto GLOBAL DEF esiasettaa työkierroille 20, 22, 23, 24 ja 25 varmuusetäisyyden, varmuuskorkeuden, limityskertoimen ja jyrsintämenetelmän.
+note-global-def-for-contours = Muodon jyrsinnän toiminto GLOBAL DEF määrittelee ennalta työkiertojen 20, 22, 23, 24 ja 25 varmuusetäisyyden, varmuuskorkeuden, limityskertoimen ja jyrsintämenetelmän.
 
 # --- 14 ---
 cycle-contour = Muoto
@@ -31,7 +31,7 @@ note-contour-difference = Erotuspinta (A ilman B:n peittämää aluetta): A:n on
 note-contour-intersection = Leikkauspinta (vain alue, jonka sekä A että B peittävät): A:n ja B:n on oltava taskuja. A:n on alettava B:n sisäpuolelta.
 note-machining-data-in-contour-data = Koneistustiedot kuten jyrsintäsyvyys, työvarat ja varmuusetäisyys annetaan keskitetysti työkierrossa 20.
 note-contour-cycle-or-sel-contour = Työkiertoa ei tarvita, jos muoto valitaan toiminnolla SEL CONTOUR.
-note-contour-for-turning = Myös muotoa koneistavat sorvauksen työkierrot tarvitsevat tätä työkiertoa: se on ohjelmoitava ennen niiden kutsua, ja se ilmoittaa aliohjelman numeron.
+note-contour-for-turning = Myös muotoa koneistavat sorvauksen työkierrot edellyttävät tätä työkiertoa: se on ohjelmoitava ennen niiden kutsua, ja se ilmoittaa aliohjelman numeron.
 
 # --- 20 ---
 cycle-contour-data = Muototiedot
@@ -84,10 +84,10 @@ cycle-floor-finishing = Pohjan silitys
     .nc = POHJAN SILITYS
     .purpose = Työkierto poistaa rouhinnan pohjaan jättämän silitystyövaran.
 step-approach-contour-floor = Työkalu lähestyy pohjaa pehmeästi pystysuoraa tangentiaalista ympyränkaarta pitkin, jos tilaa on riittävästi. Muussa tapauksessa se ajaa kohtisuoraan syvyyteen syöttöarvolla { $q-contour-plunging-feed }.
-step-find-start-of-floor-finishing = Ohjaus määrittää pohjan silityksen aloituspisteen.
+step-find-start-of-floor-finishing = Ohjaus määrittää pohjan silityksen alkupisteen.
 step-finish-contour-floor = Työkalu jyrsii rouhinnassa jääneen silitystyövaran syöttöarvolla { $q-roughing-feed }.
 note-starting-point-by-itself = Ohjaus määrittää silityksen alkupisteen itse. Se riippuu taskussa olevasta tilasta.
-note-approach-radius-is-fixed = Säde, jolla loppusyvyyteen lähestytään, on sisäisesti kiinteä eikä riipu työkalun sisäänpistokulmasta.
+note-approach-radius-is-fixed = Säde, jolla loppusyvyyttä lähestytään, on sisäisesti kiinteä eikä riipu työkalun sisäänpistokulmasta.
 
 # --- 24 ---
 cycle-side-finishing = Sivun silitys
@@ -170,7 +170,7 @@ note-program-centre-path-of-slot = Ohjelmoi muodon keskipisterata sädekorjaukse
 cycle-cylinder-surface-ridge = Lieriövaippa – uuman jyrsintä
     .nc = LIERIÖVAIPPA UUMA
     .purpose = Työkierto siirtää levityskuvaan määritellyn uuman lieriön vaipalle niin, että seinämät ovat yhdensuuntaiset.
-step-position-over-ridge-start = Ohjaus paikoittaa työkalun koneistuksen alkupisteen yläpuolelle, jonka se laskee uuman leveydestä ja työkalun halkaisijasta: muotoaliohjelman ensimmäisen pisteen viereen, siirrettynä uuman leveyden puolikkaan ja työkalun halkaisijan verran. Sädekorjaus määrää puolen: uuman vasemmalla puolella (myötälastu) tai oikealla puolella (vastalastu).
+step-position-over-ridge-start = Ohjaus paikoittaa työkalun koneistuksen alkupisteen yläpuolelle, jonka se laskee uuman leveydestä ja työkalun halkaisijasta: muotoaliohjelman ensimmäisen pisteen viereen, siirrettynä uuman leveyden puolikkaan ja koko työkalun halkaisijan summan verran. Sädekorjaus määrää puolen: uuman vasemmalla puolella (myötälastu) tai oikealla puolella (vastalastu).
 step-approach-ridge-wall = Tässä syvyydessä työkalu ajaa muotoon tangentiaalista ympyränkaarta pitkin syöttöarvolla { $q-contour-milling-feed } ja ottaa huomioon sivun silitystyövaran { $q-side-allowance }, jos se on annettu.
 step-mill-along-ridge-wall = Työkalu jyrsii uuman seinämää pitkin syöttöarvolla { $q-contour-milling-feed }, kunnes uuma on valmis.
 step-leave-ridge-wall = Työkalu irtautuu uuman seinämästä tangentiaalisesti ja palaa koneistuksen alkupisteeseen.
@@ -194,5 +194,5 @@ note-text-from-string-parameter = Teksti voidaan antaa myös merkkijonoparametri
 note-engraving-characters = Kaiverrettavissa olevat merkit: pienet kirjaimet, suuret kirjaimet, numerot ja erikoismerkit ! # $ % & ' ( ) * + , - . / : ; < = > ? @ [ \ ] _
 note-engraving-doubled-characters = Ohjaus käyttää erikoismerkkejä % ja \ erikoistoimintoihin. Jos haluat kaivertaa jommankumman niistä, kirjoita se tekstiin kahdesti, esimerkiksi %%.
 note-engraving-control-characters = Erikoismerkki \ aloittaa myös merkit, joita ei kaiverreta vaan jotka asettelevat tekstiä: \n on rivinvaihto, \t vaakasarkain (sarkaimen leveys on 8 merkkiä), \v pystysarkain (sarkaimen leveys on yksi rivi).
-note-proportional-font = Kirjasin on suhteellinen: jokaisella merkillä on oma leveytensä. Välikerroin { $q-character-spacing-factor } skaalaa merkkien välistä etäisyyttä.
+note-proportional-font = Kirjasimen merkit ovat erilevyisiä: jokaisella merkillä on oma leveytensä. Välikerroin { $q-character-spacing-factor } skaalaa merkkien välistä etäisyyttä.
 note-engraving-since-software = Työkierto on käytettävissä ohjelmistosta 34059x-02 lähtien.

@@ -17,16 +17,17 @@ diag-arc-wrong =
        *[centre] alkupiste on etäisyydellä { $first } keskipisteestä, loppupiste etäisyydellä { $second }
     }.
 diag-axis-twice = Akseli { $axis } on tässä lauseessa kahdesti.
+diag-back-boring-inside = Työkierron mukaan materiaalin paksuus on { $value }, mutta aihio ulottuu pinnan alle { $other }.
 diag-blocks-after-end = Tässä on lauseita vielä END PGM -lauseen jälkeen.
 diag-blank-wrong =
     { $what ->
         [again] Aihiolla on jo edellä lause BLK FORM 0.1.
-        [axis] Tästä puuttuu { $axis }: aihion kulmalla on kolme koordinaattia.
+        [axis] Tästä puuttuu { $axis }: aihion nurkalla on kolme koordinaattia.
         [first] Lauseen BLK FORM 0.2 edellä ei ole lausetta BLK FORM 0.1.
         [cylinder] Sylinteriltä puuttuu säde tai halkaisija taikka pituus.
         [second] Lauseen BLK FORM 0.1 jäljessä ei ole lausetta BLK FORM 0.2.
         [tool] Aihion määrittelystä puuttuu työkaluakseli.
-       *[order] Akselilla { $axis } aihion toisen kulman koordinaatin on oltava suurempi kuin ensimmäisen.
+       *[order] Akselilla { $axis } aihion toisen nurkan koordinaatin on oltava suurempi kuin ensimmäisen.
     }
 diag-block-numbers = Lausenumero { $number } seuraa numeroa { $before }.
 diag-call-of-def-active-cycle = Työkierto { $cycle } vaikuttaa heti määriteltynä; sitä ei saa kutsua.
@@ -51,6 +52,7 @@ diag-contour-def-wrong =
        *[island] { $found }: CONTOUR DEF -lauseen ensimmäisen muodon on oltava tasku, niistä syvin.
     }
 diag-contour-depth-missing = Muodolla { $contour } ei ole DEPTH-arvoa, vaikka muilla muodoilla on.
+diag-contour-returns = Muoto palaa pisteeseen { $value }; { $other }, joka on jo sen kulma.
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } on jo määritelty edellä.
@@ -77,6 +79,7 @@ diag-contour-wrong =
     }.
 diag-coordinate-out-of-place = Koordinaatit eivät sovi lauseeseen { $path }.
 diag-core-hole-too-large = Reiän halkaisija on { $other }, kierteen { $value }: kierteelle ei jää materiaalia.
+diag-core-hole-too-small = Kierre { $value } tehdään reikään { $other }: reikä on liian kapea.
 diag-corner-wrong =
     Tätä nurkkaa ei voi koneistaa: { $what ->
         [twice] heti sen edellä on toinen pyöristys tai viiste
@@ -87,6 +90,11 @@ diag-corner-wrong =
         [size] sen säde tai pituus ei ole positiivinen
        *[long] se vie enemmän kuin lyhyemmän suoran pituuden, { $least }
     }.
+diag-cutting-speed-unusual =
+    { $side ->
+        [above] Lastuamisnopeus { $value } m/min on aivan liian suuri tälle työkalulle, jonka halkaisija on { $other }.
+       *[below] Lastuamisnopeus { $value } m/min on aivan liian pieni tälle työkalulle, jonka halkaisija on { $other }.
+    }
 diag-cutting-without-tool = Työkalu liikkuu tässä syöttöarvolla, mutta ennen sitä ei ole työkalukutsua.
 diag-cycle-line-zero-missing = Rivin { $line } edellä ei ole riviä { $head }.
 diag-cycle-line-empty = Työkierron { $cycle } rivillä { $line } ei ole mitään.
@@ -138,7 +146,7 @@ diag-free-contour-wrong =
         [auxiliary] Etäisyydellä D ei ole apupistettä (PDX, PDY).
         [distance] Apupisteellä ei ole etäisyyttä D.
         [selected] FSELECT ei ole vapaan muodon elementin jäljessä.
-        [solution] FSELECT ottaa ratkaisun numeron alkaen luvusta 1.
+        [solution] Sanan FSELECT jäljessä on ratkaisun numero alkaen luvusta 1.
         [fpol] Vapaan muodon napa tarvitsee kaksi koordinaattia.
         [pole] Napakoordinaatit tarvitsevat navan (FPOL).
         [turn] Muoto alkaa ja päättyy samalla ympyrällä, mutta eri suuntiin.
@@ -165,6 +173,7 @@ diag-hole-outside-blank =
         [surface] Pinta { $value } on kaukana aihiosta.
        *[through] Reikä ulottuu arvoon { $value }, kauas aihion läpi.
     }
+diag-holes-overlap = Kaksi reikää, joiden halkaisija on { $other }, on tässä vain etäisyydellä { $value } toisistaan: ne leikkaavat toisensa.
 diag-insert-points-away = Teräpala ei voi lastuta siihen suuntaan, johon { $cycle } etenee: sen suunta (TO) on { $orientation }, joten kärki osoittaa poispäin kappaleesta tai syötöstä.
 diag-iso-incomplete =
     Tämä lause on puutteellinen: { $what ->
@@ -191,6 +200,7 @@ diag-loop-endless = Tämä hyppy sulkee silmukan, joka ei koskaan pääty.
 diag-machine-coordinates-compensated = Konekoordinaatit (M91, M92) on tässä ohjelmoitu sädekorjauksen kanssa.
 diag-machine-coordinates-missing = Muualla ohjelma irtautuu arvoon { $value } M91-toiminnolla; tässä M91 puuttuu, ja korkeus lasketaan työkappaleen nollapisteestä.
 diag-main-runs-into-subprogram = Pääohjelma jatkuu tässä suoraan aliohjelmaan { $label }: M2 tai M30 ei päätä sitä.
+diag-measuring-height-above-surface = Mittauskorkeus { $value } on työkappaleen yläpuolella; kappale päättyy arvoon { $other }.
 diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }={ $value }, joka on työkierron { $milling } jättämän pohjan ({ $floor }) alapuolella.
 diag-metric-values-in-inch = Ohjelman mittayksikkö on tuuma, mutta { $value } näyttää millimetriarvolta.
 diag-mirror-of-tool-axis = Työkaluakselia { $axis } ei voi peilata.
@@ -220,6 +230,7 @@ diag-no-result =
     }.
 diag-no-table-open = FN 27 ja FN 28 tarvitsevat taulukon, jonka FN 26 on avannut.
 diag-not-a-program = Tämä tiedosto ei ole NC-ohjelma.
+diag-nothing-left = Reikä on tässä jo { $other } leveä: työkalu, jonka halkaisija on { $value }, ei poista mitään.
 diag-number-does-not-exist = { $name } ei ole olemassa: suurin numero on { $greatest }.
 diag-older-parameter-set = Työkierrossa { $cycle } on aiemman ohjelmistoversion parametrit; ohjaus lisää { $parameter }.
 diag-out-of-range =
@@ -244,6 +255,7 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } työkierrossa { $cycle } vaatii uudemman ohjelmistoversion kuin { $software }, jonka käsikirja kuvaa.
 diag-parameter-unassigned =
     { $parameter } luetaan tässä, mutta sille ei ole annettu arvoa.
+diag-path-twice = Koko tästä alkava rata on jo koneistettu tällä työkalulla toisen muunnoksen ollessa voimassa.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } ei voi kutsua työkiertoa { $called }, kun { $value }.
@@ -259,6 +271,7 @@ diag-pattern-wrong =
         [same] { $word } toistaa aiemman paikan.
        *[diameter] Jakoympyrän halkaisijan { $word } on oltava suurempi kuin 0.
     }
+diag-pilot-hole-too-shallow = Syvennetty aloituspiste on arvossa { $value }, mutta siinä oleva reikä päättyy arvoon { $other }.
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -267,10 +280,12 @@ diag-plane-not-positioned =
     }
 diag-plane-not-reset =
     { $what ->
-        [zero] { $cycle } asettaa tässä kaikki kulmat arvoon 0, mutta mikään ei kytke koneistustason kääntöä pois päältä.
+        [zero] { $cycle } asettaa tässä kaikkien kulmien arvoksi 0, mutta mikään ei kytke koneistustason kääntöä pois päältä.
        *[tilted] Ohjelma päättyy tässä koneistustason ollessa käännettynä.
     }
+diag-plunge-too-fast = Työkalu pistää tässä materiaaliin { $value } kierrosta kohti.
 diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, mutta siinä ei ole tason molempia koordinaatteja absoluuttisina.
+diag-position-missing = Työkalu menee alas arvoon { $value }, ennen kuin ohjelma on paikoittanut sen tasossa.
 diag-position-twice = Piste { $value }; { $other } on jo koneistettu tällä määrittelyllä ja tällä työkalulla.
 diag-probe-while-turning = { $cycle } koskettaa tässä karan pyöriessä.
 diag-probed-axis-missing = Kosketus tapahtuu suunnassa { $direction }, mutta asemassa ei ole akselia { $axis }.
@@ -286,6 +301,12 @@ diag-program-end-missing =
 diag-programs-call-in-circle = Ohjelma { $name } kutsuu tätä ohjelmaa takaisin, suoraan tai muiden kautta.
 diag-rapid-into-blank = Työkalu ajaa tässä pikaliikkeellä aihioon: Z menee asemaan { $value }, ja aihion yläpinta on asemassa { $top }.
 diag-rapid-through-material = Työkalu ajaa tässä pikaliikkeellä enimmillään { $value }{"\u00A0"}mm:n vahvuisen materiaalin läpi.
+diag-reaming-wrong =
+    { $what ->
+        [none] Tässä ei ole kalvittavaa reikää.
+        [deep] Kalvain menee arvoon { $value }, mutta reikä ulottuu vain arvoon { $other }.
+       *[allowance] Reikä on { $other } leveä: kalvaimelle, jonka halkaisija on { $value }, jää aivan liikaa poistettavaa.
+    }
 diag-repeat-count-wrong = Toistojen määrän on oltava kokonaisluku 0–65534.
 diag-repeat-of-later-label = Labelin { $label } on oltava ennen toistoa, ei sen jäljessä.
 diag-repeated-infeed =
@@ -306,6 +327,7 @@ diag-retract-missing =
         [end] ohjelma päättyy
        *[turn] kiertoakseli liikkuu pikaliikkeellä
     }: sitä ei ole vedetty irti.
+diag-rotary-axis-jumps = Kiertoakseli heilahtaa tässä asemasta { $other } asemaan { $value } ja seuraavassa lauseessa takaisin.
 diag-row-not-in-table =
     { $table ->
         [preset] Esiasetustaulukossa ei ole riviä { $row }.
@@ -339,8 +361,8 @@ diag-tcpm-left-on =
     }
 diag-text-for-number =
     { $what ->
-        [text] { $parameter } ottaa luvun, mutta tämä on teksti.
-        [number] { $parameter } ottaa tekstin, mutta tämä on luku.
+        [text] Parametrin { $parameter } arvo on luku, mutta tämä on teksti.
+        [number] Parametrin { $parameter } arvo on teksti, mutta tämä on luku.
        *[calculation] Teksteillä ei voi laskea.
     }
 diag-text-wrong =
@@ -349,6 +371,7 @@ diag-text-wrong =
         [alone] Parametrin { $parameter } tekstin merkkiä ”{ $found }” ei ole kahdennettu eikä sen jäljessä ole kirjainta.
        *[character] Merkki ”{ $found }” ei ole sallittu parametrissa { $parameter }.
     }
+diag-thread-pitch-unusual = Nousu { $value } ei ole vakionousu kierteelle, jonka halkaisija on { $other }.
 diag-tool-axis-missing = Tässä työkalukutsussa ei ole työkaluakselia, eikä mikään aiempi kutsu ole nimennyt sitä.
 diag-tool-axis-other =
     { $what ->
@@ -356,6 +379,7 @@ diag-tool-axis-other =
         [lifted] Tässä työkalukutsussa on toinen työkaluakseli kuin aihiolla, mutta työkalua vedetään irti vain akselilla { $axis }.
        *[blank] Aihion työkaluakseli on { $axis }, mutta se ei ole yhdelläkään ohjelman työkalulla.
     }
+diag-tool-cuts-sideways = Pora, kierretappi tai kalvain liikkuu tässä sivusuunnassa materiaalin läpi.
 diag-tool-definition-wrong =
     { $what ->
         [zero] Työkalu 0 tarkoittaa, ettei työkalua ole; sitä ei voi määritellä.
@@ -381,6 +405,7 @@ diag-uncalculable-contour =
         [crossing] muoto leikkaa itsensä
        *[approach] muotoon ei voi ajaa näin
     }.
+diag-value-unlike-others = Arvo on tässä { $value } ja kaikissa muissa vastaavissa paikoissa { $other }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.
@@ -421,6 +446,7 @@ diag-feed-unit =
        *[minute] { $parameter }={ $value } on tässä syöttöarvo minuutissa, koska M136 ei ole voimassa.
     }
 diag-turning-system-missing = { $cycle } kutsutaan tässä, mutta työkiertoa { $aligning } ei ole määritelty työkalukutsun jälkeen.
+diag-cutting-speed-unlimited = Lastuamisnopeus on vakio eikä pyörimisnopeutta ole rajoitettu, mutta rivillä { $line } työkalu tulee pyörintäakselille.
 diag-two-signs = Luvun edessä on kaksi etumerkkiä; ne luetaan merkkinä { $right }.
 diag-unknown-cycle =
     { $name ->

@@ -18,6 +18,10 @@ diag-spec-odd-condition = Ehdon ”{ $name }” mukaan { $q } on { $found }, mut
 diag-spec-odd-formula = Työkierto { $cycle } laskee arvon ”{ $name }” parametrista { $q }, mutta muut työkierrot laskevat sen parametrista { $usual }, joka tälläkin työkierrolla on.
 diag-spec-example-guarded = Tarkastus ”{ $code }” hylkää painetun esimerkin.
 diag-spec-unused-parameter = Mikään työkierron { $cycle } kulussa, tarkastuksissa tai lauseissa ei käytä parametria { $q }.
+diag-spec-odd-result = { $reason ->
+        [parameter] { $q } on työkierron { $cycle } tulos ja myös sen parametri
+       *[not-a-result] Työkierron { $cycle } kulku asettaa parametrin { $q }, joka ei ole sen tulos eikä parametri
+    }.
 diag-consistency-reference-word = Kielen { $language } teksti { $key } ei mainitse absoluuttista tai inkrementaalista niin kuin kielet { $others }: { $found }, odotettu { $expected }.
 diag-locale-unused = Mikään kuvaus tai teksti ei käytä tekstiä { $key }.
 diag-spec-example-fails = Esimerkki ”{ $name }” ei anna ohjauksella { $control } odotettua tulosta: { $what } on { $found }, odotettu { $expected }.

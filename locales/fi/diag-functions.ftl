@@ -1,16 +1,16 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = Ohjelma päättää itsensä virheeseen { $number } (FN 14).
 explain-error-of-program = FN 14: ERROR päättää ohjelman sen omaan virheeseen; numero valitsee ilmoituksen, jonka ohjaus näyttää. Ohjelmat käyttävät sitä, kun ne eivät voi jatkaa, esimerkiksi kun parametrin arvo ei kelpaa. Esimerkki: ”FN 14: ERROR = 1010”. Korjaus: tarkista lausetta edeltävä ehto ja anna parametreille arvot, joilla ohjelma voi toimia.
-diag-tool-setter-askew = Työkalu ei ole kohtisuorassa työkalukosketusjärjestelmän pintaan nähden.
-explain-tool-setter-askew = Kääntöpää tai koneistustaso on kallistettu toisin kuin työkalukosketusjärjestelmä on asennettu: työkalu koskettaisi sitä vinosti, eikä tulos olisi pituus eikä säde. Esimerkki: työkalu on vaakasuorassa, mutta kosketusjärjestelmän pinta osoittaa ylöspäin. Korjaus: käännä kiertoakselit ennen työkiertoa niin, että työkalu on kosketusjärjestelmän suuntainen, tai asenna skenaarion kosketusjärjestelmä vastaavasti (”rotate”).
-diag-tool-setter-collision = Törmäys: työkalu osuu työkalukosketusjärjestelmään liikkeellä, joka alkaa asemasta X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
-explain-tool-setter-collision = Työkalu osuu skenaarion työkalukosketusjärjestelmään liikkeellä, joka ei ole mittaus: työkalu sellaisena kuin se todella on, pisimpine ja leveimpine terineen. Koneessa molemmat voisivat rikkoutua. Usein varmuuskorkeus on liian pieni tai työkalutaulukon pituus ja säde poikkeavat todellisesta enemmän kuin kosketusjärjestelmän turvaetäisyys sallii. Syötä likimääräiset arvot ennen ensimmäistä mittausta tai kierrä kosketusjärjestelmä.
-diag-tool-setter-missing = Skenaariossa ei ole työkalukosketusjärjestelmää.
-explain-tool-setter-missing = Työkalun mittauksen työkierto tarvitsee skenaarioon kosketusjärjestelmän: missä sen mittauspinta on ja kuinka leveä se on. Esimerkki: ”tool_setter:”, jossa ”at: [300, 200, -50]” ja ”diameter: 40”. Korjaus: lisää se skenaarioon; docs/scene.md kuvaa avaimet.
+diag-tool-setter-askew = Työkalu ei ole kohtisuorassa pöytäkosketusjärjestelmän pintaan nähden.
+explain-tool-setter-askew = Kääntöpää tai koneistustaso on kallistettu toisin kuin pöytäkosketusjärjestelmä on asennettu: työkalu koskettaisi sitä vinosti, eikä tulos olisi pituus eikä säde. Esimerkki: työkalu on vaakasuorassa, mutta kosketusjärjestelmän pinta osoittaa ylöspäin. Korjaus: käännä kiertoakselit ennen työkiertoa niin, että työkalu on kosketusjärjestelmän suuntainen, tai asenna asetelman kosketusjärjestelmä vastaavasti (”rotate”).
+diag-tool-setter-collision = Törmäys: työkalu osuu pöytäkosketusjärjestelmään liikkeellä, joka alkaa asemasta X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
+explain-tool-setter-collision = Työkalu osuu asetelman pöytäkosketusjärjestelmään liikkeellä, joka ei ole mittaus: työkalu sellaisena kuin se todella on, pisimpine ja leveimpine terineen. Koneessa molemmat voisivat rikkoutua. Usein varmuuskorkeus on liian pieni tai työkalutaulukon pituus ja säde poikkeavat todellisesta enemmän kuin kosketusjärjestelmän varmuusetäisyys sallii. Syötä likimääräiset arvot ennen ensimmäistä mittausta tai kierrä kosketusjärjestelmä.
+diag-tool-setter-missing = Asetelmassa ei ole pöytäkosketusjärjestelmää.
+explain-tool-setter-missing = Työkalun mittauksen työkierto tarvitsee asetelmaan kosketusjärjestelmän: missä sen mittauspinta on ja kuinka leveä se on. Esimerkki: ”tool_setter:”, jossa ”at: [300, 200, -50]” ja ”diameter: 40”. Korjaus: lisää se asetelmaan; docs/scene.md kuvaa avaimet.
 
 # --- kinematics ---
 diag-kinematics-not-saved = Nimellä ”{ $name }” ei ole tallennettu kinematiikkaa.
-explain-kinematics-not-saved = Vain tallennettu kinematiikka voidaan palauttaa tai poistaa. Esimerkki: tila 1 nimellä AB ennen kuin nimellä on tallennettu tilassa 0. Korjaus: tallenna ensin, korjaa nimi tai lisää muistipaikka skenaarion kohtaan ”kinematics: saved:”.
+explain-kinematics-not-saved = Vain tallennettu kinematiikka voidaan palauttaa tai poistaa. Esimerkki: tila 1 nimellä AB ennen kuin nimellä on tallennettu tilassa 0. Korjaus: tallenna ensin, korjaa nimi tai lisää muistipaikka asetelman kohtaan ”kinematics: saved:”.
 diag-kinematics-differs = Nimellä ”{ $name }” tallennettu kinematiikka kuvaa toista konetta.
 explain-kinematics-differs = Tallennetut tiedot voidaan palauttaa vain samanlaiseen kinematiikkakuvaukseen: sama nimi ja samat kiertoakselit samassa järjestyksessä. Esimerkki: A- ja C-akselisen koneen tiedot palautetaan B- ja C-akseliseen koneeseen. Korjaus: valitse tämän koneen tiedot.
 diag-kinematics-memory-full = Kaikki kinematiikan { $count } muistipaikkaa ovat käytössä.
@@ -20,11 +20,11 @@ explain-tool-edges-too-many = Käsikirja rajoittaa yksittäisten terien mittaust
 diag-kinematics-tool-axis = Tämä työkierto toimii vain työkaluakselilla Z; voimassa oleva työkaluakseli on { $axis }.
 explain-kinematics-tool-axis = Kinematiikka mitataan kosketusjärjestelmällä Z-akselin suunnassa: käsikirjat eivät salli muuta työkaluakselia. Esimerkki: TOOL CALL 1 Y ennen työkiertoa 451. Korjaus: kutsu kosketusjärjestelmä työkaluakselilla Z. Kinematiikka säilyy ennallaan.
 diag-kinematics-undetermined = Mittausasemista ei voi laskea { $axis }-akselin sijaintia.
-explain-kinematics-undetermined = Kiertoakselin sijainnin korjaamiseksi mittausasemien on erotuttava selvästi vertailuasemasta 0°. Esimerkki: yksi piste kulmassa 0,05° tai vain ohitettava piste kulmassa 0°. Korjaus: suurempi väli aloitus- ja lopetuskulman välillä tai enemmän mittauspisteitä. Kinematiikka säilyy ennallaan.
+explain-kinematics-undetermined = Kiertoakselin sijainnin korjaamiseksi mittausasemien on erotuttava selvästi referenssiasemasta 0°. Esimerkki: yksi piste kulmassa 0,05° tai vain ohitettava piste kulmassa 0°. Korjaus: suurempi väli aloitus- ja lopetuskulman välillä tai enemmän mittauspisteitä. Kinematiikka säilyy ennallaan.
 diag-sphere-radius-differs = Kalibrointikuulan mitattu säde { $found } mm poikkeaa liikaa annetusta säteestä { $entered } mm.
 explain-sphere-radius-differs = Ohjaus mittaa jokaisessa asemassa ensin kuulan säteen; koneparametri rajoittaa sen poikkeamaa annetusta. Esimerkki: annettu 12,5, kuula 12,6 ja raja-arvo 0,05. Korjaus: anna tarkka säde tai kalibroi kosketusjärjestelmä.
 diag-measuring-position-at-zero = { $axis }-akselin mittausasema on kulmassa 0° tai 360°.
-explain-measuring-position-at-zero = Vertailumittaus tehdään kulmassa 0°, joten mittausasema siinä ei kerro mitään, ja iTNC 530 hylkää sen. Esimerkki: −90…+90 ja 3 pistettä. Korjaus: toinen pistemäärä tai toiset kulmat.
+explain-measuring-position-at-zero = Referenssimittaus tehdään kulmassa 0°, joten mittausasema siinä ei kerro mitään, ja iTNC 530 hylkää sen. Esimerkki: −90…+90 ja 3 pistettä. Korjaus: toinen pistemäärä tai toiset kulmat.
 diag-hirth-without-retraction = { $axis }-akselissa on Hirth-hammastus, joten se tarvitsee vetäytymiskorkeuden.
 explain-hirth-without-retraction = Hirth-hammastettu akseli poistuu rasteristaan paikoitusta varten, joten sitä ei voi mitata ilman vetäytymistä. Esimerkki: vetäytymiskorkeus 0 ja koneessa ”hirth: 3”. Korjaus: anna korkeus kuulan yläpuolelta.
 diag-mask-missing = Maskia { $name } ei ole.

@@ -63,4 +63,5 @@ diag-locale-stale =
        *[other] Englanninkielinen teksti ”{ $key }” on muuttunut sen jälkeen, kun se käännettiin kielelle ”{ $language }”: { $change }.
     }
 diag-locale-unrecorded = Tekstin ”{ $key }” käännöstä kielelle ”{ $language }” ei ole vielä hyväksytty.
+diag-locale-moved = Tekstillä ”{ $key }” ({ $language }) on nyt sanat, jotka on hyväksytty tekstille ”{ $name }”.
 diag-locale-unknown-argument = ”{ $key }” ({ $language }) käyttää argumenttia ”{ $name }”, jota englanninkielisessä tekstissä ei ole.

@@ -2,7 +2,7 @@
 diag-approach-wrong =
     { $what ->
         [arc] Kaari, jonka säde on { $value }, ei mahdu tämän pisteen ja muodon väliin.
-       *[plunged] Muoto alkaa siitä, mihin työkalu on upotettu.
+       *[plunged] Muoto alkaa siitä, missä työkalu on tunkeutunut materiaaliin.
     }
 diag-config-unknown-machine = Koneasetusta ”{ $key }” ei ole; asetukset ovat { $expected }.
 diag-coordinate-out-of-range = Koordinaatti { $value } on alueen ulkopuolella: käsikirjojen sallima suurin arvo on { $limit }.
@@ -53,9 +53,10 @@ diag-tool-called-twice = Työkalua { $tool } kutsutaan tässä uudelleen, eikä 
 diag-tool-table-contradicts =
     { $what ->
         [speed] Karan kierrosluku { $value } ylittää arvon { $other }, joka on työkalun { $tool } suurin kierrosluku työkalutaulukossa (NMAX).
-        [locked] Työkalu { $tool } on lukittu työkalutaulukossa (TL), eikä varatyökalua ole annettu (RT).
+        [locked] Työkalu { $tool } on lukittu työkalutaulukossa (TL), eikä sisartyökalua ole annettu (RT).
         [point] { $value } keskiöi tässä halkaisijaan, mutta työkalulla { $tool } ei ole kärkikulmaa työkalutaulukossa (T-ANGLE).
         [turning] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on sorvaustyökalujen taulukossa { $other } (TYPE).
+        [size] Työkalun { $tool } halkaisija on työkalutaulukossa { $other }, mutta nimessä { $value }.
        *[type] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on työkalutaulukossa { $other } (TYP).
     }
 diag-translate-encoding = Tiedosto kirjoitetaan merkistöllä { $encoding }: tavut pysyvät siinä samoina, ja siinä ovat uusien NC-tekstien kaikki kirjaimet.
@@ -78,7 +79,7 @@ diag-error-branch-entered =
 diag-finishing-before-roughing =
     { $what ->
         [pilot] { $other } nimeää porattavan työkalun itsensä; sen pitää nimetä työkalu, joka sen jälkeen rouhii.
-       *[order] { $cycle } viimeistelee muodon tässä, ennen kuin { $other } rouhii sen.
+       *[order] { $cycle } silittää muodon tässä, ennen kuin { $other } rouhii sen.
     }
 diag-label-unused = Mikään ei kutsu tai toista tämän aliohjelman labelia { $label } eikä hyppää siihen.
 diag-loop-runs-once = Tätä hyppyä taaksepäin ei koskaan tehdä: laskuri ei täytä ehtoa millään kierroksella.

@@ -92,5 +92,7 @@ diag-spec-measure = Työkierrossa { $cycle } { $reason ->
         [not-a-speed] karan kierrosluvun paikalla on jotakin muuta kuin kierrosluku
         [not-a-number] yksiköttömän luvun paikalla on suure, jolla on yksikkö
         [bare-number] pituutta tai syöttöarvoa verrataan lukuun, jolla ei ole yksikköä
+        [same-operands] valitaan kahdesta samasta kaavasta tai verrataan niitä
+        [never-negative] otetaan etumerkki tai itseisarvo parametrista, joka ei ole koskaan negatiivinen
        *[not-an-angle] kulman paikalla on jotakin muuta kuin kulma
     }.

@@ -9,6 +9,9 @@ diag-texts-file-unreadable = Tiedostoa ei voida lukea: { $reason ->
         [encoding] merkistö ei ole UTF-8
         [depth] elementtejä on liian monta sisäkkäin
         [columns] taulukosta puuttuvat sarakkeet concept ja language
+        [empty] tiedosto on tyhjä
+        [quote] tästä alkaa lainausmerkeissä oleva solu, joka ei pääty
+        [size] se on suurempi kuin 64 Mt
         [xliff] se ei ole XLIFF 1.2 eikä XLIFF 2.0
        *[form] muoto on tästä eteenpäin virheellinen
     }.

@@ -87,7 +87,7 @@ diag-table-doubtful =
        *[value] Rivi { $row }: ”{ $found }” sarakkeessa { $column } on luultavasti erehdys.
     }
 diag-table-value-not-allowed = Rivi { $row }: sarake { $column } ei hyväksy arvoa ”{ $found }”.
-diag-stock-blank = BLK FORM -lauseen kulmien on oltava lukuja, ja jokaisen minimin on oltava pienempi kuin maksimin.
+diag-stock-blank = BLK FORM -lauseen nurkkien on oltava lukuja, ja jokaisen minimin on oltava pienempi kuin maksimin.
 diag-stock-extent = Aihio on liian suuri: se ulottuu yli { $limit } mm:n päähän nollapisteestään.
 diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: määrittele aihio asetelmassa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.
 diag-stock-missing = Aihiota ei ole: asetelmassa ei ole aihiota eikä ohjelmassa BLK FORM -lausetta.

@@ -80,15 +80,15 @@ note-range-for-contour-lines = Kosketusakselilla alueen on oltava vähintään k
 note-single-contour-line = Kun digitoidaan yksittäinen korkeuskäyrä, anna riviväliksi ja, jos työkierto kysyy sitä, pienimmäksi riviväliksi 0.
 note-lines-for-one-milling-direction = Tätä työkiertoa käytetään ennen kaikkea verrattain tasaisiin kappaleisiin, joiden digitointitiedot jyrsitään kauttaaltaan myötä- tai vastalastulla ilman analysointiohjelmistoa.
 note-lines-for-rotary-axes = Mittaavalla kosketusjärjestelmällä tätä työkiertoa käytetään ennen kaikkea digitointiin kiertoakselin avulla.
-note-normal-retraction-recommended = Suositeltu liike rivien normaalin suunnassa: pistevälin puolikkaan ja pistevälin välillä. Mitä pienempi kosketuskuula on, sitä suurempi liikkeen tulisi olla.
+note-normal-retraction-recommended = Suositeltava liike rivien normaalin suunnassa on vähintään puolet pistevälistä ja enintään pistevälin suuruinen. Mitä pienempi kosketuskuula on, sitä suurempi liikkeen tulisi olla.
 note-climb-or-up-cut-by-direction = Digitointisuunta määrää myös, jyrsitäänkö myöhemmin myötälastulla vai vastalastulla.
-note-sudden-changes-of-direction = Ohjaus tallentaa asemat, joissa suunta muuttuu äkillisesti, enintään 1000 asemaa riviä kohti. Seuraavalla rivillä se pienentää kosketussyöttöarvoa automaattisesti, kun kosketusjärjestelmä lähestyy tällaista asemaa. Se parantaa tuloksia.
+note-sudden-changes-of-direction = Ohjaus tallentaa asemat, joissa suunta muuttuu äkillisesti, enintään 1000 asemaa riviä kohti. Seuraavalla rivillä se pienentää kosketussyöttöarvoa automaattisesti, kun kosketusjärjestelmä lähestyy tällaista asemaa. Tämä parantaa tuloksia.
 note-feed-reduction-only-up-to-1000 = Syöttöarvon pienennys toimii vain, jos rivillä on enintään 1000 pistettä, joissa syöttöarvoa on pienennettävä.
 note-corner-reduction-entered-by-control = Vastaa nurkissa tapahtuvaa syöttöarvon pienennystä koskevaan kysymykseen näppäimellä NO ENT. Ohjaus syöttää arvon automaattisesti.
 
 # --- ohjeet: kiertoakselit ---
-note-rotary-axes-touch-trigger = Kytkevällä kosketusjärjestelmällä kiertoakseleita voidaan digitoida meanderimaisesti (työkierto 6), riveittäin (työkierto 8) tai korkeuskäyrinä (työkierto 7). Anna kiertoakseli kaikissa tapauksissa työkierrossa ALUE. Ohjaus tulkitsee kiertoakselien arvot asteiksi.
-note-rotary-axes-analog = Mittaavalla kosketusjärjestelmällä kiertoakseleita voidaan digitoida vain työkierrolla 18 RIVI. Kiertoakseli määritellään sarakeakseliksi.
+note-rotary-axes-touch-trigger = Kytkevällä kosketusjärjestelmällä voidaan digitoida kiertoakselien avulla meanderimaisesti (työkierto 6), riveittäin (työkierto 8) tai korkeuskäyrinä (työkierto 7). Anna kiertoakseli kaikissa tapauksissa työkierrossa ALUE. Ohjaus tulkitsee kiertoakselien arvot asteiksi.
+note-rotary-axes-analog = Mittaavalla kosketusjärjestelmällä voidaan digitoida kiertoakselin avulla vain työkierrolla 18 RIVI. Kiertoakseli määritellään sarakeakseliksi.
 note-digitizing-range-with-rotary-axis = Kun digitoidaan kiertoakselin avulla, anna kiertoakseli alueessa. Ohjaus tulkitsee sen arvot asteiksi. Digitointitietojen tiedosto sisältää alueessa määritellyt akselit; aihion määrittelyä BLK FORM ei tulosteta, koska kiertoakseleita ei voi esittää graafisesti.
 note-digitizing-display-of-rotary-axis = Kiertoakselin näyttötavan on oltava digitoitaessa ja jyrsittäessä sama (supistettu alle 360°:n arvoon tai supistamaton).
 note-meander-with-rotary-axis = Jos rivien suuntana on lineaariakseli (esimerkiksi X), ohjaus siirtyy rivin lopussa rivivälin verran työkierron ALUE kiertoakselilla (esimerkiksi A); kosketusjärjestelmä liikkuu silloin edestakaisin esimerkiksi Z/X-tasossa. Jos rivien suuntana on kiertoakseli (esimerkiksi A), ohjaus siirtyy rivin lopussa rivivälin verran lineaariakselilla (esimerkiksi X); kosketusjärjestelmä liikkuu silloin edestakaisin esimerkiksi Z/A-tasossa.
@@ -98,7 +98,7 @@ note-lines-with-rotary-axis = Jos rivien suuntana on lineaariakseli (esimerkiksi
 # --- ohjeet: tiedot ---
 note-digitized-data-on-disk = Ohjaus tallentaa mitatut asemat suoraan kiintolevylle. Liitäntävalikon asetus PRINT määrää hakemiston.
 note-digitized-data-with-same-radius = Jos digitointitiedot jyrsitään työkalulla, jonka säde on sama kuin kosketusvarren, ne voidaan suorittaa suoraan työkierrolla 30.
-note-block-form-in-data = Ohjaus lisää digitointitietojen tiedostoon aihion määrittelyn BLK FORM. Sitä varten se suurentaa työkierrossa ALUE määriteltyä särmiötä kaksi kertaa arvon { $mp-stylus-deflection-depth } verran (mittaavilla kosketusjärjestelmillä).
+note-block-form-in-data = Ohjaus lisää digitointitietojen tiedostoon aihion määrittelyn BLK FORM. Sitä varten se suurentaa työkierrossa ALUE määriteltyä särmiötä kaksinkertaisen { $mp-stylus-deflection-depth }-arvon verran (mittaavilla kosketusjärjestelmillä).
 note-digitized-data-in-programs = Digitointitiedot voidaan suorittaa koneistustyökierrolla 30, jos tarvitaan useita lastuja (vain työkiertojen MEANDERI ja RIVI tiedot), tai apuohjelmalla, jos vain silitetään: määrittele työkalu kosketusvarren säteellä, kutsu se, aseta syöttöarvo, M-toiminnot ja sädekorjaus R0 ja kutsu tiedosto käskyllä CALL PGM.
 note-digitized-data-size = Digitointitietojen tiedosto saa olla enintään 1500{"\u00A0"}Mt, mikä on ohjauksen kiintolevyn vapaa tila, kun ohjelmia ei ole tallennettu.
 

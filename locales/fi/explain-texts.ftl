@@ -11,7 +11,7 @@ explain-texts-no-language =
 explain-texts-file-unreadable =
     Tiedosto hylätään kokonaan, eikä mitään muuteta. Luettavat muodot ovat XLIFF 1.2, XLIFF 2.0 ja PO sekä termeille TBX ja CSV, merkistönä UTF-8. Jos yhtä useista tiedostoista ei voi lukea, mitään niistä ei oteta käyttöön. Dokumenttityypit ja tiedoston omat entiteetit hylätään, koska niillä voi hakea muita tiedostoja tai kasvattaa tekstin rajattomaksi; samasta syystä hylätään liian syvät sisäkkäiset elementit. Katso ilmoitettua kohtaa tai vie tekstit uudelleen ja anna käännösohjelman tallentaa ne samassa muodossa.
 explain-texts-unit-unknown =
-    Yksikön tunnus on tekstin avain, eikä millään kielen tekstillä ole tätä avainta. Avain on nimetty uudelleen tai poistettu viennin jälkeen, tai tunnusta on muutettu tiedostossa. Vie tekstit uudelleen; käännösmuisti löytää valmiin käännöksen sanojen perusteella.
+    Yksikön tunnus on tekstin avain, eikä millään kielen tekstillä ole tätä avainta. Avain on nimetty uudelleen tai poistettu viennin jälkeen, tai tunnusta on muutettu tiedostossa. Vie tekstit uudelleen; käännösmuisti löytää valmiin käännöksen sanojen perusteella. Sanaston uusi termi kirjoitetaan ensin tiedostoon locales/en/glossary.ftl; sen jälkeen sen käännökset voidaan tuoda.
 explain-texts-unit-twice =
     Kaksi yksikköä, joilla on sama tunnus, voivat sanoa eri asiat, eikä mikään kerro, kumpi on oikein. Kumpaakaan ei oteta. Poista kaikki paitsi yksi.
 explain-texts-unit-source-changed =

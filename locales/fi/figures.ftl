@@ -4,11 +4,11 @@ figure-section = Leikkaus
 figure-plan = Ylhäältä
 figure-chip-breaking = Lastunkatko
 figure-decreasing-infeeds = Pienenevät asetussyvyydet
-figure-deepened-start = Syvennetty aloituspiste
+figure-deepened-start = Syvennetty alkupiste
 figure-centring-diameter = Keskiöinti halkaisijaan
 figure-rotation = Kiertokulma
 figure-pocket-position = Sijainti kutsuttaessa
-figure-milling-type = Myötä- ja vastajyrsintä
+figure-milling-type = Jyrsintämenetelmä
 figure-allowances = Silitystyövarat
 figure-slot-position = Sijainti kutsuttaessa
 figure-stud-position = Sijainti kutsuttaessa
@@ -37,15 +37,15 @@ figure-side-allowance = Sivun silitystyövara
 figure-rounding = Sisänurkan pyöristyssäde
 figure-between-points = Liike kosketuspisteiden välillä
 figure-between-holes = Liike paikkojen välillä
-figure-depth-or-diameter = Syvyys tai halkaisija
-figure-threads-per-step = Kierrokset tai ruuvilinjat
+figure-depth-or-diameter = Syvyyden tai halkaisijan valinta
+figure-threads-per-step = Kierteitä askelta kohti
 figure-countersinking-moment = Upotuksen ajankohta
 figure-finishing-counter-clockwise = Silitys vastapäivään, Q9 = +1
 figure-finishing-clockwise = Silitys myötäpäivään, Q9 = −1
-figure-train-climb = Myötäjyrsintä, Q15 = +1
-figure-train-up-cut = Vastajyrsintä, Q15 = −1
+figure-train-climb = Myötälastu, Q15 = +1
+figure-train-up-cut = Vastalastu, Q15 = −1
 figure-train-to-and-fro = Edestakaisin, Q15 = 0
-figure-operation = Koneistuslaajuus
+figure-operation = Koneistuksen laajuus
 figure-no-contact = Liike ilman kosketusta
 way-rapid = pikaliike
 way-feed = syöttöliike
@@ -55,7 +55,7 @@ cli-figure = Kirjoita työkierron kuvat SVG-tiedostoina
 cli-figure-out = Kuvien hakemisto; se luodaan, jos sitä ei ole
 cli-examples-figure =
     ciklo figure 205 --control tnc640 --lang sl --out figures
-cli-coverage-figures = { $count } pituutta, kulmaa tai sijaintia ({ $of }:stä) puuttuu kuvista: { $ids }
+cli-coverage-figures = kuvista puuttuu { $count }/{ $of } pituutta, kulmaa tai sijaintia: { $ids }
 
 diag-figure-example-missing = Työkierron { $cycle } kuva { $name } piirretään esimerkistä { $example }, jota työkierrolla ei ole.
 diag-figure-moment-never = Työkierron { $cycle } kuvan { $name } suoritus ei koskaan saavuta kuvattua hetkeä ({ $reason }).
@@ -91,11 +91,11 @@ figure-pre-drilled = Esiporattu reikä
 figure-touch-points = Kosketuspisteet
 figure-measuring-axis = Mittausakseli
 figure-traverse-direction = Liikesuunta
-figure-straight-or-circle = Suoraan tai ympyränkaarella
+figure-straight-or-circle = Liiketapa
 figure-program = Ohjelma ylhäältä
 figure-program-turned = Ohjelma: puolet kappaleesta leikattuna
 figure-program-recess = Ohjelma: ura
 figure-program-side = Ohjelma sivulta
 figure-program-across = Ohjelma kiertoakselin suunnassa
-figure-program-tilted = Ohjelman kallistettu taso
+figure-program-tilted = Ohjelman käännetty taso
 figure-wide-slot = Leveä ura

@@ -50,7 +50,7 @@ step-optimize-transformation-chain = Ohjaus optimoi koneen kinemaattisen muunnos
 step-correct-workpiece-system = Ohjaus korjaa kinematiikkamallissa työkappaleen koordinaatiston niin, että esiasetus on kalibrointikuulan keskipisteessä.
 note-datum-in-sphere-first__preset-compensation = Aseta ja aktivoi peruspiste kalibrointikuulan keskipisteeseen ennen työkierron määrittelyä.
 note-one-degree-before-limit-switch = Valitse mittauspisteet akseleilla, joilla ei ole erillistä paikoitusmittalaitetta, niin, että rajakytkimelle jää 1°:n liikematka. Ohjaus tarvitsee tämän matkan välyksen sisäiseen kompensointiin.
-note-kinematics-limit-exceeded__preset-compensation = Jos kinematiikkatiedot ylittävät sallitun raja-arvon ({ $mp-max-modification }), ohjaus antaa varoituksen. Vahvista arvojen vastaanotto NC-käynnistyksellä.
+note-kinematics-limit-exceeded__preset-compensation = Jos kinematiikkatiedot ylittävät sallitun raja-arvon ({ $mp-max-modification }), ohjaus antaa varoituksen. Vahvista arvot NC-käynnistyksellä.
 note-match-heads-purpose = Vaihtopäiden sovituksen ansiosta työkappaleen esiasetus ei muutu, kun kiertoakseleita (päitä) vaihdetaan. Aseta yksi päistä koneeseen referenssipääksi, kiinnitä kalibrointikuula, vaihda kosketusjärjestelmä karaan, mittaa koko kinematiikka työkierrolla 451 ja anna sen asettaa esiasetus mittauksen jälkeen (Q431 = 2 tai 3). Aseta sitten seuraava pää ja kosketusjärjestelmä paikoilleen ja mittaa se työkierrolla { $cycle }. Kaikki muut päät voidaan sovittaa samalla tavalla.
 note-match-heads-only-changed-axes = Mittaa vain ne akselit, jotka on todella vaihdettu. Esimerkki: haarukkapää, jossa on akselit A ja C ja josta vaihdetaan vain A-akseli; C-akseli jätetään pois asetuksella { $q-rotary-measuring-points-c } = 0.
 note-preset-and-sphere-stay = Esiasetusta ja kalibrointikuulan paikkaa ei saa muuttaa koko toimenpiteen aikana.
@@ -66,5 +66,5 @@ title-match-interchangeable-head = Vaihtopään sovitus
 title-compensate-drift = Ryöminnän kompensointi
 
 # --- kinematics ---
-message-kinematics-limit-exceeded = Kinematiikkatiedot muuttuvat enemmän kuin sallittu raja-arvo. Vahvista niiden hyväksyntä NC-käynnistyksellä.
+message-kinematics-limit-exceeded = Kinematiikkatiedot muuttuvat enemmän kuin raja-arvo sallii. Vahvista ne NC-käynnistyksellä.
 message-delete-saved-kinematics = Useampi tallennettu kinematiikka vastaa nimeä. Vahvista, että ne kaikki poistetaan.

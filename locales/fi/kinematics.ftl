@@ -21,7 +21,7 @@ parameter-kinematics-positioning-feed = Esipaikoituksen syöttöarvo
     .help = Työkalun liikenopeus paikoituksessa.
 parameter-kinematics-reference-angle = Peruskulma
     .label = PERUSKULMA
-    .help = Peruskulma (peruskääntö) pisteiden mittaamiselle aktiivisessa työkappaleen koordinaatistossa. Se voi suurentaa akselin mittausaluetta huomattavasti.
+    .help = Peruskulma (peruskääntö) pisteiden mittausta varten aktiivisessa työkappaleen koordinaatistossa. Se voi suurentaa akselin mittausaluetta huomattavasti.
 parameter-rotary-start-angle-a = A-akselin aloituskulma
     .label = A-AKSELIN ALKUKULMA
     .help = A-akselin kulma, jossa ensimmäinen mittaus tehdään.
@@ -33,7 +33,7 @@ parameter-rotary-incidence-angle-a = A-akselin asetuskulma
     .help = A-akselin asetuskulma, jossa muut kiertoakselit mitataan.
 parameter-rotary-measuring-points-a = A-akselin mittauspisteiden lukumäärä
     .label = A-AKSELIN MITT.PIST.
-    .help = Kosketusten lukumäärä, jolla ohjaus mittaa A-akselin. Arvolla 0 akselia ei mitata.
+    .help = Kosketusten lukumäärä A-akselia mitattaessa. Arvolla 0 akselia ei mitata.
 parameter-rotary-start-angle-b = B-akselin aloituskulma
     .label = B-AKSELIN ALKUKULMA
     .help = B-akselin kulma, jossa ensimmäinen mittaus tehdään.
@@ -45,7 +45,7 @@ parameter-rotary-incidence-angle-b = B-akselin asetuskulma
     .help = B-akselin asetuskulma, jossa muut kiertoakselit mitataan.
 parameter-rotary-measuring-points-b = B-akselin mittauspisteiden lukumäärä
     .label = B-AKSELIN MITT.PIST.
-    .help = Kosketusten lukumäärä, jolla ohjaus mittaa B-akselin. Arvolla 0 akselia ei mitata.
+    .help = Kosketusten lukumäärä B-akselia mitattaessa. Arvolla 0 akselia ei mitata.
 parameter-rotary-start-angle-c = C-akselin aloituskulma
     .label = C-AKSELIN ALKUKULMA
     .help = C-akselin kulma, jossa ensimmäinen mittaus tehdään.
@@ -57,12 +57,12 @@ parameter-rotary-incidence-angle-c = C-akselin asetuskulma
     .help = C-akselin asetuskulma, jossa muut kiertoakselit mitataan.
 parameter-rotary-measuring-points-c = C-akselin mittauspisteiden lukumäärä
     .label = C-AKSELIN MITT.PIST.
-    .help = Kosketusten lukumäärä, jolla ohjaus mittaa C-akselin. Arvolla 0 akselia ei mitata.
+    .help = Kosketusten lukumäärä C-akselia mitattaessa. Arvolla 0 akselia ei mitata.
 parameter-sphere-touch-points = Mittauspisteiden lukumäärä (3-8)
     .label = MITT.PIST. LUKUMÄÄRÄ
-    .help = Kosketusten lukumäärä, jolla ohjaus mittaa kalibrointikuulan tasossa. Pienempi määrä säästää aikaa, suurempi lisää tarkkuutta.
+    .help = Kosketusten lukumäärä tasossa kalibrointikuulaa mitattaessa. Pienempi määrä säästää aikaa, suurempi lisää tarkkuutta.
 parameter-sphere-touch-points__itnc530 = Mittauspisteiden lukumäärä
-    .help = Kosketusten lukumäärä, jolla ohjaus mittaa kalibrointikuulan tasossa.
+    .help = Kosketusten lukumäärä tasossa kalibrointikuulaa mitattaessa.
 parameter-sphere-preset = Esiasetuksen asetus (0/1/2/3)
     .label = ASETA ESIASETUS
     .help = Määrää, asettaako ohjaus aktiivisen esiasetuksen (peruspisteen) automaattisesti kuulan keskipisteeseen.
@@ -81,23 +81,23 @@ cycle-measure-kinematics = Kinematiikan mittaus
 step-clamp-sphere = Kiinnitä kalibrointikuula niin, ettei törmäystä voi tapahtua.
 step-set-datum-in-sphere = Aseta peruspiste käsikäyttötavalla kuulan keskipisteeseen. Jos { $q-sphere-preset } = 1 tai { $q-sphere-preset } = 3, paikoita sen sijaan kosketusjärjestelmä käsin kosketusakselilla kalibrointikuulan yläpuolelle ja koneistustasossa kuulan keskelle.
 step-start-calibration-program = Valitse ohjelmanajon käyttötapa ja käynnistä kalibrointiohjelma.
-step-set-preset-before-measuring = Ohjaus asettaa esiasetuksen:
-say-preset-into-sphere-before = jos { $q-sphere-preset } = 1 tai 3, kuulan keskipisteeseen ennen mittausta
+step-set-preset-before-measuring = { $q-sphere-preset } määrää, mikä esiasetus mittauksessa on voimassa:
+say-preset-into-sphere-before = jos { $q-sphere-preset } = 1 tai 3, ohjaus tekee esiasetuksen kuulan keskipisteeseen ennen mittausta
 say-preset-set-by-hand = muussa tapauksessa se käyttää käsin asetettua peruspistettä
 step-move-to-measuring-positions = Kosketusjärjestelmä siirtyy mittausasemiin:
 say-move-without-retraction = jos { $q-retraction-height } = 0, vetäytymättä mitattavalla akselilla; ensimmäiseen mittausasemaan järjestyksessä A, B, C
 say-move-over-retraction-height = muussa tapauksessa karan akseli siirtyy ensin vetäytymiskorkeudelle { $q-retraction-height } ja kosketusjärjestelmä koneistustasossa nollapisteeseen
 step-measure-rotary-axes = Ohjaus mittaa automaattisesti kaikki kiertoakselit peräkkäin määritellyllä tarkkuudella. Referenssimittaus tehdään kulmassa 0°.
-step-measure-backlash = Ohjaus mittaa välyksen:
-say-backlash-from-two-measurements = kulman { $q-backlash-angle } avulla, kullakin kiertoakselilla kahdella mittauksella
+step-measure-backlash = { $q-backlash-angle } määrää, mittaako ohjaus välyksen:
+say-backlash-from-two-measurements = jos parametrissa { $q-backlash-angle } on kulma, ohjaus määrittää välyksen mittaamalla kunkin kiertoakselin kahdesti
 say-no-backlash-measurement = jos { $q-backlash-angle } = 0, välystä ei mitata
 step-adapt-kinematics = Ohjaus arvioi mittaustulokset tilan { $q-kinematics-mode } mukaan:
-say-report-possible-optimization = tarkastus: ohjaus määrittää mitatuista asemista kääntömuunnoksen staattisen tarkkuuden, kirjaa pöytäkirjaan, mitä asemien optimoinnilla voitaisiin saavuttaa, eikä muuta mitään
-say-optimize-axis-positions = aseman optimointi: ohjaus määrittää kääntömuunnoksen staattisen tarkkuuden, pyrkii muuttamaan kiertoakselien asemaa kinematiikkamallissa niin, että tarkkuus paranee, ja mukauttaa konetiedot automaattisesti
-say-optimize-angles-then-positions = aseman ja kulman optimointi: ohjaus määrittää kääntömuunnoksen staattisen tarkkuuden, pyrkii ensin optimoimaan kiertoakselien kulma-aseman kompensoinnilla (optio 52, KinematicsComp) ja, jos se onnistuu, optimoi aseman toisella mittaussarjalla
+say-report-possible-optimization = tarkastus: ohjaus määrittää mitatuista asemista staattisen kääntötarkkuuden, kirjaa pöytäkirjaan, mitä asemien optimoinnilla voitaisiin saavuttaa, eikä muuta mitään
+say-optimize-axis-positions = aseman optimointi: ohjaus määrittää staattisen kääntötarkkuuden, pyrkii muuttamaan kiertoakselien asemaa kinematiikkamallissa niin, että tarkkuus paranee, ja mukauttaa konetiedot automaattisesti
+say-optimize-angles-then-positions = aseman ja kulman optimointi: ohjaus määrittää staattisen kääntötarkkuuden, pyrkii ensin optimoimaan kiertoakselien kulma-aseman kompensoinnilla (optio 52, KinematicsComp) ja, jos se onnistuu, optimoi aseman toisella mittaussarjalla
 step-store-scatter-and-offsets = Ohjaus tallentaa mitatut arvot tulosparametreihin.
-step-set-preset-after-measuring = Mittauksen jälkeen ohjaus asettaa esiasetuksen:
-say-preset-into-sphere-after = jos { $q-sphere-preset } = 2 tai 3, kuulan keskipisteeseen
+step-set-preset-after-measuring = Mittauksen jälkeen { $q-sphere-preset } määrää, asettaako ohjaus esiasetuksen:
+say-preset-into-sphere-after = jos { $q-sphere-preset } = 2 tai 3, se asetetaan kuulan keskipisteeseen
 say-no-preset-after = muussa tapauksessa sitä ei aseteta
 step-write-kinematics-log = Ohjaus laatii pöytäkirjan (TCHPR{ $cycle }.TXT).
 result-scatter-measured-a = A-akselin mitattu keskihajonta (−1, jos akselia ei mitattu)
@@ -153,7 +153,7 @@ note-datum-in-sphere-first = Aseta ja aktivoi peruspiste kalibrointikuulan keski
 note-preposition-for-preset = Jos esiasetus asetetaan ennen mittausta ({ $q-sphere-preset } = 1 tai 3), paikoita kosketusjärjestelmä ennen työkierron käynnistystä suunnilleen kalibrointikuulan keskikohdan yläpuolelle varmuusetäisyyden ({ $q-probing-clearance } + { $mp-set-up }) päähän.
 note-preposition-for-preset__itnc530 = Jos esiasetus asetetaan ennen mittausta ({ $q-sphere-preset } = 1 tai 3), paikoita kosketusjärjestelmä ennen työkierron käynnistystä suunnilleen kalibrointikuulan keskikohdan yläpuolelle.
 note-kinematics-feeds = Kosketuskorkeudelle ajettaessa ohjaus käyttää kosketusakselilla pienempää arvoista { $q-kinematics-positioning-feed } ja { $mp-positioning-feed }. Kiertoakselit liikkuvat syöttöarvolla { $q-kinematics-positioning-feed }, eikä kosketusjärjestelmän valvonta ole silloin voimassa.
-note-kinematics-limit-exceeded = Jos kinematiikkatiedot ylittävät optimoinnissa sallitun raja-arvon ({ $mp-max-modification }), ohjaus antaa varoituksen. Vahvista arvojen vastaanotto NC-käynnistyksellä.
+note-kinematics-limit-exceeded = Jos kinematiikkatiedot ylittävät optimoinnissa sallitun raja-arvon ({ $mp-max-modification }), ohjaus antaa varoituksen. Vahvista arvot NC-käynnistyksellä.
 note-preset-changes-with-kinematics = Kinematiikan muutos muuttaa aina myös esiasetusta. Aseta esiasetus uudelleen optimoinnin jälkeen.
 note-sphere-radius-checked = Ohjaus mittaa jokaisessa kosketuksessa ensin kalibrointikuulan säteen. Jos se poikkeaa annetusta säteestä enemmän kuin { $mp-max-ball-deviation }, ohjaus antaa virheilmoituksen ja lopettaa mittauksen.
 note-sphere-radius-checked__itnc530 = Ohjaus mittaa jokaisessa kosketuksessa ensin kalibrointikuulan säteen. Jos se poikkeaa annetusta säteestä enemmän kuin { $mp-max-ball-deviation }, ohjaus antaa varoituksen ja lopettaa mittauksen.

@@ -60,7 +60,7 @@ result-measured-length-deviation = Mitatun pituuden poikkeama
 # --- 427 ---
 cycle-measure-coordinate = Koordinaatin mittaus
     .nc = KOORDINAATIN MITTAUS
-    .purpose = Työkierto mittaa koordinaatin valittavalla akselilla ja tallentaa arvon parametriin. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametreihin.
+    .purpose = Työkierto mittaa koordinaatin valittavalla akselilla ja tallentaa arvon parametriin. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeamat parametreihin.
 step-position-against-traverse-direction = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun kosketuspisteeseen pikaliikkeellä (arvo sarakkeesta { $mp-positioning-feed }) ja paikoituslogiikalla. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran liikesuuntaa { $q-traverse-direction } vastaan.
 step-position-against-traverse-direction__tnc426-430 = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun kosketuspisteeseen pikaliikkeellä (arvo koneparametrista { $mp-positioning-feed } tai { $mp-analog-positioning-feed }) ja paikoituslogiikalla. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran liikesuuntaa { $q-traverse-direction } vastaan.
 step-probe-coordinate = Ohjaus paikoittaa kosketusjärjestelmän koneistustasossa ohjelmoituun kosketuspisteeseen ja mittaa siellä todellisarvon valitulla akselilla.
@@ -69,14 +69,14 @@ say-part-is-scrap__measure-coordinate = hylky (Q182 = 1), jos mitattu koordinaat
 say-part-needs-rework__measure-coordinate = jälkityö (Q181 = 1), jos mitattu koordinaatti on suurempi kuin { $q-greatest-dimension }
 say-correct-tool-length = jos { $q-monitored-tool } ei ole 0 ja { $q-measuring-axis } = 3, se korjaa työkalun pituutta työkalutaulukon sarakkeessa DL; jos poikkeama on suurempi kuin rikkotoleranssi RBREAK, se antaa virheilmoituksen, pysäyttää ohjelmanajon ja asettaa työkalulle eston (sarake TL = L)
 say-correct-tool-radius__measure-coordinate = jos { $q-monitored-tool } ei ole 0 ja { $q-measuring-axis } = 1 tai 2, se korjaa delta-sädettä työkalutaulukon sarakkeessa DR parametrista { $q-traverse-direction } määräytyvään suuntaan; jos poikkeama on suurempi kuin rikkotoleranssi RBREAK, se antaa virheilmoituksen, pysäyttää ohjelmanajon ja asettaa työkalulle eston (sarake TL = L)
-note-coordinate-is-outside-dimension = Ohjaus olettaa, että mitataan ulkomitta (kaula). Mittauksen tila saadaan oikeaksi valitsemalla suurin ja pienin mitta sekä kosketussuunta sopivasti.
+note-coordinate-is-outside-dimension = Ohjaus olettaa, että mitataan ulkomitta (kaula). Muissa tapauksissa mittauksen tila saadaan oikeaksi valitsemalla suurin ja pienin mitta sekä kosketussuunta sopivasti.
 note-coordinate-corrects-radius-or-length = Jos mittausakselina on koneistustason akseli ({ $q-measuring-axis } = 1 tai 2), ohjaus korjaa työkalun sädettä; korjauksen suunta määräytyy liikesuunnasta { $q-traverse-direction }. Jos mittausakselina on kosketusakseli ({ $q-measuring-axis } = 3), se korjaa työkalun pituutta.
 result-measured-coordinate__measure-coordinate = Mitattu koordinaatti
 
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Reikäympyrän mittaus
     .nc = REIKÄYMPYRÄN MITTAUS
-    .purpose = Työkierto mittaa reikäympyrän keskipisteen ja halkaisijan mittaamalla sen kolme reikää. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametreihin.
+    .purpose = Työkierto mittaa reikäympyrän keskipisteen ja halkaisijan mittaamalla sen kolme reikää. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeamat parametreihin.
 step-measure-centre-of-hole = Kosketusjärjestelmä siirtyy mittauskorkeudelle { $q-measuring-height } ja määrittää reiän keskipisteen neljällä kosketuksella.
 step-travel-to-next-hole = Kosketusjärjestelmä palaa varmuuskorkeudelle { $q-clearance-height } ja paikoittuu seuraavan reiän annettuun keskipisteeseen.
 until-three-holes-measured = kaikkien kolmen reiän keskipisteet on määritetty
@@ -109,7 +109,7 @@ step-measure-third-point-of-plane = Kosketusjärjestelmä palaa varmuuskorkeudel
 step-retract-and-store-plane-angles = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja tallentaa kulmat tulosparametreihin.
 guard-points-on-one-line = Kaikki kolme mittauspistettä ovat samalla suoralla. Ohjaus ei voi laskea tason kulmia.
 note-positioning-logic__measure-plane = Paikoituslogiikka: jos kosketusvarren etelänapa on varmuuskorkeuden { $q-clearance-height } alapuolella, ohjaus vetää kosketusjärjestelmän ensin kosketusakselin suunnassa varmuuskorkeudelle ja paikoittaa sen sitten koneistustasossa ensimmäiseen kosketuspisteeseen. Jos se on varmuuskorkeuden yläpuolella, ohjaus paikoittaa kosketusjärjestelmän ensin koneistustasossa ensimmäiseen kosketuspisteeseen ja ajaa sen sitten kosketusakselin suunnassa suoraan mittauskorkeudelle.
-note-three-points-not-on-a-line = Mittauspisteet eivät saa olla kaikki kolme samalla suoralla: vain silloin ohjaus voi laskea kulmat.
+note-three-points-not-on-a-line = Kaikki kolme mittauspistettä eivät saa olla samalla suoralla: vain silloin ohjaus voi laskea kulmat.
 note-spatial-angles-for-tilting = Parametreissa Q170–Q172 ovat koneistustason käännössä tarvittavat tilakulmat. Kaksi ensimmäistä mittauspistettä määrää pääakselin suunnan, kun koneistustasoa käännetään.
 note-third-point-sets-tool-axis = Kolmas mittauspiste määrää työkaluakselin suunnan. Määrittele se positiivisen Y-akselin suuntaan, jotta työkaluakseli on oikein oikeakätisessä koordinaatistossa.
 note-spatial-angle-in-tilted-plane = Jos työkierto suoritetaan koneistustason ollessa käännettynä, mitatut tilakulmat perustuvat käännettyyn koordinaatistoon. Käytä niitä koneistustason käännössä inkrementaalisina arvoina.

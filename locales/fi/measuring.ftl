@@ -30,13 +30,13 @@ result-status-scrap = 1: hylky
 note-measuring-log-contents = Mittauspöytäkirja sisältää päiväyksen, kellonajan ja mittausohjelman, asetusarvot, raja-arvot, todellisarvot, poikkeamat ja lisää mittaustuloksia (mittauskorkeus).
 note-measuring-log-contents__tnc426-430 = Mittauspöytäkirja sisältää päiväyksen, kellonajan ja mittausohjelman, asetusarvot, raja-arvot, todellisarvot ja poikkeamat.
 note-measuring-log-in-tnc-directory = Ohjaus tallentaa mittauspöytäkirjan ASCII-tiedostona, yleensä hakemistoon TNC:\.
-note-measuring-log-in-program-directory = Ohjaus tallentaa mittauspöytäkirjan ASCII-tiedostona, yleensä hakemistoon, josta mittausohjelma suoritetaan. Vaihtoehtoisesti pöytäkirja voidaan lähettää tiedonsiirtoliitännän kautta kirjoittimelle tai PC:lle: aseta liitäntävalikon toiminto Print arvoon RS232:\.
+note-measuring-log-in-program-directory = Ohjaus tallentaa mittauspöytäkirjan ASCII-tiedostona, yleensä hakemistoon, josta mittausohjelma suoritetaan. Vaihtoehtoisesti pöytäkirja voidaan lähettää tiedonsiirtoliitännän kautta kirjoittimelle tai PC:lle: valitse liitäntävalikon toiminnon Print arvoksi RS232:\.
 note-measuring-log-transfer = Lähetä mittauspöytäkirja tiedonsiirtoliitännän kautta HEIDENHAINin tiedonsiirto-ohjelmistolla TNCremo.
 note-measuring-log-datum = Kaikki pöytäkirjatiedoston mittausarvot perustuvat peruspisteeseen, joka oli voimassa työkiertoa suoritettaessa.
 note-measuring-log-manual-datum = Ellei nollapisteen siirto ole voimassa, kaikki pöytäkirjatiedoston mittausarvot perustuvat peruspisteeseen, joka on asetettu käsikäyttötavalla.
 note-status-also-without-limits = Ohjaus asettaa mittauksen tilan myös silloin, kun toleransseja tai rajoja ei ole annettu.
 note-which-value-is-out = Ohjaus merkitsee jälkityön tai hylyn heti, kun yksikin mittausarvo on toleranssin ulkopuolella. Näet kyseisen arvon mittauspöytäkirjasta, tai voit verrata tuloksia niiden raja-arvoihin.
-note-limit-zero-not-monitored = Jos raja-arvo tai toleranssi on 0 (alkuasetus), ohjaus ei valvo sitä.
+note-limit-zero-not-monitored = Jos raja-arvo tai toleranssi on 0 (perusasetus), ohjaus ei valvo sitä.
 note-tool-monitoring-needs = Työkalun valvonta ja korjaus toimivat vain, jos työkalutaulukko on aktiivinen ja { $q-monitored-tool } ei ole 0. Jos tehdään useita korjausmittauksia, ohjaus lisää jokaisen poikkeaman työkalutaulukkoon tallennettuun arvoon.
 note-tool-monitoring-needs__tnc426-430 = Työkalun valvonta ja korjaus toimivat vain, jos työkalutaulukko on aktiivinen ja { $q-monitored-tool } ei ole 0.
 note-tool-radius-always-corrected = Ohjaus korjaa työkalun sädettä työkalutaulukon sarakkeessa DR aina, myös silloin, kun poikkeama on toleranssin sisäpuolella. Jälkityön tarve voidaan kysyä ohjelmassa parametrilla Q181 (Q181 = 1: jälkityö tarpeellinen).

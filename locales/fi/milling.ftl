@@ -31,7 +31,7 @@ say-back-to-slot-centre = { $q-slot-position } = 0: ohjaus palauttaa työkalun k
 say-stays-in-working-plane = muussa tapauksessa ohjaus ei paikoita työkalua koneistustasossa
 note-position-at-slot-start = Paikoita työkalu koneistustason alkupisteeseen sädekorjauksella R0. Ota huomioon uran sijainti { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Paikoita työkalu koneistustason alkupisteeseen sädekorjauksella R0. Ota huomioon uran sijainnin perusta { $q-slot-position-reference }.
-note-slot-end-position = Työkierron lopussa ohjaus palauttaa työkalun koneistustasossa uran keskelle; koneistustason toisella akselilla se ei paikoita. Jos uran sijainti { $q-slot-position } ei ole 0, ohjaus paikoittaa työkalun vain työkaluakselin suunnassa 2. varmuusetäisyydelle. Aja työkalu takaisin aloitusasemaan ennen työkierron uutta kutsua tai ohjelmoi ennen kutsua absoluuttiset liikkeet.
+note-slot-end-position = Työkierron lopussa ohjaus palauttaa työkalun koneistustasossa uran keskelle. Poikkeus: jos uran sijainti { $q-slot-position } ei ole 0, se paikoittaa työkalun vain työkaluakselin suunnassa 2. varmuusetäisyydelle. Aja työkalu takaisin aloitusasemaan ennen työkierron uutta kutsua tai ohjelmoi ennen kutsua absoluuttiset liikkeet.
 note-wide-slot-is-cleared = Jos ura on leveämpi kuin kaksi kertaa työkalun halkaisija, ohjaus rouhii sen vastaavasti sisältä ulospäin. Näin minkä levyisiä uria tahansa voidaan jyrsiä myös pienillä työkaluilla.
 
 # --- 254 ---
@@ -45,14 +45,14 @@ step-end-of-circular-slot = Työkalun asema työkierron lopussa riippuu uran sij
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: ohjaus palauttaa työkalun koneistustasossa alkupisteeseen (jakoympyrän keskipisteeseen)
 condition-slot-at-entered-centre = uran sijainti määräytyy jakoympyrän annetusta keskipisteestä ({ $q-slot-position-reference } = 0)
 note-circular-slot-end-position = Työkierron lopussa ohjaus palauttaa työkalun koneistustasossa alkupisteeseen (jakoympyrän keskipisteeseen). Poikkeus: jos uran sijainti { $q-slot-position-reference } ei ole 0, se paikoittaa työkalun vain työkaluakselin suunnassa 2. varmuusetäisyydelle. Ohjelmoi tällöin työkierron kutsun jälkeen aina absoluuttiset liikkeet.
-note-circular-slot-with-pattern = Jos työkierto 254 (pyöreä ura) yhdistetään työkiertoon 221, uran sijainti 0 ei ole sallittu.
+note-circular-slot-with-pattern = Jos työkierto 254 (pyöreä ura) yhdistetään työkiertoon 221, uran sijainnille ei saa antaa arvoa 0.
 
 # --- 256 ---
 cycle-rectangular-stud = Suorakulmakaula
     .nc = SUORAKULMAKAULA
     .purpose = Työkierto koneistaa suorakulmakaulan. Jos aihio on suurempi kuin suurin mahdollinen sivuttaisasetus, ohjaus tekee useita sivuttaisasetuksia, kunnes valmismitat on saavutettu.
 step-move-to-stud-approach = Työkalu siirtyy työkierron aloitusasemasta (kaulan keskipisteestä) kaulan koneistuksen aloitusasemaan. Sen määrää parametri { $q-stud-approach-position }:
-say-approach-beside-blank = { $q-stud-approach-position } = 0 (vakioasetus): 2{"\u00A0"}mm kaulan aihiosta oikealle
+say-approach-beside-blank = { $q-stud-approach-position } = 0 (perusasetus): 2{"\u00A0"}mm kaulan aihiosta oikealle
 say-approach-at-stud-corner = muussa tapauksessa valitussa nurkassa
 step-rapid-down-to-set-up-clearance = Jos työkalu on 2. varmuusetäisyydellä, ohjaus siirtää sen pikaliikkeellä (FMAX) varmuusetäisyydelle { $q-set-up-clearance }.
 step-feed-to-plunging-depth-of-stud = Työkalu siirtyy syvyysasetuksen syöttöarvolla { $q-plunging-feed } seuraavaan asetussyvyyteen { $q-plunging-depth }.
@@ -77,7 +77,7 @@ step-leave-stud-on-spiral = Ohjaus irrottaa työkalun muodosta spiraalirataa pit
 step-next-infeed-near-departure = Jos tarvitaan useita asetusliikkeitä, seuraava tehdään irtautumiskohtaa lähinnä olevassa pisteessä.
 step-retract-and-return-to-stud-centre = Kun työkalu on työkierron lopussa irtautunut spiraalirataa pitkin, ohjaus paikoittaa sen työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (ellei sitä ole annettu, varmuusetäisyydelle) ja sen jälkeen kaulan keskipisteeseen.
 note-position-at-stud-centre = Paikoita työkalu koneistustason alkupisteeseen (kaulan keskipisteeseen) sädekorjauksella R0.
-note-circular-stud-end-height = Törmäysvaara! Lopussa ohjaus palauttaa työkalun varmuusetäisyydelle tai, jos se on annettu, 2. varmuusetäisyydelle. Työkalun loppuasema työkierron jälkeen voi siis poiketa sen aloitusasemasta.
+note-circular-stud-end-height = Törmäysvaara! Lopussa ohjaus palauttaa työkalun varmuusetäisyydelle tai, jos se on annettu, 2. varmuusetäisyydelle. Työkaluakselin suunnassa loppuasema työkierron jälkeen voi siis poiketa aloitusasemasta.
 
 # --- 221 ---
 cycle-line-pattern = Pistekuvio suorilla
@@ -102,7 +102,7 @@ step-rapid-to-start-of-lines = Ohjaus paikoittaa työkalun pikaliikkeellä (FMAX
 step-down-to-start-of-lines = Sen jälkeen työkalu siirtyy karan akselin suunnassa pikaliikkeellä (FMAX) varmuusetäisyydelle { $q-set-up-clearance } ja sieltä syvyysasetuksen syöttöarvolla { $q-plunging-feed } karan akselin ohjelmoituun aloitusasemaan { $q-starting-point-tool }.
 step-mill-line = Sen jälkeen työkalu jyrsii ohjelmoidulla syöttöarvolla { $q-milling-feed } loppupisteeseen 2, jonka ohjaus laskee alkupisteestä, ohjelmoidusta pituudesta { $q-first-side-length } ja työkalun säteestä.
 step-step-over-to-next-line = Ohjaus siirtää työkalun sivusuunnassa syöttöarvolla { $q-stepover-feed } seuraavan rivin alkupisteeseen. Siirtymän se laskee ohjelmoidusta leveydestä { $q-second-side-length } ja lastujen lukumäärästä { $q-number-of-cuts }.
-step-mill-back-in-next-line = Sen jälkeen työkalu palaa 1. akselin negatiiviseen suuntaan.
+step-mill-back-in-next-line = Sen jälkeen työkalu jyrsii takaisin 1. akselin negatiiviseen suuntaan.
 step-rapid-back-to-clearance-over-surface = Lopuksi ohjaus vetää työkalun pikaliikkeellä (FMAX) varmuusetäisyydelle { $q-set-up-clearance }.
 note-plane-first-then-spindle-axis = Ohjaus paikoittaa työkalun hetkellisasemasta alkupisteeseen ensin koneistustasossa ja sen jälkeen karan akselin suunnassa.
 

@@ -19,7 +19,7 @@ parameter-kinematics-memory-location__itnc530 = Muistipaikka (0…9)
 
 # --- esiasetuksen kompensointi ---
 parameter-sphere-touch-points__preset-compensation = Mittauspisteiden lukumäärä
-    .help = Kosketusten lukumäärä, jolla ohjaus mittaa kalibrointikuulan tasossa.
+    .help = Kosketusten lukumäärä tasossa kalibrointikuulaa mitattaessa.
 
 # --- kosketusjärjestelmien kalibrointi ---
 parameter-calibration-sphere-probings = Kosketusten lukumäärä tasossa (4/3)
@@ -134,14 +134,14 @@ parameter-signed-line-spacing = Riviväli ja suunta
     .help = Kosketusjärjestelmän siirtymä, kun se saavuttaa korkeuskäyrän alkupisteen. Etumerkki määrää siirtymän suunnan.
 parameter-point-spacing = MAX. pisteväli
     .word = PISTEVÄLI:
-    .help = Ohjauksen tallentamien pisteiden suurin väli. Se ottaa huomioon myös kappaleen muodolle tärkeät ja kriittiset pisteet, esimerkiksi sisänurkissa.
+    .help = Ohjauksen tallentamien pisteiden suurin väli. Ohjaus ottaa huomioon myös kappaleen muodolle tärkeät ja kriittiset pisteet, esimerkiksi sisänurkissa.
 parameter-point-spacing__digitize-lines =
     .help = Ohjauksen tallentamien pisteiden suurin väli.
 parameter-point-spacing__digitize-lines-analog =
     .help = Ohjauksen tallentamien pisteiden suurin väli.
 parameter-normal-retraction = Liike rivien normaalin suunnassa
     .word = LIIKE:
-    .help = Matka, jonka kosketusjärjestelmä vetäytyy kosketettuaan kappaleen pistettä. Suositus: välillä 0,5 · pisteväli ja pisteväli. Mitä pienempi kosketuskuula on, sitä suurempi arvon tulisi olla.
+    .help = Matka, jonka kosketusjärjestelmä vetäytyy kosketettuaan kappaleen pistettä. Suositus: vähintään 0,5 · pisteväli ja enintään pisteväli. Mitä pienempi kosketuskuula on, sitä suurempi arvon tulisi olla.
 parameter-digitizing-tolerance = Toleranssiarvo
     .word = TOL:
     .help = Ohjaus ei tallenna digitoituja pisteitä niin kauan kuin kahden viimeisen kosketuspisteen väli ei ylitä toleranssiarvoa. Näin kaareville muodoille saadaan paljon ja tasaisille vähän pisteitä. Arvolla 0 ohjaus tulostaa pisteet ohjelmoidulla pistevälillä.

@@ -140,7 +140,7 @@ parameter-second-side-length__face-milling =
     .help = Koneistettavan pinnan pituus koneistustason sivuakselilla. Etumerkki määrää ensimmäisen sivuttaisasetuksen suunnan 2. akselin alkupisteen suhteen.
 parameter-number-of-cuts = Lastujen lukumäärä
     .label = LASTUJEN LUKUMÄÄRÄ
-    .help = Niiden rivien lukumäärä, joina ohjaus ajaa työkalulla pinnan leveyden yli.
+    .help = Niiden rivien lukumäärä, joilla ohjaus jyrsii pinnan koko leveydeltä.
 parameter-number-of-cuts__ruled-surface =
     .help = Niiden rivien lukumäärä, jotka ohjaus koneistaa pisteiden 1 ja 4 tai pisteiden 2 ja 3 välillä.
 parameter-stepover-feed = Sivuttaisasetuksen syöttöarvo
@@ -225,7 +225,7 @@ choice-line-by-line-with-retraction = Rivi kerrallaan, vetäytyminen ja sivuttai
 
 # --- koordinaattimuunnokset ---
 parameter-mirrored-axes = Peilattavat akselit
-    .help = Akselit, jotka peilataan. Kaikki akselit voidaan peilata, myös kiertoakselit, lukuun ottamatta karan akselia ja sen sivuakselia. Enintään kolme NC-akseleista X, Y, Z, U, V, W, A, B, C.
+    .help = Akselit, jotka peilataan. Kaikki akselit voidaan peilata, myös kiertoakselit, lukuun ottamatta karan akselia ja sen suuntaista sivuakselia. Enintään kolme NC-akseleista X, Y, Z, U, V, W, A, B, C.
     .prompt = Peilausakseli?
 parameter-scaling-factor = Kerroin
     .help = Mittakerroin SCL. Ohjaus kertoo koordinaatit ja säteet sillä.

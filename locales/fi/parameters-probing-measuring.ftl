@@ -212,7 +212,7 @@ parameter-new-datum-one-axis = Uusi peruspiste
 
 # --- 1, 3 ---
 parameter-polar-probing-axis = Kosketusakseli
-    .help = Kosketusakseli, joka annetaan akselinvalintapainikkeella tai kirjainnäppäimistöllä. Vahvista näppäimellä ENT.
+    .help = Kosketusakseli, joka annetaan akselinvalintapainikkeella tai ASCII-näppäimistöllä. Vahvista näppäimellä ENT.
 parameter-polar-probing-axis__measuring =
     .help = Akseli, jonka suunnassa kosketus tehdään. Vahvista näppäimellä ENT.
 parameter-polar-probing-axis__measuring__tnc426-430 =

@@ -69,7 +69,7 @@ parameter-probing-traverse-type = Liiketapa
     .label = LIIKETAPA
     .help = Rata, jota pitkin kosketusjärjestelmä siirtyy mittauspisteiden välillä, jos siirrytään varmuuskorkeudella ({ $q-traverse-to-clearance-height } = 1).
 choice-traverse-straight = Ajo suoraa pitkin
-choice-traverse-on-circle = Ajo jakoympyrän kaarta pitkin
+choice-traverse-on-circle = Ajo ympyränkaarta pitkin mittauspisteiden välillä
 
 # --- peruspiste ---
 parameter-datum-row-number = Nollapistenumero taulukossa

@@ -36,7 +36,7 @@ parameter-recess-offset-width = Siirtymäleveys
 parameter-recess-depth-compensation = Syvyyskorjaus
     .label = SYVYYSKORJAUS
     .help = Terä siirtyy sorvattaessa materiaalista, syöttöarvosta ja muista tekijöistä riippuen. Korjaa tästä siirtymästä aiheutuva asetusvirhe syvyyskorjauksella.
-parameter-recess-infeed-limit = Asetuksen raja
+parameter-recess-infeed-limit = Asetusliikkeen raja
     .label = ASETUKSEN RAJA
     .help = Suurin pistosyvyys lastua kohti.
 

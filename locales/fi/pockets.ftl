@@ -25,7 +25,7 @@ guard-helix-too-small = Sisäänpiston kierukan halkaisija on pienempi kuin kaks
 note-without-tool-table-plunge-vertically = Jos työkalutaulukko ei ole aktiivinen, sisäänpiston on aina oltava kohtisuora ({ $q-plunging-strategy } = 0), koska sisäänpistokulmaa ei voi määritellä.
 note-position-at-pocket-start = Paikoita työkalu koneistustason alkupisteeseen sädekorjauksella R0. Ota huomioon taskun sijainti { $q-pocket-position }.
 note-positions-in-tool-axis-itself = Ohjaus paikoittaa työkalun työkaluakselin suunnassa itse. Ota huomioon 2. varmuusetäisyys { $q-second-set-up-clearance }.
-note-returns-to-starting-point = Työkierron lopussa ohjaus palauttaa työkalun alkupisteeseen.
+note-returns-to-starting-point = Työkierron lopussa ohjaus palauttaa työkalun koneistustasossa alkupisteeseen.
 note-clearance-above-chips = Aina kun taso on rouhittu, työkalu palaa pikaliikkeellä taskun keskipisteeseen varmuusetäisyydelle hetkellisen asetussyvyyden yläpuolelle. Valitse varmuusetäisyys niin, ettei työkalu voi liikkuessaan juuttua lastuihin.
 note-helix-diameter-monitored = Kierukkamaisessa sisäänpistossa ohjaus antaa virheilmoituksen, jos sen laskema kierukan halkaisija on pienempi kuin kaksi kertaa työkalun halkaisija. Keskeltä lastuavilla työkaluilla tarkastuksen voi kytkeä pois koneparametrilla { $mp-suppress-plunge-err }.
 note-cutting-edge-limits-infeed = Jos terä on lyhyempi kuin asetussyvyys { $q-plunging-depth }, ohjaus pienentää sen työkalutaulukossa määritellyn terän pituuden { $mp-cutting-edge-length } suuruiseksi.

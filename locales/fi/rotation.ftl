@@ -42,7 +42,7 @@ step-measure-second-stud = Kosketusjärjestelmä siirtyy mittauskorkeudelle { $q
 step-compensate-as-chosen = Ohjaus kompensoi vinon asennon parametrin { $q-misalignment-compensation } mukaan:
 say-rotation-into-preset-row-if-chosen = jos { $q-misalignment-compensation } = 0 ja { $q-basic-rotation-row } ei ole 0, se tallentaa peruskäännön esiasetustaulukon riville { $q-basic-rotation-row }
 say-rotation-into-rot-menu-if-chosen = jos { $q-misalignment-compensation } = 0 ja { $q-basic-rotation-row } = 0, se tallentaa peruskäännön käsikäyttötavan ROT-valikkoon
-say-turn-rotary-table = jos { $q-misalignment-compensation } = 1, se kääntää pyöröpöytää; jos { $q-zero-after-alignment } = 1, se asettaa sen jälkeen kiertoakselin näytön arvoon 0
+say-turn-rotary-table = jos { $q-misalignment-compensation } = 1, se kääntää pyöröpöytää; jos { $q-zero-after-alignment } = 1, se asettaa sen jälkeen kiertoakselin näytön lukemaan 0
 note-rotary-axis-by-tool-axis = Kun vino asento kompensoidaan pyöröpöytää kääntämällä, ohjaus valitsee kiertoakselin työkaluakselin mukaan: akselilla Z se on C, akselilla Y se on B ja akselilla X se on A.
 note-no-tilting-with-this-cycle = Tämä työkierto ei ole sallittu koneistustason ollessa käännettynä.
 title-rotation-from-two-holes = Peruskäännön määritys kahden reiän avulla
@@ -52,9 +52,9 @@ cycle-rotation-by-rotary-axis = Peruskäännön kompensointi kiertoakselin avull
     .nc = ROT C-AKSELILLA
     .nc-aliases = ROT KIERTOAKSELIN AVULLA
     .purpose = Työkierto mittaa kaksi pistettä, joiden on oltava samalla suoralla, ja määrittää niistä työkappaleen vinon asennon. Ohjaus kompensoi sen kääntämällä A-, B- tai C-akselia. Työkappale voi olla kiinnitettynä mihin tahansa kohtaan pyöröpöytää.
-step-retract-and-turn-rotary-axis = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja kääntää kiertoakselia { $q-compensation-axis } lasketun arvon verran. Se tallentaa kulman myös tulosparametriin. Haluttaessa se asettaa näytön suuntauksen jälkeen arvoon 0.
+step-retract-and-turn-rotary-axis = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja kääntää kiertoakselia { $q-compensation-axis } lasketun arvon verran. Se tallentaa kulman myös tulosparametriin. Haluttaessa se asettaa näytön suuntauksen jälkeen lukemaan 0.
 step-retract-and-turn-rotary-axis__tnc426-430 = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja kääntää kiertoakselia { $q-compensation-axis } lasketun arvon verran.
-note-compensation-may-be-turned-180 = Törmäysvaara! Ohjaus tarkastaa vain, sopivatko kosketuspisteet ja kompensoiva akseli yhteen. Kompensointiliike voi siksi olla kääntynyt 180°.
+note-compensation-may-be-turned-180 = Törmäysvaara! Ohjaus tarkastaa vain karkeasti, sopivatko kosketuspisteet ja kompensoiva akseli yhteen. Kompensointiliike voi siksi olla kääntynyt 180°.
 note-compensation-axis-combinations = Mittausakselin { $q-measuring-axis } ja kompensoivan akselin { $q-compensation-axis } sallitut yhdistelmät. Kosketusakseli Z: 1 ja 6, 2 ja 6, 3 ja 5 tai 4. Kosketusakseli Y: 1 ja 5, 2 ja 5, 3 ja 6 tai 4. Kosketusakseli X: 1 ja 4, 2 ja 4, 3 ja 5 tai 6.
 note-only-without-tilting = Käytä tätä työkiertoa vain, kun koneistustason kääntö ei ole voimassa.
 
@@ -75,7 +75,7 @@ say-travel-on-circle-at-clearance-height__rotation-by-c-axis = jos { $q-traverse
 step-move-to-measured-centre = Ohjaus paikoittaa kosketusjärjestelmän reiän mitattuun keskipisteeseen.
 step-retract-and-turn-to-y-axis = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja suuntaa työkappaleen pyöröpöytää kääntämällä: kompensoinnin jälkeen reiän keskipiste on sekä pysty- että vaakasuoralla kosketusakselilla positiivisen Y-akselin suunnassa ({ $q-probing-centre-minor } = 0) tai asetusasemassaan. Mitattu kulmasiirtymä tallentuu myös tulosparametriin.
 step-store-angular-offset = Ohjaus käsittelee kulmasiirtymän parametrin { $q-zero-or-row-after-alignment } mukaan:
-say-zero-display-of-c-axis = jos { $q-zero-or-row-after-alignment } = 0, se asettaa C-akselin näytön arvoon 0
+say-zero-display-of-c-axis = jos { $q-zero-or-row-after-alignment } = 0, se asettaa C-akselin näytön lukemaan 0
 say-offset-into-column-c = jos { $q-zero-or-row-after-alignment } on suurempi kuin 0, se kirjoittaa kulmasiirtymän etumerkkeineen nollapistetaulukon rivin { $q-zero-or-row-after-alignment } sarakkeeseen C; se lisätään rivillä jo olevaan C-siirtymään
 note-smallest-stepping-angle__rotation-by-c-axis = Mitä pienempi kulma-askel { $q-probing-stepping-angle } on, sitä epätarkemmin ohjaus laskee ympyrän keskipisteen. Pienin sisäänsyöttöarvo: 5°.
 note-hole-with-positive-y = Reiän Y-koordinaatin on oltava positiivinen.

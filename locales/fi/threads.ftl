@@ -6,7 +6,7 @@ cycle-tapping = Kierreporaus tasausistukalla (uusi)
     .purpose = Työkierto tekee kierteen yhdellä liikkeellä tasausistukkaa käyttäen.
 cycle-rigid-tapping = Kierreporaus ilman tasausistukkaa (uusi)
     .nc = JÄYKKÄ KIERREPORAUS UUSI
-    .purpose = Työkierto tekee kierteen yhdellä tai useammalla liikkeellä ilman tasausistukkaa.
+    .purpose = Työkierto tekee kierteen yhdellä liikkeellä ilman tasausistukkaa.
 cycle-tapping-with-chip-breaking = Kierreporaus lastunkatkolla
     .nc = KIERREPORAUS LASTUNKATKOLLA
     .purpose = Työkierto tekee kierteen useilla asetusliikkeillä ilman tasausistukkaa. Parametri määrää, vedetäänkö työkalu lastua katkaistaessa kokonaan ulos reiästä.
@@ -62,7 +62,7 @@ step-feed-to-start-plane-of-helix = Työkalu siirtyy esipaikoituksen syöttöarv
 step-approach-thread-and-compensate = Työkalu ajaa tangentiaalisesti kierukkarataa pitkin kierteen halkaisijalle { $q-nominal-diameter }. Samalla se tekee tasausliikkeen työkaluakselin suunnassa, jotta kierteen rata alkaa ohjelmoidusta aloitustasosta.
 step-approach-thread = Työkalu ajaa tangentiaalisesti kierukkarataa pitkin kierteen halkaisijalle { $q-nominal-diameter }.
 step-approach-and-mill-one-turn = Työkalu ajaa tangentiaalisesti kierukkarataa pitkin kierteen halkaisijalle { $q-nominal-diameter } ja jyrsii kierteen 360°:n kierukkaliikkeellä.
-step-mill-thread-in-turns = Työkalu jyrsii kierteen syöttöarvolla { $q-milling-feed } askelta kohti annetun kierteiden lukumäärän { $q-threads-per-step } mukaan:
+step-mill-thread-in-turns = Työkalu jyrsii kierteen syöttöarvolla { $q-milling-feed }. Kierteiden lukumäärä askelta kohti ({ $q-threads-per-step }) määrää, miten:
 say-thread-in-one-turn = { $q-threads-per-step } = 0: yhdellä kierukkaliikkeellä
 say-thread-on-continuous-helix = { $q-threads-per-step } = 1: yhdellä jatkuvalla kierukkaliikkeellä
 say-thread-on-several-helices = { $q-threads-per-step } > 1: useilla siirretyillä kierukkaliikkeillä
@@ -71,11 +71,11 @@ step-depart-from-thread = Työkalu irtautuu muodosta tangentiaalisesti ja palaa 
 step-end-of-thread-milling = Työkierron lopussa ohjaus siirtää työkalun pikaliikkeellä:
 step-feed-to-countersinking-depth = Jos sivuetäisyyttä { $q-clearance-to-wall } ei ole annettu, työkalu siirtyy esipaikoituksen syöttöarvolla { $q-in-and-out-feed } upotussyvyyteen { $q-countersinking-depth } vähennettynä varmuusetäisyydellä ja sen jälkeen upotuksen syöttöarvolla { $q-countersinking-feed } upotussyvyyteen.
 step-feed-directly-to-countersinking-depth = Jos sivuetäisyys { $q-clearance-to-wall } on annettu, ohjaus siirtää työkalun heti esipaikoituksen syöttöarvolla { $q-in-and-out-feed } upotussyvyyteen { $q-countersinking-depth }.
-step-countersink-on-circle = Käytettävissä olevan tilan mukaan ohjaus lähestyy pehmeästi keskeltä tai sivulle tehtävällä esipaikoitusliikkeellä ja ajaa ympyräliikkeen.
+step-countersink-on-circle = Käytettävissä olevan tilan mukaan työkalu lähestyy seinämää pehmeästi keskeltä tai sivulle tehtävällä esipaikoitusliikkeellä ja tekee ympyräliikkeen.
 step-feed-to-depth-at-front = Työkalu siirtyy esipaikoituksen syöttöarvolla { $q-in-and-out-feed } otsapuolen upotussyvyyteen { $q-depth-at-front }.
 step-feed-to-depth-at-front-before-or-after = Jos upotus tehdään ennen kierrettä ({ $q-countersinking-moment } = 0), työkalu siirtyy upotuksen syöttöarvolla { $q-countersinking-feed } otsapuolen upotussyvyyteen { $q-depth-at-front }; jos se tehdään kierteen jälkeen, esipaikoituksen syöttöarvolla { $q-in-and-out-feed }.
-step-countersink-at-front = Ohjaus siirtää työkalun ilman korjausta puoliympyrää pitkin keskeltä otsapuolen siirtymään { $q-offset-at-front } ja ajaa ympyräliikkeen upotuksen syöttöarvolla { $q-countersinking-feed }.
-step-countersink-at-front__thread-drilling-milling = Ohjaus siirtää työkalun ilman korjausta puoliympyrää pitkin keskeltä otsapuolen siirtymään { $q-offset-at-front } ja ajaa ympyräliikkeen syöttöarvolla { $q-plunging-feed }.
+step-countersink-at-front = Ohjaus siirtää työkalun ilman sädekorjausta puoliympyrää pitkin keskeltä otsapuolen siirtymään { $q-offset-at-front } ja ajaa ympyräliikkeen upotuksen syöttöarvolla { $q-countersinking-feed }.
+step-countersink-at-front__thread-drilling-milling = Ohjaus siirtää työkalun ilman sädekorjausta puoliympyrää pitkin keskeltä otsapuolen siirtymään { $q-offset-at-front } ja ajaa ympyräliikkeen syöttöarvolla { $q-plunging-feed }.
 step-leave-countersink-at-front = Ohjaus siirtää työkalun puoliympyrää pitkin takaisin reiän keskelle.
 step-leave-countersink-at-front__outside-thread-milling = Ohjaus siirtää työkalun puoliympyrää pitkin takaisin alkupisteeseen.
 step-countersink-after-thread = Jos upotus tehdään kierteen jälkeen ({ $q-countersinking-moment } = 1), se suoritetaan nyt edellä kuvatulla tavalla.
@@ -93,7 +93,7 @@ guard-thread-near-countersinking-depth = Kierteen syvyyden on oltava vähintää
 guard-thread-near-hole-depth = Kierteen syvyyden on oltava vähintään kolmasosan noususta pienempi kuin reiän kokonaissyvyys.
 
 # --- kierteen jyrsintä: ohjeet ---
-note-thread-approach-on-half-circle = Kierteen halkaisijaa lähestytään puoliympyrää pitkin keskeltä ulospäin. Jos työkalun halkaisija on neljä kertaa kierteen halkaisijaa pienempi, työkalu esipaikoitetaan sivulle.
+note-thread-approach-on-half-circle = Kierteen halkaisijaa lähestytään puoliympyrää pitkin keskeltä ulospäin. Jos työkalun halkaisija on vain neljäsosa kierteen halkaisijasta, työkalu esipaikoitetaan sivulle.
 note-compensation-before-approach = Ennen lähestymistä ohjaus tekee työkaluakselin suunnassa tasausliikkeen, joka on enintään puolet kierteen noususta. Varmista, että reiässä on riittävästi tilaa.
 note-thread-depth-moves-start = Jos kierteen syvyyttä muutetaan, ohjaus muuttaa kierukkaliikkeen alkupistettä itse.
 note-depths-give-direction = Syvyysparametrien etumerkit määräävät työskentelysuunnan tässä järjestyksessä: 1. kierteen syvyys { $q-thread-depth }, 2. upotussyvyys { $q-countersinking-depth }, 3. otsapuolen upotussyvyys { $q-depth-at-front }.
@@ -106,7 +106,7 @@ note-thread-depth-above-hole-depth = Anna kierteen syvyys { $q-thread-depth }, j
 note-helix-goes-into-workpiece = Jyrsintämenetelmä (myötä- tai vastalastu) määräytyy kierteestä (oikea- tai vasenkätinen) ja työkalun pyörintäsuunnasta, koska ainoa mahdollinen työskentelysuunta on työkappaleen yläpinnasta työkappaleeseen.
 note-position-over-stud-centre = Ohjelmoi paikoituslause koneistustason alkupisteeseen (kaulan keskipisteeseen) sädekorjauksella R0.
 note-offset-at-front-determined-before = Määritä otsapuolen upotuksessa tarvittava siirtymä etukäteen. Anna kaulan keskipisteen ja työkalun keskipisteen välinen etäisyys (korjaamaton arvo).
-note-internal-coolant-for-thread-milling = Koneessa tulisi olla karan sisäinen jäähdytys: lastuamisneste vähintään 30{"\u00A0"}bar, paineilma vähintään 6{"\u00A0"}bar.
+note-internal-coolant-for-thread-milling = Koneessa tulisi olla karan läpi johdettu sisäinen jäähdytys: lastuamisneste vähintään 30{"\u00A0"}bar, paineilma vähintään 6{"\u00A0"}bar.
 note-profile-correction-by-delta-radius = Kierteen jyrsintä vääristää usein kierteen profiilia, joten tarvitaan työkalukohtaisia korjauksia. Ne ovat työkaluluettelossa, tai työkalun valmistaja ilmoittaa ne. Korjaus annetaan TOOL CALL -lauseessa delta-arvolla { $mp-delta-radius }.
 note-clockwise-tools-only = Työkiertoa voidaan käyttää vain myötäpäivään pyörivillä työkaluilla.
 note-tools-of-both-rotations = Työkiertoa voidaan käyttää sekä myötäpäivään että vastapäivään pyörivillä työkaluilla.
@@ -115,4 +115,6 @@ note-direction-of-outside-thread = Työskentelysuunta riippuu kierteen nousun { 
 note-feed-of-cutting-edge = Kierteitä jyrsittäessä ohjelmoitu syöttöarvo koskee työkalun terää. Koska ohjaus näyttää työkalun keskipisteen radan syöttöarvon, näytetty arvo poikkeaa ohjelmoidusta.
 note-mirroring-turns-thread = Kierteen kätisyys vaihtuu, jos työkierto suoritetaan, kun vain yksi akseli on peilattu (työkierto 8).
 note-same-signs-of-depths = Törmäysvaara! Anna syvyyksille aina sama etumerkki, koska työkierrot sisältävät useita toisistaan riippumattomia kulkuja. Jos haluat toistaa esimerkiksi vain upotuksen, anna kierteen syvyydeksi 0; silloin upotussyvyys määrää työskentelysuunnan.
+note-same-signs-of-depths__outside-thread-milling = Törmäysvaara! Anna syvyyksille aina sama etumerkki, koska työkierrot sisältävät useita toisistaan riippumattomia kulkuja. Jos haluat toistaa esimerkiksi vain otsapuolen upotuksen, anna kierteen syvyydeksi 0; silloin otsapuolen syvyys määrää työskentelysuunnan.
 note-tool-breakage-in-thread = Jos työkalu rikkoutuu kierrettä lastuttaessa: pysäytä ohjelmanajo, vaihda käyttötavalle ”Paikoitus käsin sisäänsyöttäen” ja aja työkalu suoraa pitkin reiän keskelle. Aja se sitten irti asetusakselin suunnassa ja vaihda työkalu.
+note-tool-breakage-in-thread__outside-thread-milling = Jos työkalu rikkoutuu kierrettä lastuttaessa: pysäytä ohjelmanajo, vaihda käyttötavalle ”Paikoitus käsin sisäänsyöttäen” ja aja työkalu suoraa pitkin irti kierteestä. Aja se sitten irti asetusakselin suunnassa ja vaihda työkalu.

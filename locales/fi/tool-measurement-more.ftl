@@ -1,8 +1,8 @@
 # Työkierrot, jotka mittaavat työkalun: säde, koko työkalu, pöytäkosketusjärjestelmän kalibrointi.
 
 # --- parametrit ---
-help-tool-check-radius = Määrää, mitataanko työkalu ensimmäistä kertaa vai tarkastetaanko jo aiemmin mitattu työkalu. Ensimmäinen mittaus korvaa työkalun säteen { $mp-tool-radius } työkalutaulukossa TOOL.T ja asettaa delta-arvon { $mp-delta-radius } arvoon 0. Tarkastuksessa mitattua sädettä verrataan työkalun säteeseen { $mp-tool-radius }; poikkeama kirjataan etumerkkeineen delta-arvoon { $mp-delta-radius }, ja se on käytettävissä myös parametrissa Q116. Jos delta-arvo ylittää säteelle sallitun kulumis- tai rikkotoleranssin, ohjaus estää työkalun käytön (tila L työkalutaulukossa TOOL.T).
-help-tool-check-complete = Määrää, mitataanko työkalu ensimmäistä kertaa vai tarkastetaanko jo aiemmin mitattu työkalu. Ensimmäinen mittaus korvaa työkalun säteen { $mp-tool-radius } ja pituuden { $mp-tool-length } työkalutaulukossa TOOL.T ja asettaa delta-arvot { $mp-delta-radius } ja { $mp-delta-length } arvoon 0. Tarkastuksessa mitattuja tietoja verrataan työkalutaulukon tietoihin; poikkeamat kirjataan etumerkkeineen delta-arvoihin { $mp-delta-radius } ja { $mp-delta-length }, ja ne ovat käytettävissä myös parametreissa Q115 ja Q116. Jos jokin delta-arvo ylittää sallitun kulumis- tai rikkotoleranssin, ohjaus estää työkalun käytön (tila L työkalutaulukossa TOOL.T).
+help-tool-check-radius = Määrää, mitataanko työkalu ensimmäistä kertaa vai tarkastetaanko jo aiemmin mitattu työkalu. Ensimmäinen mittaus korvaa työkalun säteen { $mp-tool-radius } työkalutaulukossa TOOL.T ja asettaa sarakkeen { $mp-delta-radius } arvoksi 0. Tarkastuksessa mitattua sädettä verrataan työkalun säteeseen { $mp-tool-radius }; poikkeama kirjataan etumerkkeineen delta-arvoon { $mp-delta-radius }, ja se on käytettävissä myös parametrissa Q116. Jos delta-arvo ylittää säteelle sallitun kulumis- tai rikkotoleranssin, ohjaus estää työkalun käytön (tila L työkalutaulukossa TOOL.T).
+help-tool-check-complete = Määrää, mitataanko työkalu ensimmäistä kertaa vai tarkastetaanko jo aiemmin mitattu työkalu. Ensimmäinen mittaus korvaa työkalun säteen { $mp-tool-radius } ja pituuden { $mp-tool-length } työkalutaulukossa TOOL.T ja asettaa sarakkeiden { $mp-delta-radius } ja { $mp-delta-length } arvoksi 0. Tarkastuksessa mitattuja tietoja verrataan työkalutaulukon tietoihin; poikkeamat kirjataan etumerkkeineen delta-arvoihin { $mp-delta-radius } ja { $mp-delta-length }, ja ne ovat käytettävissä myös parametreissa Q115 ja Q116. Jos jokin delta-arvo ylittää sallitun kulumis- tai rikkotoleranssin, ohjaus estää työkalun käytön (tila L työkalutaulukossa TOOL.T).
 help-additional-tooth-measurement = Määrää, mitataanko lisäksi terät yksitellen. Mitattavissa on enintään 20 terää.
 help-additional-tooth-measurement__itnc530 = Määrää, mitataanko lisäksi terät yksitellen. Mitattavissa on enintään 99 terää.
 help-additional-tooth-measurement__tnc426-430 = Määrää, mitataanko lisäksi terät yksitellen.
@@ -40,16 +40,16 @@ cycle-tool-radius__tnc426-430 =
     .purpose = Työkierto mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tuloksen työkalutaulukkoon TOOL.T ja käyttää sitä seuraavasta työkalukutsusta lähtien.
 cycle-tool-radius-old = Työkalun säteen mittaus
     .nc = TYÖKALUN SÄDE
-    .purpose = Työkierto mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tuloksen työkalutaulukkoon TOOL.T ja ottaa sen automaattisesti huomioon työkierron lopussa. Työkierron 482 vanha lausemuoto.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tuloksen työkalutaulukkoon TOOL.T ja ottaa sen automaattisesti huomioon työkierron lopussa. Tämä on työkierron 482 vanha lausemuoto.
 cycle-tool-radius-old__tnc426-430 =
-    .purpose = Työkierto mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tuloksen työkalutaulukkoon TOOL.T ja käyttää sitä seuraavasta työkalukutsusta lähtien. Työkierron 482 vanha lausemuoto.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tuloksen työkalutaulukkoon TOOL.T ja käyttää sitä seuraavasta työkalukutsusta lähtien. Tämä on työkierron 482 vanha lausemuoto.
 step-position-tool-beside-setter = Ohjaus paikoittaa työkalun kosketuspään viereen niin, että sen otsapinta on kosketuspään yläreunan alapuolella arvon { $mp-setter-axis-offset } verran ja lisäksi pituuden lisäsiirtymän { $mp-setter-offset-length } verran, jos se on annettu työkalutaulukossa.
 step-probe-rotating-tool-radially = Ohjaus koskettaa pyörivää työkalua säteen suunnassa.
 step-measure-teeth-radially = Ohjaus määrittää säteen:
 say-measure-radii-of-teeth = jos { $q-tooth-measurement } = 1, se mittaa sen jälkeen kaikkien terien säteet karaa suuntaamalla
 say-radius-of-rotating-tool = jos { $q-tooth-measurement } = 0, säde saadaan mittauksesta pyörivällä työkalulla
 step-store-tool-radius = Ohjaus tallentaa tuloksen:
-say-overwrite-tool-radius = jos { $q-tool-check } = 0, se korvaa työkalun säteen { $mp-tool-radius } työkalutaulukossa TOOL.T ja asettaa delta-arvon { $mp-delta-radius } arvoon 0
+say-overwrite-tool-radius = jos { $q-tool-check } = 0, se korvaa työkalun säteen { $mp-tool-radius } työkalutaulukossa TOOL.T ja asettaa sarakkeen { $mp-delta-radius } arvoksi 0
 say-enter-delta-radius = jos { $q-tool-check } = 1, se vertaa mitattua sädettä työkalun säteeseen { $mp-tool-radius }, kirjaa poikkeaman etumerkkeineen delta-arvoon { $mp-delta-radius } ja parametriin Q116 ja asettaa työkalulle eston (tila L), jos kulumis- tai rikkotoleranssi on ylitetty
 result-tool-radius-deviation = Työkalun säteen poikkeama
 note-diamond-coated-cylinders = Lieriömäisiä työkaluja, joissa on timanttipinta, voidaan mitata karan ollessa pysähdyksissä. Aseta tätä varten työkalutaulukossa terien lukumääräksi ({ $mp-teeth }) 0 ja muuta koneparametria { $mp-tool-measurement-config }. Katso koneen käyttöohjekirjaa.
@@ -64,13 +64,13 @@ cycle-tool-complete__tnc426-430 =
     .purpose = Työkierto mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tulokset työkalutaulukkoon TOOL.T ja käyttää niitä seuraavasta työkalukutsusta lähtien.
 cycle-tool-complete-old = Työkalun pituuden ja säteen mittaus
     .nc = TYÖKALUN MITTAUS
-    .purpose = Työkierto mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tulokset työkalutaulukkoon TOOL.T ja ottaa ne automaattisesti huomioon työkierron lopussa. Työkierron 483 vanha lausemuoto.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tulokset työkalutaulukkoon TOOL.T ja ottaa ne automaattisesti huomioon työkierron lopussa. Tämä on työkierron 483 vanha lausemuoto.
 cycle-tool-complete-old__tnc426-430 =
-    .purpose = Työkierto mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tulokset työkalutaulukkoon TOOL.T ja käyttää niitä seuraavasta työkalukutsusta lähtien. Työkierron 483 vanha lausemuoto.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tulokset työkalutaulukkoon TOOL.T ja käyttää niitä seuraavasta työkalukutsusta lähtien. Tämä on työkierron 483 vanha lausemuoto.
 step-measure-radius-first = Ohjaus mittaa työkalun kiinteässä järjestyksessä. Ensin se mittaa säteen samoin kuin työkierrot 32 ja 482: se paikoittaa työkalun kosketuspään viereen niin, että sen otsapinta on yläreunan alapuolella arvojen { $mp-setter-axis-offset } ja { $mp-setter-offset-length } mukaan, ja koskettaa pyörivää työkalua säteen suunnassa.
 step-then-measure-length = Sen jälkeen se mittaa pituuden samoin kuin työkierrot 31 ja 481:
 step-store-radius-and-length = Ohjaus tallentaa tulokset:
-say-overwrite-radius-and-length = jos { $q-tool-check } = 0, se korvaa työkalun säteen { $mp-tool-radius } ja pituuden { $mp-tool-length } työkalutaulukossa TOOL.T ja asettaa delta-arvot { $mp-delta-radius } ja { $mp-delta-length } arvoon 0
+say-overwrite-radius-and-length = jos { $q-tool-check } = 0, se korvaa työkalun säteen { $mp-tool-radius } ja pituuden { $mp-tool-length } työkalutaulukossa TOOL.T ja asettaa sarakkeiden { $mp-delta-radius } ja { $mp-delta-length } arvoksi 0
 say-enter-both-delta-values = jos { $q-tool-check } = 1, se vertaa mitattuja tietoja työkalutaulukon TOOL.T tietoihin, kirjaa poikkeamat etumerkkeineen delta-arvoihin { $mp-delta-radius } ja { $mp-delta-length } sekä parametreihin Q116 (säde) ja Q115 (pituus) ja asettaa työkalulle eston (tila L), jos jokin kulumis- tai rikkotoleranssi on ylitetty
 note-complete-measurement-saves-time = Työkierto soveltuu erityisesti työkalujen ensimmäiseen mittaukseen: se säästää paljon aikaa pituuden ja säteen erilliseen mittaukseen verrattuna.
 title-first-measurement-rotating = Ensimmäinen mittaus pyörivällä työkalulla
@@ -82,7 +82,7 @@ cycle-calibrate-tool-probe = TT-kalibrointi
     .purpose = Työkierto kalibroi pöytäkosketusjärjestelmän automaattisesti lieriömäisellä kalibrointityökalulla. Ohjaus määrittää myös kalibrointityökalun keskipistesiirtymän. Se tallentaa kalibrointiarvot ja ottaa ne huomioon myöhemmissä työkalun mittauksissa.
 cycle-calibrate-tool-probe-old = TT-kalibrointi
     .nc = TT KALIBROINTI
-    .purpose = Työkierto kalibroi pöytäkosketusjärjestelmän automaattisesti lieriömäisellä kalibrointityökalulla. Ohjaus määrittää myös kalibrointityökalun keskipistesiirtymän. Se tallentaa kalibrointiarvot ja ottaa ne huomioon myöhemmissä työkalun mittauksissa. Työkierron 480 vanha lausemuoto.
+    .purpose = Työkierto kalibroi pöytäkosketusjärjestelmän automaattisesti lieriömäisellä kalibrointityökalulla. Ohjaus määrittää myös kalibrointityökalun keskipistesiirtymän. Se tallentaa kalibrointiarvot ja ottaa ne huomioon myöhemmissä työkalun mittauksissa. Tämä on työkierron 480 vanha lausemuoto.
 guard-tool-call-missing__calibrate-tool-probe = Työkalua ei ole kutsuttu. Kutsu kalibrointityökalu käskyllä TOOL CALL.
 guard-tool-call-missing__calibrate-tool-probe-old = Työkalua ei ole kutsuttu. Kutsu kalibrointityökalu käskyllä TOOL CALL.
 step-position-calibration-tool-over-setter = Ohjaus paikoittaa kalibrointityökalun varmuuskorkeudelle { $q-tool-clearance-height }, ei kuitenkaan kosketuspään yläpuolella olevaa varmuusaluetta { $mp-setter-safety-distance } alemmas.

@@ -23,7 +23,7 @@ note-datum-table-is-absolute = Nollapistetaulukon koordinaattiarvot vaikuttavat 
 note-datum-table-rows-at-end = Uusia rivejä voidaan lisätä vain nollapistetaulukon loppuun.
 note-datum-table-name-begins-with-letter = Uuden nollapistetaulukon tiedostonimen on alettava kirjaimella.
 note-save-datum-table-changes = Kun olet muuttanut arvoa nollapistetaulukossa, tallenna muutos näppäimellä ENT. Muuten sitä ei oteta huomioon ohjelman suorituksessa.
-note-edit-datum-table = Nollapistetaulukkoa muokataan ohjelmoinnin ja editoinnin käyttötavalla: kutsu tiedostonhallinta näppäimellä PGM MGT, ota ohjelmanäppäimillä näyttöön tyypin .D tiedostot ja valitse taulukko tai anna uusi tiedostonimi. Ohjelmanäppäimillä siirrytään taulukon alkuun ja loppuun, seuraavalle tai edelliselle sivulle sekä rivin alkuun ja loppuun, lisätään rivi tai useita rivejä taulukon loppuun, poistetaan rivi, etsitään sekä kopioidaan ja lisätään arvo. Poistu taulukosta ottamalla tiedostonhallinnassa näyttöön toinen tiedostotyyppi ja valitsemalla haluamasi tiedosto.
+note-edit-datum-table = Nollapistetaulukkoa muokataan ohjelmoinnin ja editoinnin käyttötavalla: kutsu tiedostonhallinta näppäimellä PGM MGT, ota ohjelmanäppäimillä näyttöön tyypin .D tiedostot ja valitse taulukko tai anna uusi tiedostonimi. Ohjelmanäppäimillä siirrytään taulukon alkuun ja loppuun, seuraavalle tai edelliselle sivulle sekä rivin alkuun ja loppuun, lisätään rivi tai useita rivejä taulukon loppuun, poistetaan rivi, tehdään haku sekä kopioidaan ja lisätään arvo. Poistu taulukosta ottamalla tiedostonhallinnassa näyttöön toinen tiedostotyyppi ja valitsemalla haluamasi tiedosto.
 note-datum-table-columns = Jos aktiiviselle akselille ei haluta nollapistettä, poista arvo näppäimellä DEL. Sarakkeiden ominaisuuksia voidaan muokata, kun MOD-valikkoon on syötetty avainluku 555343; ohjelmanäppäin EDIT FORMAT näyttää silloin sarakkeet ominaisuuksineen. Muutokset koskevat vain avattua taulukkoa.
 note-datum-row-in-status-display = Lisätilanäyttö esittää aktiivisen nollapistetaulukon nimen ja polun, aktiivisen nollapisteen numeron ja sen kommentin sarakkeesta DOC.
 
@@ -33,7 +33,7 @@ cycle-rotation = Kierto
     .purpose = Työkierto kiertää koordinaatistoa ohjelman sisällä koneistustasossa voimassa olevan nollapisteen ympäri.
 step-rotate-coordinate-system = Ohjaus kiertää koordinaatistoa voimassa olevan nollapisteen ympäri ohjelmoidun kulman verran. Inkrementaalinen kulma lisätään voimassa olevaan.
 step-cancel-radius-compensation = Ohjaus kumoaa aktiivisen sädekorjauksen.
-step-move-both-axes = Siirrä koneistustason molempia akseleita, jotta kierto aktivoituu.
+step-move-both-axes = Aja koneistustason molempia akseleita, jotta kierto aktivoituu.
 note-reset-rotation = Peruuta kierto ohjelmoimalla työkierto uudelleen kulmalla 0°.
 note-reference-axis-of-rotation = Kulman perusakseli: X/Y-tasossa X-akseli, Y/Z-tasossa Y-akseli, Z/X-tasossa Z-akseli.
 note-acts-in-manual-data-input = Työkierto vaikuttaa myös käyttötavalla ”Paikoitus käsin sisäänsyöttäen”.

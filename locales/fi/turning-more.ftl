@@ -53,8 +53,8 @@ cycle-contour-parallel-thread = Muodon suuntainen kierre
 
 # --- urien rouhinta ---
 step-take-tool-position-as-start = Ohjaus ottaa työkierron alkupisteeksi työkalun aseman työkierron kutsuhetkellä.
-step-start-recess-at-contour-start-diameter = Jos alkupisteen X-koordinaatti on pienempi kuin halkaisija muodon alussa { $q-contour-start-diameter }, ohjaus paikoittaa työkalun X-suunnassa arvoon { $q-contour-start-diameter } ja aloittaa työkierron sieltä.
-step-start-recess-at-contour-start-z = Jos alkupisteen Z-koordinaatti on pienempi kuin muodon alku Z-suunnassa { $q-contour-start-z }, ohjaus paikoittaa työkalun Z-suunnassa arvoon { $q-contour-start-z } ja aloittaa työkierron sieltä.
+step-start-recess-at-contour-start-diameter = Jos alkupisteen X-koordinaatti on pienempi kuin halkaisija muodon alussa { $q-contour-start-diameter }, ohjaus paikoittaa työkalun X-suunnassa halkaisijalle { $q-contour-start-diameter } ja aloittaa työkierron sieltä.
+step-start-recess-at-contour-start-z = Jos alkupisteen Z-koordinaatti on pienempi kuin muodon alku Z-suunnassa { $q-contour-start-z }, ohjaus paikoittaa työkalun Z-suunnassa koordinaattiin { $q-contour-start-z } ja aloittaa työkierron sieltä.
 step-start-recess-at-contour-point-x = Jos alkupisteen X-koordinaatti on pienempi kuin muodon alkupisteen, ohjaus paikoittaa työkalun X-suunnassa muodon alkupisteeseen ja aloittaa työkierron sieltä.
 step-start-recess-at-contour-point-z = Jos alkupisteen Z-koordinaatti on pienempi kuin muodon alkupisteen, ohjaus paikoittaa työkalun Z-suunnassa muodon alkupisteeseen ja aloittaa työkierron sieltä.
 step-rapid-to-first-recess-z = Ohjaus paikoittaa työkalun Z-suunnassa pikaliikkeellä (ensimmäinen pistoasema).
@@ -101,7 +101,7 @@ step-lift-off-thread = Ohjaus nostaa työkalun pikaliikkeellä irti varmuusetäi
 step-infeed-at-angle = Ohjaus tekee asetusliikkeen. Asetusliikkeet noudattavat asetuskulmaa { $q-thread-infeed-angle }.
 until-thread-depth-reached = kierteen syvyys on saavutettu
 step-make-air-cuts = Ohjaus ajaa niin monta tyhjälastua kuin { $q-number-of-air-cuts } määrää.
-step-infeed-for-next-start = Seuraavaa kierteen päätä varten ohjaus vie työkalun takaisin ensimmäiseen asetukseen. Lastu alkaa karan kulmasta, joka on siirtynyt kierteen päiden jaon verran.
+step-infeed-for-next-start = Seuraavaa kierteen päätä varten ohjaus vie työkalun takaisin ensimmäisen asetusliikkeen syvyyteen. Lastu alkaa karan kulmasta, joka on siirtynyt kierteen päiden jaon verran.
 until-all-thread-starts-cut = kierteen kaikki päät ({ $q-number-of-thread-starts }) on lastuttu
 
 # --- ehdot ---

@@ -31,6 +31,8 @@ cli-texts-accepted = { $language }: { $count ->
        *[other] { $count } testi approvati.
     }
 cli-texts-left = { $language }: non approvati perché il testo inglese è cambiato e la traduzione no: { $keys }. Per approvare un testo così com’è, indicarlo con «ciklo texts accept --text KEY».
+cli-texts-moved = { $language }: non approvati perché hanno ora le parole di altri testi: { $keys }. Per approvare un testo così com’è, indicarlo con «ciklo texts accept --text KEY».
+cli-texts-new = { $language }: non approvati perché nuovi: { $keys }. «ciklo texts accept --changed» li approva.
 cli-texts-open =
     { $state ->
         [missing] mancante: { $key } ({ $file })

@@ -1,14 +1,14 @@
 # Contour, cylinder surface and engraving cycles; see the English file.
 
 # --- common ---
-step-retract-to-contour-clearance-height = L’utensile si ritrae all’altezza di sicurezza con l’avanzamento { $q-contour-retraction-feed }, oppure con { $q-roughing-feed } se il primo valore è 0.
+step-retract-to-contour-clearance-height = L’utensile si ritrae all’altezza di sicurezza con l’avanzamento { $q-contour-retraction-feed }, oppure con { $q-roughing-feed } se { $q-contour-retraction-feed } è 0.
 step-leave-to-contour-clearance-height = L’utensile si porta all’altezza di sicurezza.
 until-contour-depth-reached = non è raggiunta la profondità programmata
 until-parts-of-contour-cleared = non sono lavorate tutte le aree separate del profilo
 note-contour-element-limit = La memoria per un ciclo SL è limitata. In un ciclo SL si possono programmare al massimo 16384 elementi di profilo.
 note-sign-of-milling-depth = Il segno della profondità di fresatura determina la direzione di lavoro. Con profondità 0 il controllo non esegue il ciclo.
 note-both-axes-after-contour-cycle = Pericolo di collisione! Dopo un ciclo SL programmare il primo spostamento nel piano di lavoro con entrambe le coordinate, ad esempio L X+80 Y+0 R0 FMAX.
-note-contour-cycle-properties = Prima di ogni ciclo il controllo posiziona automaticamente l’utensile alla distanza di sicurezza. Ogni livello viene fresato senza sollevare l’utensile; le isole vengono aggirate lateralmente. Il raggio degli spigoli interni è programmabile: l’utensile non si ferma e non lascia segni (ciò vale per la traiettoria più esterna nello svuotamento e per la finitura laterale). Nella finitura laterale il controllo si accosta al profilo su un arco tangente, nella finitura del fondo si accosta al pezzo ugualmente su un arco tangente (con asse del mandrino Z nel piano Z/X). Il profilo viene lavorato interamente con fresatura concorde o con fresatura discorde.
+note-contour-cycle-properties = Prima di ogni ciclo il controllo posiziona automaticamente l’utensile alla distanza di sicurezza. Ogni livello viene fresato senza sollevare l’utensile; le isole vengono aggirate lateralmente. Il raggio degli spigoli interni è programmabile: l’utensile non si ferma e non lascia segni (ciò vale per la traiettoria più esterna nello svuotamento e per la finitura laterale). Nella finitura laterale l’utensile si accosta al profilo su un arco tangente, nella finitura del fondo si accosta al pezzo ugualmente su un arco tangente (con asse del mandrino Z nel piano Z/X). Il profilo viene lavorato interamente con fresatura concorde o con fresatura discorde.
 note-contour-tool-by-name = L’utensile può essere indicato con il numero o con il nome. Per inserire il nome premere il softkey NOME UTENSILE; all’uscita dal campo il controllo aggiunge automaticamente le virgolette.
 note-global-def-for-contours = La funzione GLOBAL DEF per la fresatura di profili predefinisce distanza di sicurezza, altezza di sicurezza, fattore di sovrapposizione e tipo di fresatura per i cicli 20, 22, 23, 24 e 25.
 
@@ -61,15 +61,15 @@ note-narrow-places-not-pre-drilled = In punti stretti il controllo potrebbe non 
 # --- 22 ---
 cycle-rough-out = Svuotamento
     .nc = SVUOTAMENTO
-    .purpose = Svuota il profilo fino al sovrametallo del fondo, livello per livello, oppure lavora soltanto ciò che un utensile più grosso ha lasciato.
+    .purpose = Svuota il profilo fino al sovrametallo del fondo, livello per livello, oppure lavora soltanto ciò che ha lasciato un utensile più grande.
 step-position-over-infeed-point = Il controllo posiziona l’utensile sopra il punto di penetrazione, tenendo conto del sovrametallo di finitura laterale.
 step-take-depths-of-partial-contours = Il controllo lavora un segmento di profilo con una profondità propria fino a tale profondità, tutti gli altri fino alla profondità di fresatura dei dati del profilo.
 step-go-to-infeed-point = L’utensile si porta in rapido sopra il punto di penetrazione e scende fino alla distanza di sicurezza dalla superficie già lavorata.
-step-plunge-to-contour-level = L’utensile si porta alla profondità incremento successiva, più in basso di { $q-contour-plunging-depth }:
+step-plunge-to-contour-level = L’utensile scende di { $q-contour-plunging-depth } alla profondità incremento successiva:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: in verticale con l’avanzamento { $q-contour-plunging-feed }, anche se per l’utensile attivo è definito un angolo di penetrazione { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: in verticale con l’avanzamento con pendolamento { $q-reciprocation-feed }
 say-plunge-on-helix-or-in-strokes = altrimenti lungo un’elica con l’angolo di penetrazione { $mp-plunging-angle }, oppure con pendolamento dove un’elica non è possibile
-step-rough-contour-level = A questa profondità l’utensile fresa il profilo dall’interno verso l’esterno con l’avanzamento { $q-roughing-feed }. Intorno alle isole fresa su traiettorie che si avvicinano sempre più al profilo della tasca:
+step-rough-contour-level = A questa profondità l’utensile fresa il profilo dall’interno verso l’esterno con l’avanzamento { $q-roughing-feed }; intorno alle isole fresa su traiettorie che si avvicinano sempre più al profilo della tasca. L’utensile lavora:
 say-rough-what-coarser-tool-left = se è inserito un utensile di sgrossatura { $q-coarse-roughing-tool }, soltanto ciò che questo utensile non ha potuto lavorare
 say-rough-whole-region = altrimenti l’intera area
 message-contour-material-left = L’utensile non raggiunge tutto il profilo: lascia materiale negli angoli o nei punti stretti.
@@ -86,7 +86,7 @@ cycle-floor-finishing = Finitura fondo
 step-approach-contour-floor = Se lo spazio è sufficiente, l’utensile si accosta dolcemente al fondo su un arco tangente verticale. Altrimenti si porta alla profondità in verticale con l’avanzamento { $q-contour-plunging-feed }.
 step-find-start-of-floor-finishing = Il controllo numerico determina il punto di partenza della finitura del fondo.
 step-finish-contour-floor = L’utensile asporta, con l’avanzamento { $q-roughing-feed }, il sovrametallo di finitura lasciato dallo svuotamento.
-note-starting-point-by-itself = Il controllo determina automaticamente il punto di partenza per la finitura. Esso dipende dallo spazio disponibile nella tasca.
+note-starting-point-by-itself = Il controllo determina automaticamente il punto di partenza per la finitura, che dipende dallo spazio disponibile nella tasca.
 note-approach-radius-is-fixed = Il raggio per l’accostamento alla profondità finale è definito internamente e non dipende dall’angolo di penetrazione dell’utensile.
 
 # --- 24 ---
@@ -94,12 +94,12 @@ cycle-side-finishing = Finitura laterale
     .nc = FINITURA LATERALE
     .purpose = Esegue la finitura dei lati del profilo. Ogni segmento di profilo viene finito separatamente.
 step-find-start-of-side-finishing = Il controllo determina il punto di partenza per la finitura.
-step-finish-partial-contour = Il controllo porta l’utensile alla profondità incremento successiva, più in basso di { $q-contour-plunging-depth }, con l’avanzamento { $q-contour-plunging-feed }, lo accosta tangenzialmente al segmento di profilo su un arco ed esegue la finitura del segmento con l’avanzamento { $q-roughing-feed }.
+step-finish-partial-contour = Con l’avanzamento { $q-contour-plunging-feed } il controllo fa scendere l’utensile di { $q-contour-plunging-depth } alla profondità incremento successiva, lo accosta tangenzialmente al segmento di profilo su un arco ed esegue la finitura del segmento con l’avanzamento { $q-roughing-feed }.
 until-partial-contours-finished = non è stata eseguita la finitura di ogni segmento di profilo
 note-side-finishing-allowances = La somma del sovrametallo laterale { $q-remaining-side-allowance } e del raggio dell’utensile di finitura deve essere minore della somma del sovrametallo laterale del ciclo 20 e del raggio dell’utensile di svuotamento.
 note-side-finishing-without-roughing = Lo stesso vale se il ciclo viene eseguito senza precedente svuotamento con il ciclo 22; in tal caso il raggio dell’utensile di svuotamento vale 0.
 note-side-finishing-mills-contours = Il ciclo può essere utilizzato anche per fresare profili. A tale scopo definire il profilo come isola singola (senza delimitazione di una tasca) e inserire nel ciclo 20 un sovrametallo di finitura laterale maggiore della somma del sovrametallo { $q-remaining-side-allowance } e del raggio dell’utensile.
-note-start-depends-on-room-and-allowance = Il controllo determina automaticamente il punto di partenza per la finitura. Esso dipende dallo spazio disponibile nella tasca e dal sovrametallo programmato nel ciclo 20.
+note-start-depends-on-room-and-allowance = Il controllo determina automaticamente il punto di partenza per la finitura, che dipende dallo spazio disponibile nella tasca e dal sovrametallo programmato nel ciclo 20.
 note-start-depends-on-sequence = Il punto di partenza dipende anche dalla sequenza di lavorazione. Se il ciclo di finitura viene selezionato con il tasto GOTO e il programma viene poi avviato, il punto di partenza può trovarsi in una posizione diversa da quella risultante eseguendo il programma nella sua sequenza.
 
 # --- 25 ---
@@ -107,7 +107,7 @@ cycle-contour-train = Contornatura profilo
     .nc = CONTORNATURA PROFILO
     .purpose = Lavora profili aperti e chiusi, insieme al ciclo 14. Rispetto ai blocchi di posizionamento lungo il profilo, il controllo sorveglia la lavorazione, fresa interamente in concorde o in discorde e può fresare in andata e ritorno e con sovrametalli.
 step-position-over-contour-start = Il controllo porta l’utensile all’altezza di sicurezza { $q-contour-clearance-height } e sopra il punto di partenza del profilo.
-step-plunge-beside-contour = L’utensile si porta con l’avanzamento { $q-contour-plunging-feed } alla profondità incremento successiva, più in basso di { $q-contour-plunging-depth }.
+step-plunge-beside-contour = Con l’avanzamento { $q-contour-plunging-feed } l’utensile scende di { $q-contour-plunging-depth } alla profondità incremento successiva.
 step-mill-along-contour = L’utensile fresa lungo il profilo con l’avanzamento { $q-contour-milling-feed }, tenendo conto del sovrametallo di finitura { $q-side-allowance }:
 say-mill-to-and-fro = { $q-contour-milling-type } = 0: in andata e ritorno, alternando a ogni incremento fresatura concorde e discorde
 say-mill-in-one-direction = { $q-contour-milling-type } = +1 o −1: in ogni incremento con fresatura concorde o con fresatura discorde
@@ -120,11 +120,11 @@ note-contour-in-several-operations = È possibile inserire sovrametalli, in modo
 note-only-first-contour-label = Il controllo considera solo il primo label del ciclo 14.
 note-contour-data-not-needed = Il ciclo 20 non è necessario.
 note-corner-feed-functions-without-effect = Le funzioni ausiliarie M109 e M110 non hanno effetto nella lavorazione di un profilo con questo ciclo.
-note-no-incremental-after-contour-train = Pericolo di collisione! Dopo il ciclo non programmare quote incrementali: esse si riferiscono alla posizione dell’utensile al termine del ciclo.
+note-no-incremental-after-contour-train = Pericolo di collisione! Dopo il ciclo non programmare quote incrementali, perché si riferirebbero alla posizione dell’utensile al termine del ciclo.
 note-absolute-position-after-contour-train = Pericolo di collisione! Dopo il ciclo portare l’utensile in una posizione definita (assoluta) in tutti gli assi principali, poiché la sua posizione al termine del ciclo non è quella iniziale.
 
 # --- 27 to 29 ---
-step-plunge-into-cylinder = L’utensile si porta con l’avanzamento { $q-contour-plunging-feed } alla profondità incremento successiva, più in basso di { $q-contour-plunging-depth }.
+step-plunge-into-cylinder = Con l’avanzamento { $q-contour-plunging-feed } l’utensile scende di { $q-contour-plunging-depth } alla profondità incremento successiva.
 until-cylinder-milling-depth-reached = non è raggiunta la profondità di fresatura programmata { $q-cylinder-milling-depth }
 step-return-in-tool-axis = L’utensile ritorna nell’asse utensile all’altezza di sicurezza o all’ultima posizione programmata prima del ciclo.
 guard-clearance-within-tool-radius = La distanza di sicurezza non è maggiore del raggio dell’utensile.
@@ -146,7 +146,7 @@ note-many-contour-elements-take-time = La lavorazione può durare più a lungo s
 # --- 27 ---
 cycle-cylinder-surface = Superficie cilindrica
     .nc = SUPERFICIE CILINDRICA
-    .purpose = Trasferisce un profilo definito nello sviluppo sulla superficie di un cilindro.
+    .purpose = Trasferisce sulla superficie di un cilindro un profilo definito nello sviluppo.
 step-mill-along-developed-contour = L’utensile fresa lungo il profilo programmato con l’avanzamento { $q-contour-milling-feed }.
 step-back-over-infeed-point = Alla fine del profilo il controllo porta l’utensile alla distanza di sicurezza { $q-cylinder-set-up-clearance } e di nuovo sopra il punto di penetrazione.
 step-end-at-cylinder-clearance = L’utensile si porta alla distanza di sicurezza { $q-cylinder-set-up-clearance }.
@@ -157,7 +157,7 @@ note-guide-slots-with-other-cycle = Per fresare scanalature di guida su un cilin
 # --- 28 ---
 cycle-cylinder-surface-slot = Superficie cilindrica, fresatura di scanalature
     .nc = SUPERFICIE CILINDRICA
-    .purpose = Trasferisce una scanalatura di guida definita nello sviluppo sulla superficie di un cilindro, con pareti quasi parallele.
+    .purpose = Trasferisce sulla superficie di un cilindro una scanalatura di guida definita nello sviluppo, con pareti quasi parallele.
 step-position-over-slot-infeed-point = Il controllo posiziona l’utensile sopra il punto di penetrazione.
 step-mill-along-slot-wall = L’utensile fresa lungo la parete della scanalatura con l’avanzamento { $q-contour-milling-feed }, tenendo conto del sovrametallo di finitura laterale { $q-side-allowance }.
 step-mill-back-along-opposite-wall = Alla fine del profilo il controllo porta l’utensile alla parete opposta della scanalatura e lo riporta al punto di penetrazione.
@@ -169,8 +169,8 @@ note-program-centre-path-of-slot = Programmare la traiettoria centrale del profi
 # --- 29 ---
 cycle-cylinder-surface-ridge = Isola su superficie cilindrica
     .nc = ISOLA SU SUP. CILINDRICA
-    .purpose = Trasferisce un’isola definita nello sviluppo sulla superficie di un cilindro, con pareti parallele.
-step-position-over-ridge-start = Il controllo posiziona l’utensile sopra il punto di partenza della lavorazione, che calcola dalla larghezza dell’isola e dal diametro dell’utensile: a fianco del primo punto del sottoprogramma del profilo, spostato di metà della larghezza dell’isola e del diametro dell’utensile. La correzione del raggio determina il lato: a sinistra dell’isola (fresatura concorde) o a destra (fresatura discorde).
+    .purpose = Trasferisce sulla superficie di un cilindro un’isola definita nello sviluppo, con pareti parallele.
+step-position-over-ridge-start = Il controllo posiziona l’utensile sopra il punto di partenza della lavorazione, che calcola dalla larghezza dell’isola e dal diametro dell’utensile: a fianco del primo punto del sottoprogramma del profilo, spostato di metà della larghezza dell’isola più il diametro dell’utensile. La correzione del raggio determina il lato: a sinistra dell’isola (fresatura concorde) o a destra (fresatura discorde).
 step-approach-ridge-wall = A questa profondità l’utensile si accosta al profilo su un arco tangente con l’avanzamento { $q-contour-milling-feed }, tenendo conto del sovrametallo di finitura laterale { $q-side-allowance }, se presente.
 step-mill-along-ridge-wall = L’utensile fresa lungo la parete dell’isola con l’avanzamento { $q-contour-milling-feed } fino a completare l’isola.
 step-leave-ridge-wall = L’utensile lascia tangenzialmente la parete dell’isola e ritorna al punto di partenza della lavorazione.

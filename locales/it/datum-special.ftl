@@ -37,7 +37,7 @@ result-intersection-main-actual = Valore reale punto di intersezione asse princi
 result-intersection-minor-actual = Valore reale punto di intersezione asse secondario
 
 # --- 419 ---
-cycle-datum-one-axis = Impostazione origine asse singolo selezionabile
+cycle-datum-one-axis = Impostazione origine in un asse selezionabile
     .nc = ORIGINE ASSE SINGOLO
     .purpose = Misura una coordinata qualsiasi in un asse selezionabile e la imposta come origine. A scelta, il controllo scrive la coordinata misurata anche in una tabella origini o nella tabella Preset.
 step-position-against-probing-direction = Il controllo posiziona il sistema di tastatura sul punto di tastatura programmato, in rapido (valore della colonna { $mp-positioning-feed }) e con logica di posizionamento, arretrandolo della distanza di sicurezza in senso opposto alla direzione di tastatura programmata { $q-traverse-direction }.

@@ -17,6 +17,7 @@ diag-arc-wrong =
        *[centre] l’inizio dista { $first } dal centro, la fine { $second }
     }.
 diag-axis-twice = L’asse { $axis } compare due volte in questo blocco.
+diag-back-boring-inside = Secondo il ciclo il materiale è spesso { $value }, ma il pezzo grezzo arriva { $other } sotto la superficie.
 diag-blocks-after-end = Qui ci sono blocchi dopo END PGM.
 diag-blank-wrong =
     { $what ->
@@ -51,6 +52,7 @@ diag-contour-def-wrong =
        *[island] { $found }: il primo profilo di CONTOUR DEF deve essere una tasca, la più profonda.
     }
 diag-contour-depth-missing = { $contour } non ha DEPTH, ma altri profili sì.
+diag-contour-returns = Il profilo torna in { $value }; { $other }, uno spigolo che ha già.
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } è già stato dichiarato.
@@ -77,6 +79,7 @@ diag-contour-wrong =
     }.
 diag-coordinate-out-of-place = { $path } non ammette queste coordinate.
 diag-core-hole-too-large = Il foro ha diametro { $other }, la filettatura { $value }: non resta materiale per la filettatura.
+diag-core-hole-too-small = Una filettatura di { $value } viene maschiata in un foro di { $other }: il foro è troppo stretto.
 diag-corner-wrong =
     Questo spigolo non si può lavorare: { $what ->
         [twice] segue direttamente un altro arrotondamento o smusso
@@ -87,6 +90,11 @@ diag-corner-wrong =
         [size] il suo raggio o la sua lunghezza non è positiva
        *[long] richiede più della lunghezza della retta più corta, { $least }
     }.
+diag-cutting-speed-unusual =
+    { $side ->
+        [above] Una velocità di taglio di { $value } m/min è decisamente troppo alta per questo utensile del diametro di { $other }.
+       *[below] Una velocità di taglio di { $value } m/min è decisamente troppo bassa per questo utensile del diametro di { $other }.
+    }
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
 diag-cycle-line-zero-missing = La riga { $line } non è preceduta dalla riga { $head }.
 diag-cycle-line-empty = Nella riga { $line } di { $cycle } non c’è nulla.
@@ -120,7 +128,7 @@ diag-doubtful-value =
         [negative] il valore è negativo
         [small] il valore è molto più piccolo del solito
         [large] il valore è molto più grande del solito
-       *[positive] il valore è positivo e porta lontano dal pezzo
+       *[positive] il valore è positivo e allontana l’utensile dal pezzo
     }.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
 diag-empty-word = Questa { $word } è senza valore e non fa nulla.
@@ -165,6 +173,7 @@ diag-hole-outside-blank =
         [surface] La superficie a { $value } è lontana dal pezzo grezzo.
        *[through] Il foro arriva a { $value }, ben oltre il pezzo grezzo.
     }
+diag-holes-overlap = Qui due fori del diametro di { $other } distano solo { $value }: si sovrappongono.
 diag-insert-points-away = L’inserto non può tagliare dove va { $cycle }: il suo orientamento (TO) è { $orientation }, perciò la punta è rivolta dalla parte opposta al pezzo o all’avanzamento.
 diag-iso-incomplete =
     Questo blocco è incompleto: { $what ->
@@ -191,9 +200,10 @@ diag-loop-endless = Questo salto chiude una ripetizione che non termina mai.
 diag-machine-coordinates-compensated = Qui si programmano coordinate macchina (M91, M92) con correzione del raggio.
 diag-machine-coordinates-missing = Altrove il programma si disimpegna a { $value } con M91; qui M91 manca, e la quota vale dall’origine del pezzo.
 diag-main-runs-into-subprogram = Il programma principale prosegue qui nel sottoprogramma { $label }: non lo termina né M2 né M30.
+diag-measuring-height-above-surface = L’altezza di misura { $value } è al di sopra del pezzo, che termina a { $other }.
 diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value }, sotto il fondo a { $floor } lasciato in quel punto da { $milling }.
 diag-metric-values-in-inch = Il programma è in pollici, ma { $value } sembra espresso in millimetri.
-diag-mirror-of-tool-axis = L’asse utensile { $axis } non si può specchiare.
+diag-mirror-of-tool-axis = L’asse utensile { $axis } non si può rendere speculare.
 diag-misordered-parameter = In { $cycle } il controllo visualizza { $parameter } prima di { $before }.
 diag-missing-parameter =
     { $count ->
@@ -220,6 +230,7 @@ diag-no-result =
     }.
 diag-no-table-open = FN 27 e FN 28 richiedono una tabella aperta da FN 26.
 diag-not-a-program = Questo file non è un programma NC.
+diag-nothing-left = Qui il foro è già largo { $other }: un utensile di { $value } non asporta nulla.
 diag-number-does-not-exist = { $name } non esiste: il numero massimo è { $greatest }.
 diag-older-parameter-set = { $cycle } ha i parametri di una versione software precedente; il controllo aggiunge { $parameter }.
 diag-out-of-range =
@@ -244,6 +255,7 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } in { $cycle } richiede una versione software successiva alla { $software }, quella descritta nel manuale.
 diag-parameter-unassigned =
     { $parameter } viene letto qui, ma nulla gli ha assegnato un valore.
+diag-path-twice = L’intera traiettoria da qui in poi è già stata lavorata con questo utensile con un’altra conversione.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } non può chiamare { $called } con { $value }.
@@ -259,6 +271,7 @@ diag-pattern-wrong =
         [same] { $word } ripete una posizione precedente.
        *[diameter] Il diametro { $word } di un cerchio parziale deve essere maggiore di 0.
     }
+diag-pilot-hole-too-shallow = Il punto di partenza abbassato è a { $value }, e il foro esistente termina a { $other }.
 diag-plane-incomplete = In questo PLANE manca { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -270,7 +283,9 @@ diag-plane-not-reset =
         [zero] { $cycle } imposta qui tutti gli angoli a 0, ma nulla disattiva la rotazione del piano di lavoro.
        *[tilted] Il programma termina qui con il piano di lavoro ruotato.
     }
+diag-plunge-too-fast = Qui l’utensile penetra nel materiale di { $value } al giro.
 diag-position-after-contour = Questa è la prima posizione dopo { $cycle }, ma non ha valori assoluti per entrambe le coordinate del piano.
+diag-position-missing = L’utensile scende a { $value } prima che il programma lo abbia posizionato nel piano.
 diag-position-twice = Il punto { $value }; { $other } è già stato lavorato con questa definizione e questo utensile.
 diag-probe-while-turning = { $cycle } tasta qui mentre il mandrino gira.
 diag-probed-axis-missing = Si tasta in direzione { $direction }, ma la posizione non contiene { $axis }.
@@ -286,6 +301,12 @@ diag-program-end-missing =
 diag-programs-call-in-circle = Il programma { $name } richiama a sua volta questo, direttamente o tramite altri.
 diag-rapid-into-blank = Qui l’utensile entra nel pezzo grezzo in rapido: va a Z { $value }, e il bordo superiore del grezzo è a { $top }.
 diag-rapid-through-material = Qui l’utensile attraversa in rapido fino a { $value }{"\u00A0"}mm di materiale.
+diag-reaming-wrong =
+    { $what ->
+        [none] Qui non c’è alcun foro da alesare.
+        [deep] L’alesatore arriva a { $value }, il foro solo a { $other }.
+       *[allowance] Il foro è largo { $other }: per un alesatore di { $value } resta fin troppo materiale.
+    }
 diag-repeat-count-wrong = Il numero di ripetizioni deve essere un numero intero da 0 a 65534.
 diag-repeat-of-later-label = Il label { $label } deve trovarsi prima della ripetizione, non dopo.
 diag-repeated-infeed =
@@ -306,6 +327,7 @@ diag-retract-missing =
         [end] il programma termina
        *[turn] un asse rotativo si muove in rapido
     }: non è stato disimpegnato.
+diag-rotary-axis-jumps = Qui l’asse rotativo oscilla da { $other } a { $value } e nel blocco successivo torna indietro.
 diag-row-not-in-table =
     { $table ->
         [preset] La tabella Preset non contiene la riga { $row }.
@@ -349,6 +371,7 @@ diag-text-wrong =
         [alone] «{ $found }» nel testo di { $parameter } non è doppio né precede una lettera.
        *[character] Il carattere «{ $found }» non è ammesso in { $parameter }.
     }
+diag-thread-pitch-unusual = Un passo di { $value } non è normalizzato per una filettatura del diametro di { $other }.
 diag-tool-axis-missing = Questa chiamata utensile non ha l’asse utensile, e nessuna chiamata precedente lo ha indicato.
 diag-tool-axis-other =
     { $what ->
@@ -356,6 +379,7 @@ diag-tool-axis-other =
         [lifted] Questa chiamata utensile indica un asse utensile diverso da quello del grezzo, ma l’utensile viene disimpegnato solo lungo { $axis }.
        *[blank] Il grezzo ha l’asse utensile { $axis }, ma nessun utensile del programma lo ha.
     }
+diag-tool-cuts-sideways = Qui una punta, un maschio o un alesatore si muove lateralmente nel materiale.
 diag-tool-definition-wrong =
     { $what ->
         [zero] L’utensile 0 significa nessun utensile e non si può definire.
@@ -381,6 +405,7 @@ diag-uncalculable-contour =
         [crossing] il profilo interseca sé stesso
        *[approach] non è possibile avvicinarsi così al profilo
     }.
+diag-value-unlike-others = Qui il valore è { $value }, in tutti gli altri punti simili { $other }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.
@@ -410,7 +435,7 @@ diag-transformation-left-on =
     Il programma termina qui con { $what ->
         [datum-shift] uno spostamento origine attivo
         [rotation] una rotazione attiva
-        [mirroring] una specularità attiva
+        [mirroring] una lavorazione speculare attiva
        *[scaling] un fattore di scala attivo
     }.
 diag-feed-unit =
@@ -421,6 +446,7 @@ diag-feed-unit =
        *[minute] { $parameter }={ $value } è qui un avanzamento al minuto, perché M136 non è attivo.
     }
 diag-turning-system-missing = Qui viene chiamato { $cycle }, ma { $aligning } non è stato definito dopo la chiamata utensile.
+diag-cutting-speed-unlimited = La velocità di taglio è costante e il numero di giri non è limitato, ma alla riga { $line } l’utensile arriva all’asse di rotazione.
 diag-two-signs = Davanti al numero ci sono due segni; vengono letti come { $right }.
 diag-unknown-cycle =
     { $name ->

@@ -18,6 +18,10 @@ diag-spec-odd-condition = La condizione «{ $name }» indica che { $q } è { $fo
 diag-spec-odd-formula = Il ciclo { $cycle } calcola «{ $name }» da { $q }, ma altri cicli lo calcolano da { $usual }, che anche questo ciclo possiede.
 diag-spec-example-guarded = L’esempio stampato viene rifiutato dalla verifica «{ $code }».
 diag-spec-unused-parameter = Nulla nell’esecuzione, nelle verifiche o nelle frasi di { $cycle } utilizza { $q }.
+diag-spec-odd-result = { $reason ->
+        [parameter] { $q } è un risultato e anche un parametro di { $cycle }
+       *[not-a-result] L’esecuzione di { $cycle } imposta { $q }, che non ne è né un risultato né un parametro
+    }.
 diag-consistency-reference-word = Il testo { $key } nella lingua { $language } non indica assoluto o incrementale come le lingue { $others }: { $found } invece di { $expected }.
 diag-locale-unused = Nessuna specifica e nessun testo utilizza il testo { $key }.
 diag-spec-example-fails = L’esempio «{ $name }» su { $control } non dà il risultato atteso: { $what } dovrebbe essere { $expected }, ma è { $found }.

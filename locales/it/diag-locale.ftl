@@ -36,7 +36,7 @@ diag-locale-unknown-unit = L’unità «{ $name }» non esiste: il file units.ft
 diag-locale-term-argument = Il termine «-{ $term }» non usa «{ $name }».
 diag-locale-term-value = Il termine «-{ $term }» non ha la forma «{ $value }» per «{ $name }».
 diag-locale-term-needs = Il termine «-{ $term }» richiede qui «{ $name }».
-diag-locale-cyclic = «{ $key }» contiene se stesso.
+diag-locale-cyclic = «{ $key }» contiene sé stesso.
 diag-locale-unknown-language = Non ci sono file per la lingua «{ $language }».
 diag-locale-missing-text = La lingua «{ $language }» non ha il testo «{ $key }»{ $file ->
         [none] {""}.
@@ -63,4 +63,5 @@ diag-locale-stale =
        *[other] Il testo inglese di «{ $key }» è cambiato dopo la traduzione nella lingua «{ $language }»: { $change }.
     }
 diag-locale-unrecorded = La traduzione di «{ $key }» nella lingua «{ $language }» non è ancora stata approvata.
+diag-locale-moved = La traduzione di «{ $key }» nella lingua «{ $language }» ha ora le parole approvate per «{ $name }».
 diag-locale-unknown-argument = «{ $key }» ({ $language }) usa l’argomento «{ $name }», che il testo inglese non ha.

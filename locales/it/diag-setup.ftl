@@ -31,10 +31,10 @@ diag-milling-deeper-than-edges = Qui l’utensile fresa a una profondità di { $
 diag-plane-left-on = Il piano di lavoro è ancora ruotato quando viene chiamato questo utensile.
 diag-preset-row-wrong =
     { $what ->
-        [again] Il preset { $row } viene scritto di nuovo qui, in un altro punto, e nel frattempo nulla lo ha attivato.
-        [other] Qui viene attivato il preset { $other }, ma quello rilevato è il preset { $row }, che non viene mai attivato.
+        [again] Il Preset { $row } viene scritto di nuovo qui, in un altro punto, e nel frattempo nulla lo ha attivato.
+        [other] Qui viene attivato il Preset { $other }, ma quello rilevato è il Preset { $row }, che non viene mai attivato.
         [datum] La riga { $row } della tabella origini viene scritta qui e mai attivata: la lavorazione prosegue con un’altra origine.
-       *[unused] Il preset { $row } viene scritto qui e mai attivato: la lavorazione prosegue con un altro preset.
+       *[unused] Il Preset { $row } viene scritto qui e mai attivato: la lavorazione prosegue con un altro Preset.
     }
 diag-repeat-without-effect = Una ripetizione di zero volte non ha alcun effetto.
 diag-slot-too-narrow = L’utensile di diametro { $tool } qui non passa tra le pareti: questa retta è lunga solo { $value }.
@@ -54,11 +54,12 @@ diag-tool-table-contradicts =
     { $what ->
         [speed] Il numero di giri { $value } supera { $other }, il numero di giri massimo dell’utensile { $tool } nella tabella utensili (NMAX).
         [locked] L’utensile { $tool } è bloccato nella tabella utensili (TL) e non è indicato alcun utensile gemello (RT).
-        [point] { $value } centra qui sul diametro, ma per l’utensile { $tool } la tabella utensili non indica l’angolo del tagliente (T-ANGLE).
+        [point] { $value } centrina qui fino a un diametro, ma per l’utensile { $tool } la tabella utensili non indica l’angolo del tagliente (T-ANGLE).
         [turning] { $value } non è adatto all’utensile { $tool }, che nella tabella degli utensili per tornire è di tipo { $other } (TYPE).
+        [size] L’utensile { $tool } ha nella tabella utensili il diametro { $other }, ma il nome dice { $value }.
        *[type] { $value } non è adatto all’utensile { $tool }, che nella tabella utensili è di tipo { $other } (TYP).
     }
-diag-translate-encoding = Il file viene scritto in { $encoding }: vi ha gli stessi byte e vi sono tutte le lettere delle nuove etichette.
+diag-translate-encoding = Il file viene scritto in { $encoding }: questa codifica conserva gli stessi byte e contiene tutte le lettere delle nuove etichette.
 diag-translate-encoding-unknown = Non esiste la codifica «{ $encoding }»; esistono { $known }.
 diag-translate-encoding-wrong = { $path } non è in { $encoding }: alcuni byte non vi hanno significato.
 diag-translate-unread = { $cycle } ha una riga che non può essere letta, perciò il nome e le etichette restano come sono.
@@ -78,7 +79,7 @@ diag-error-branch-entered =
 diag-finishing-before-roughing =
     { $what ->
         [pilot] { $other } indica l’utensile che fora qui; deve indicare quello che poi svuota.
-       *[order] { $cycle } finisce il profilo qui, prima che { $other } lo svuoti.
+       *[order] { $cycle } esegue qui la finitura del profilo, prima che { $other } lo svuoti.
     }
 diag-label-unused = Nulla chiama o ripete il label { $label } di questo sottoprogramma, e nessun salto vi conduce.
 diag-loop-runs-once = Questo salto all’indietro non viene mai eseguito: il contatore non soddisfa la condizione in nessun passaggio.
@@ -89,7 +90,7 @@ diag-probing-direction-wrong =
 diag-same-datum-twice =
     { $what ->
         [loop] La ripetizione conta, ma attiva la riga { $row } in ogni passaggio: ogni volta viene lavorato lo stesso punto.
-       *[again] La riga { $row } viene attivata di nuovo prima dello stesso sottoprogramma: lo stesso viene lavorato due volte.
+       *[again] La riga { $row } viene attivata di nuovo prima dello stesso sottoprogramma: lo stesso pezzo viene lavorato due volte.
     }
 diag-selected-table-missing = La tabella { $name } non si trova nella directory del programma.
 diag-turned-contour-wrong =

@@ -92,5 +92,7 @@ diag-spec-measure = In { $cycle } { $reason ->
         [not-a-speed] al posto di un numero di giri c’è qualcosa che non lo è
         [not-a-number] al posto di un numero senza unità c’è una grandezza con unità
         [bare-number] una lunghezza o un avanzamento viene confrontato con un numero senza unità
+        [same-operands] si sceglie o si confronta tra due formule uguali
+        [never-negative] si prende il segno o il modulo di un parametro che non è mai negativo
        *[not-an-angle] al posto di un angolo c’è qualcosa che non lo è
     }.

@@ -9,6 +9,9 @@ diag-texts-file-unreadable = Impossibile leggere il file: { $reason ->
         [encoding] la codifica non è UTF-8
         [depth] gli elementi sono annidati troppo in profondità
         [columns] nella tabella mancano le colonne concept e language
+        [empty] il file è vuoto
+        [quote] da qui inizia una cella tra virgolette che non finisce
+        [size] è più grande di 64 MB
         [xliff] non è né XLIFF 1.2 né XLIFF 2.0
        *[form] da questo punto la forma è errata
     }.

@@ -87,7 +87,7 @@ diag-table-doubtful =
        *[value] Riga { $row }: «{ $found }» nella colonna { $column } è probabilmente un errore.
     }
 diag-table-value-not-allowed = Riga { $row }: la colonna { $column } non accetta «{ $found }».
-diag-stock-blank = Gli spigoli di BLK FORM devono essere numeri e ogni minimo deve essere inferiore al suo massimo.
+diag-stock-blank = Le coordinate dei vertici di BLK FORM devono essere numeri e ogni minimo deve essere inferiore al suo massimo.
 diag-stock-extent = Il pezzo grezzo è troppo grande: si estende oltre { $limit } mm dalla sua origine.
 diag-stock-form = I manuali non descrivono BLK FORM { $word }: definire il pezzo grezzo nella scena, oppure un parallelepipedo con BLK FORM 0.1 e 0.2.
 diag-stock-missing = Manca il pezzo grezzo: la scena non ha stock e il programma non ha BLK FORM.

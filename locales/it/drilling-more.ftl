@@ -15,7 +15,7 @@ cycle-universal-drilling = Foratura universale
     .purpose = Esegue un foro in incrementi che possono diminuire. Il truciolo può essere rotto più volte prima che l’utensile venga ritratto dal foro.
 step-drill-to-decreasing-plunging-depth = L’utensile fora con l’avanzamento { $q-plunging-feed } fino alla profondità incremento successiva. A ogni incremento la profondità incremento { $q-plunging-depth } si riduce del decremento { $q-decrement }, se inserito.
 step-break-chip-or-retract = Tra un incremento e l’altro l’utensile arretra:
-say-break-chip-by-retraction = con rottura truciolo, della ritrazione { $q-chip-breaking-retraction }, tante volte quante ne indica { $q-chip-breaks-before-retraction } prima che l’utensile venga ritratto dal foro
+say-break-chip-by-retraction = con rottura truciolo, di { $q-chip-breaking-retraction }, per il numero di volte indicato in { $q-chip-breaks-before-retraction }, prima che l’utensile venga ritratto dal foro
 say-retract-and-return-at-rapid = senza rottura truciolo, con l’avanzamento { $q-retraction-feed } alla distanza di sicurezza, dove sosta per { $q-dwell-at-top }, se inserito; da qui si porta in rapido (FMAX) alla distanza di sicurezza sopra la profondità raggiunta
 
 # --- 240 ---
@@ -30,7 +30,7 @@ condition-centring-to-depth = { $q-depth-or-diameter } = 0
 condition-centring-to-diameter = { $q-depth-or-diameter } = 1
 guard-point-angle-missing = Per centrinare fino a un diametro, definire nella tabella utensili l’angolo del tagliente { $mp-drill-point-angle } dell’utensile.
 guard-depth-zero__centring = La profondità o il diametro selezionato è 0: il controllo non esegue il ciclo.
-guard-depth-positive__centring = La profondità o il diametro selezionato è positivo. Inserire un valore negativo oppure consentire il valore positivo con il parametro macchina { $mp-display-depth-err }.
+guard-depth-positive__centring = La profondità o il diametro selezionato è positivo. Inserire un valore negativo oppure ammettere valori positivi con il parametro macchina { $mp-display-depth-err }.
 note-sign-of-depth-or-diameter = Il segno del diametro { $q-centring-diameter } o della profondità { $q-depth }, a seconda di quale dei due è selezionato, determina la direzione di lavoro. Con diametro o profondità 0 il controllo non esegue il ciclo.
 note-positive-diameter-or-depth-reverses = Pericolo di collisione! Con un diametro positivo o una profondità positiva il controllo inverte il calcolo della posizione preliminare: l’utensile si porta in rapido nell’asse utensile alla distanza di sicurezza sotto la superficie del pezzo.
 
@@ -68,9 +68,9 @@ note-edge-height-and-thickness-considered = Nel calcolo del punto di partenza de
 # --- 208 ---
 cycle-bore-milling = Fresatura foro
     .nc = FRESATURA FORO
-    .purpose = Fresa un foro su una traiettoria elicoidale. Se il foro è largo quanto l’utensile, viene forato direttamente.
+    .purpose = Fresa un foro su una traiettoria elicoidale. Se il foro ha lo stesso diametro dell’utensile, viene forato direttamente.
 step-rapid-and-approach-hole-circumference = Il controllo porta l’utensile nell’asse del mandrino in rapido (FMAX) alla distanza di sicurezza { $q-set-up-clearance } sopra la superficie del pezzo e poi, se lo spazio è sufficiente, su un arco fino alla circonferenza del foro { $q-nominal-diameter }.
-step-drill-directly-if-diameters-equal = Se il diametro { $q-nominal-diameter } è uguale al diametro dell’utensile, l’utensile fora senza elica direttamente fino alla profondità { $q-depth }.
+step-drill-directly-if-diameters-equal = Se il diametro { $q-nominal-diameter } è uguale al diametro dell’utensile, l’utensile fora direttamente, senza interpolazione elicoidale, fino alla profondità { $q-depth }.
 step-mill-on-helix = L’utensile fresa con l’avanzamento { $q-plunging-feed } su una traiettoria elicoidale che a ogni giro scende di { $q-infeed-per-helix }.
 step-mill-full-circle-at-depth = Raggiunta la profondità, l’utensile percorre ancora un cerchio completo per asportare il materiale rimasto dopo la penetrazione.
 step-return-to-centre-of-hole = Il controllo riporta l’utensile al centro del foro.

@@ -11,7 +11,7 @@ explain-texts-no-language =
 explain-texts-file-unreadable =
     Il file è rifiutato per intero e non si modifica nulla. Si leggono XLIFF 1.2, XLIFF 2.0 e PO in UTF-8, e i termini in TBX o CSV. Se di più file uno non si può leggere, nessuno è ripreso. I tipi di documento e le entità proprie sono rifiutati perché possono richiamare altri file o crescere senza limite; per lo stesso motivo si rifiutano elementi annidati troppo in profondità. Controllare il punto indicato, oppure esportare di nuovo i testi e salvarli nella stessa forma con lo strumento di traduzione.
 explain-texts-unit-unknown =
-    L’identificatore di un’unità è la chiave di un testo, e nessun testo della lingua ha questa chiave. È stata rinominata o eliminata dopo l’esportazione, oppure l’identificatore è stato modificato nel file. Esportare di nuovo; una memoria di traduzione ritrova la traduzione già pronta dalle parole.
+    L’identificatore di un’unità è la chiave di un testo, e nessun testo della lingua ha questa chiave. È stata rinominata o eliminata dopo l’esportazione, oppure l’identificatore è stato modificato nel file. Esportare di nuovo; una memoria di traduzione ritrova la traduzione già pronta dalle parole. Un nuovo termine del glossario va scritto prima in locales/en/glossary.ftl; poi si possono importare le traduzioni.
 explain-texts-unit-twice =
     Due unità con lo stesso identificatore potrebbero dire cose diverse, e nulla indica quale sia quella giusta. Nessuna viene ripresa. Eliminarle tutte tranne una.
 explain-texts-unit-source-changed =
@@ -21,7 +21,7 @@ explain-texts-unit-not-read =
 explain-texts-unit-codes =
     I codici stanno per valori, termini e scelte che il programma inserisce. Una traduzione può cambiarne l’ordine e scegliere la forma di un termine, come in { "{ -probe(case: \"genitive\") }" }, ma deve avere i codici del testo di partenza e nessun altro: un codice mancante farebbe perdere un dato, ad esempio una profondità o un parametro. Rimettere quelli mancanti ed eliminare quelli non ammessi.
 explain-texts-unit-exchanged =
-    Le parole della traduzione sono quelle di oggi e solo i codici sono in altri posti, perciò ogni valore sarebbe detto di un’altra cosa. Rimettere i codici al loro posto. Se il nuovo ordine è giusto, modificare anche le parole, oppure il file Fluent.
+    Le parole della traduzione sono quelle di oggi e solo i codici sono in altri posti, perciò ogni valore sarebbe attribuito a un’altra cosa. Rimettere i codici al loro posto. Se il nuovo ordine è giusto, modificare anche le parole, oppure il file Fluent.
 explain-texts-unit-incomplete =
     Un testo nuovo con varianti, ad esempio per uno e per più fori, è completo solo quando ci sono tutte le varianti: una mancante lascerebbe una lacuna nelle frasi. Tradurre tutte le unità il cui identificatore inizia con la stessa chiave e renderle definitive.
 explain-texts-unit-refused =
@@ -37,4 +37,4 @@ explain-draft-language =
 explain-texts-unit-swapped =
     Di due scelte o di due risultati, ciascuno ha nel file le parole che oggi ha l’altro, perciò chi legge imposterebbe il valore sbagliato. Nessuno dei due viene acquisito. Rimettere le parole al loro posto. Se a essere scambiate sono le parole di oggi, correggerle nel file Fluent.
 explain-texts-unit-negation =
-    Il testo inglese nega qualcosa, e la traduzione nel file è quella di oggi senza una parola come «non» o «né». Consentirebbe ciò che è vietato, oppure direbbe avvenuto ciò che non è avvenuto. Rimettere la parola. Se la frase nega in un altro modo, scriverla così; se la parola era sbagliata, toglierla nel file Fluent.
+    Il testo inglese nega qualcosa, e la traduzione nel file è quella di oggi senza una parola come «non» o «né». Consentirebbe ciò che è vietato, oppure darebbe per avvenuto ciò che non è avvenuto. Rimettere la parola. Se la frase nega in un altro modo, scriverla così; se la parola era sbagliata, toglierla nel file Fluent.

@@ -4,6 +4,7 @@ figure-turning-roughing = Sgrossatura
 figure-turning-finishing = Finitura
 figure-turning-inside = Lato interno
 figure-turning-system = Sistema di coordinate
+figure-turning-reversed-tool = Utensile invertito
 figure-turning-smoothing = Lisciatura del profilo
 figure-turning-start-element = Elemento iniziale
 figure-turning-end-element = Elemento finale

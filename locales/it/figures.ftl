@@ -44,7 +44,7 @@ figure-finishing-counter-clockwise = Finitura in senso antiorario, Q9 = +1
 figure-finishing-clockwise = Finitura in senso orario, Q9 = −1
 figure-train-climb = Fresatura concorde, Q15 = +1
 figure-train-up-cut = Fresatura discorde, Q15 = −1
-figure-train-to-and-fro = Avanti e indietro, Q15 = 0
+figure-train-to-and-fro = In andata e ritorno, Q15 = 0
 figure-operation = Lavorazione
 figure-no-contact = Percorso senza contatto
 way-rapid = rapido
@@ -77,7 +77,7 @@ figure-rotary-a = Lungo l’asse rotativo A
 figure-rotary-b = Lungo l’asse rotativo B
 figure-rotary-c = Lungo l’asse rotativo C
 figure-backlash = Gioco di inversione
-figure-sphere = Tastatura della sfera di calibrazione
+figure-sphere = Tastatura della sfera calibrata
 figure-basic-rotation = Rotazione base
 figure-greatest-dimension = Quota massima
 figure-least-dimension = Quota minima

@@ -16,7 +16,7 @@ parameter-retraction-height = Altezza di ritorno
     .label = ALTEZZA DI RITORNO
     .help = Definire se e a quale altezza si ritrae il sistema di tastatura prima del posizionamento di un asse rotativo.
 parameter-retraction-height__itnc530 = ALTEZZA DI RITORNO
-choice-no-retraction = senza spostamento all’altezza di ritorno: il controllo si porta alla posizione di misura successiva nell’asse da misurare e alla prima posizione di misura nella sequenza A, B, C; non ammesso con assi Hirth
+choice-no-retraction = senza spostamento all’altezza di ritorno: il sistema di tastatura si porta alla posizione di misura successiva nell’asse da misurare e alla prima posizione di misura nella sequenza A, B, C; non ammesso con assi Hirth
 choice-retraction = altezza di ritorno nel sistema di coordinate del pezzo non ruotato, alla quale il controllo porta l’asse del mandrino prima di posizionare un asse rotativo; nel piano di lavoro porta il sistema di tastatura sull’origine; in questo modo la sorveglianza del tastatore non è attiva, perciò definire la velocità di posizionamento in { $q-kinematics-positioning-feed }
 parameter-kinematics-positioning-feed = Avanzamento di avvicinamento
     .label = AVANZ. PRE-POSIZIONAM.
@@ -96,48 +96,48 @@ parameter-backlash-angle__itnc530 = ANGOLO GIOCO
 # --- 451 ---
 cycle-measure-kinematics = Misura cinematica
     .nc = MISURA CINEMATICA
-    .purpose = Verifica la cinematica della macchina e, se richiesto, la ottimizza. Un sistema di tastatura 3D misura una sfera calibrata HEIDENHAIN fissata sulla tavola della macchina. Il controllo valuta la precisione statica della rotazione; il software riduce al minimo l’errore nello spazio che ne deriva e memorizza la geometria della macchina nelle costanti macchina della descrizione della cinematica.
+    .purpose = Verifica la cinematica della macchina e, se richiesto, la ottimizza. Un sistema di tastatura 3D misura una sfera calibrata HEIDENHAIN fissata sulla tavola della macchina. Il controllo valuta la precisione statica di rotazione; il software riduce al minimo l’errore nello spazio che ne deriva e memorizza la geometria della macchina nelle costanti macchina della descrizione della cinematica.
 step-clamp-sphere = Serrare la sfera calibrata in modo da escludere collisioni.
 step-set-datum-in-sphere = Nel modo operativo Funzionamento manuale impostare l’origine al centro della sfera. Con { $q-sphere-preset }=1 o { $q-sphere-preset }=3 posizionare invece manualmente il sistema di tastatura sopra la sfera calibrata nell’asse del tastatore e al centro della sfera nel piano di lavoro.
 step-start-calibration-program = Avviare il programma di calibrazione in un modo operativo di esecuzione del programma.
-step-set-preset-before-measuring = Il controllo imposta il Preset:
-say-preset-into-sphere-before = con { $q-sphere-preset }=1 o 3 al centro della sfera, prima della misurazione
+step-set-preset-before-measuring = { $q-sphere-preset } determina quale Preset vale per la misurazione:
+say-preset-into-sphere-before = con { $q-sphere-preset }=1 o 3 il controllo imposta il Preset al centro della sfera prima della misurazione
 say-preset-set-by-hand = altrimenti utilizza l’origine impostata manualmente
 step-move-to-measuring-positions = Il sistema di tastatura si porta alle posizioni di misura:
 say-move-without-retraction = con { $q-retraction-height }=0 senza ritrarsi, nell’asse da misurare; alla prima posizione di misura nella sequenza A, B, C
 say-move-over-retraction-height = altrimenti l’asse del mandrino si porta prima all’altezza di ritorno { $q-retraction-height } e il sistema di tastatura sull’origine nel piano di lavoro
 step-measure-rotary-axes = Il controllo misura in automatico gli assi rotativi, uno dopo l’altro, con la precisione definita. La misurazione di riferimento viene eseguita a 0°.
-step-measure-backlash = Il controllo misura il gioco:
-say-backlash-from-two-measurements = con l’angolo { $q-backlash-angle } mediante due misurazioni per ogni asse rotativo
-say-no-backlash-measurement = con { $q-backlash-angle }=0 non lo misura
+step-measure-backlash = { $q-backlash-angle } determina se il controllo misura il gioco:
+say-backlash-from-two-measurements = se in { $q-backlash-angle } è inserito un angolo, determina il gioco con due misurazioni per ogni asse rotativo
+say-no-backlash-measurement = con { $q-backlash-angle }=0 non misura il gioco
 step-adapt-kinematics = Il controllo elabora la misurazione in base al modo { $q-kinematics-mode }:
-say-report-possible-optimization = verifica: determina dalle posizioni misurate la precisione statica della trasformazione di rotazione, registra nel protocollo ciò che un’ottimizzazione delle posizioni potrebbe ottenere e non esegue alcun adattamento
-say-optimize-axis-positions = ottimizzazione posizione: determina la precisione statica della trasformazione di rotazione, cerca di modificare la posizione degli assi rotativi nel modello cinematico in modo da aumentare la precisione e adatta automaticamente i dati macchina
-say-optimize-angles-then-positions = ottimizzazione posizione e angolo: determina la precisione statica della trasformazione di rotazione, cerca dapprima di ottimizzare la posizione angolare degli assi rotativi mediante compensazione (opzione 52, KinematicsComp) e, in caso di esito positivo, ottimizza la posizione in un’ulteriore serie di misurazioni
+say-report-possible-optimization = verifica: determina dalle posizioni misurate la precisione statica di rotazione, registra nel protocollo ciò che un’ottimizzazione delle posizioni potrebbe ottenere e non esegue alcun adattamento
+say-optimize-axis-positions = ottimizzazione posizione: determina la precisione statica di rotazione, cerca di modificare la posizione degli assi rotativi nel modello cinematico in modo da aumentare la precisione e adatta automaticamente i dati macchina
+say-optimize-angles-then-positions = ottimizzazione posizione e angolo: determina la precisione statica di rotazione, cerca dapprima di ottimizzare la posizione angolare degli assi rotativi mediante compensazione (opzione 52, KinematicsComp) e, in caso di esito positivo, ottimizza la posizione in un’ulteriore serie di misurazioni
 step-store-scatter-and-offsets = Il controllo memorizza i valori misurati nei parametri di risultato.
-step-set-preset-after-measuring = Dopo la misurazione il controllo imposta il Preset:
-say-preset-into-sphere-after = con { $q-sphere-preset }=2 o 3 al centro della sfera
+step-set-preset-after-measuring = Dopo la misurazione { $q-sphere-preset } determina se il controllo imposta il Preset:
+say-preset-into-sphere-after = con { $q-sphere-preset }=2 o 3 lo imposta al centro della sfera
 say-no-preset-after = altrimenti non lo imposta
 step-write-kinematics-log = Il controllo crea un protocollo (TCHPR{ $cycle }.TXT).
-result-scatter-measured-a = Scostamento standard misurato asse A (-1, se l’asse non è stato misurato)
-result-scatter-measured-b = Scostamento standard misurato asse B (-1, se l’asse non è stato misurato)
-result-scatter-measured-c = Scostamento standard misurato asse C (-1, se l’asse non è stato misurato)
-result-scatter-optimized-a = Scostamento standard ottimizzato asse A (-1, se l’asse non è stato ottimizzato)
-result-scatter-optimized-b = Scostamento standard ottimizzato asse B (-1, se l’asse non è stato ottimizzato)
-result-scatter-optimized-c = Scostamento standard ottimizzato asse C (-1, se l’asse non è stato ottimizzato)
+result-scatter-measured-a = Scostamento standard misurato asse A (−1 se l’asse non è stato misurato)
+result-scatter-measured-b = Scostamento standard misurato asse B (−1 se l’asse non è stato misurato)
+result-scatter-measured-c = Scostamento standard misurato asse C (−1 se l’asse non è stato misurato)
+result-scatter-optimized-a = Scostamento standard ottimizzato asse A (−1 se l’asse non è stato ottimizzato)
+result-scatter-optimized-b = Scostamento standard ottimizzato asse B (−1 se l’asse non è stato ottimizzato)
+result-scatter-optimized-c = Scostamento standard ottimizzato asse C (−1 se l’asse non è stato ottimizzato)
 result-offset-error-x = Errore di offset in direzione X, per conferma manuale nel relativo parametro macchina
 result-offset-error-y = Errore di offset in direzione Y, per conferma manuale nel relativo parametro macchina
 result-offset-error-z = Errore di offset in direzione Z, per conferma manuale nel relativo parametro macchina
 note-place-sphere-without-collision = Fissare la sfera calibrata in un punto della tavola della macchina che escluda collisioni durante la misurazione.
 note-hirth-axes-leave-their-grid = Pericolo di collisione! Per essere posizionato, un asse Hirth deve uscire dal passo Hirth. Prevedere una distanza di sicurezza sufficiente a evitare collisioni tra il sistema di tastatura e la sfera calibrata e uno spazio sufficiente per raggiungerla (finecorsa software).
 note-save-kinematics-first = Se il ciclo viene interrotto durante la misurazione, i dati cinematici potrebbero non trovarsi più nella condizione originale. Prima di un’ottimizzazione salvare la cinematica attiva con il ciclo 450, in modo da poterla ripristinare in caso di errore.
-note-kinematics-options = Occorrono le opzioni software abilitate 48 (KinematicsOpt), 8 (opzione software 1) e 17 (funzioni di tastatura).
-note-kinematics-options__itnc530 = Occorrono le opzioni software abilitate 48 (KinematicsOpt) e 8 (opzione software 1) e il livello FCL 3.
+note-kinematics-options = Devono essere abilitate le opzioni software 48 (KinematicsOpt), 8 (opzione software 1) e 17 (funzioni di tastatura).
+note-kinematics-options__itnc530 = Devono essere abilitati le opzioni software 48 (KinematicsOpt) e 8 (opzione software 1) e il livello FCL 3.
 note-kinematics-comp-option = Per la compensazione di posizioni angolari (modo 2) è richiesta l’opzione software 52, KinematicsComp.
 note-probe-must-be-calibrated = Per la misurazione occorre un sistema di tastatura 3D calibrato.
 note-tool-axis-z-only = Il ciclo può essere eseguito soltanto con asse utensile Z.
 note-recommended-spheres = In un punto qualsiasi della tavola della macchina deve essere fissata una sfera calibrata di raggio noto con esattezza e di rigidità sufficiente. HEIDENHAIN consiglia le sfere calibrate KKH 250 (codice di ordinazione 655475-01) e KKH 100 (codice di ordinazione 655475-02), particolarmente rigide e realizzate per la calibrazione di macchine. Se necessario, rivolgersi a HEIDENHAIN.
-note-kinematics-description-complete = La descrizione della cinematica della macchina deve essere completa e corretta, con quote di conversione precise a circa 1 mm, e la macchina deve essere stata completamente misurata dal punto di vista geometrico (dal costruttore della macchina alla messa in funzione).
+note-kinematics-description-complete = La descrizione della cinematica della macchina deve essere completa e corretta, con quote di conversione inserite con una precisione di circa 1 mm, e la macchina deve essere stata completamente misurata dal punto di vista geometrico (dal costruttore della macchina alla messa in funzione).
 note-model-differs-from-machine = Se il modello cinematico memorizzato nel controllo si discosta dalla macchina, il posizionamento degli assi rotativi provoca errori sul pezzo. Il ciclo misura in modo completamente automatico e con risoluzione definibile gli assi rotativi sia della tavola sia della testa; nella definizione del ciclo si indica per ogni asse rotativo solo il campo da misurare.
 note-kinematics-machine-data = { $mp-max-modification } è il limite delle modifiche dei dati cinematici oltre il quale il controllo visualizza un avvertimento. { $mp-max-ball-deviation } è lo scostamento ammesso tra il raggio della sfera misurato e quello inserito. { $mp-rotary-axis-m-function } è la funzione M che posiziona gli assi rotativi, oppure −1 se è il controllo a posizionarli.
 note-kinematics-config-stored = Il costruttore della macchina deve aver memorizzato nei dati di configurazione i parametri macchina di { $mp-kinematics-config }.
@@ -176,13 +176,13 @@ note-kinematics-limit-exceeded = Se nel modo «ottimizzazione» i dati cinematic
 note-preset-changes-with-kinematics = Ogni modifica della cinematica modifica anche il Preset, che va perciò impostato di nuovo dopo un’ottimizzazione.
 note-sphere-radius-checked = A ogni tastatura il controllo misura dapprima il raggio della sfera calibrata. Se il valore si scosta dal raggio inserito più di { $mp-max-ball-deviation }, il controllo visualizza un messaggio d’errore e termina la misurazione.
 note-sphere-radius-checked__itnc530 = A ogni tastatura il controllo misura dapprima il raggio della sfera calibrata. Se il valore si scosta dal raggio inserito più di { $mp-max-ball-deviation }, il controllo emette un avvertimento e termina la misurazione.
-note-interrupted-kinematics = La cinematica salvata può essere ripristinata se il risultato non soddisfa o in caso di errori, ad esempio una caduta di corrente.
+note-interrupted-kinematics = La cinematica salvata può essere ripristinata se il risultato non è soddisfacente o in caso di errori, ad esempio una caduta di corrente.
 note-results-in-mm = Anche nei programmi in pollici i risultati e il protocollo sono forniti in mm.
 note-inactive-axes-ignored = I dati della definizione del ciclo relativi ad assi non attivi vengono ignorati.
 note-status-window = Una finestra in primo piano visualizza lo stato della misurazione. Il controllo la nasconde non appena viene eseguito un percorso più lungo del raggio della sfera.
 note-kinematics-log-contents = Il protocollo contiene data e ora, il percorso del programma NC, il modo, il numero della cinematica attiva e il raggio della sfera inserito; per ogni asse rotativo misurato: angolo di partenza, angolo finale, angolo di registrazione, numero dei punti di misura, dispersione (scostamento standard), errore massimo, errore angolare, gioco medio, errore di posizionamento medio, raggio del cerchio di misura, valori di correzione in tutti gli assi (spostamento Preset) e imprecisione di misura per assi rotativi.
 note-kinematics-log-contents__itnc530 = Il protocollo contiene data e ora, il percorso del programma NC, il modo, il numero della cinematica attiva e il raggio della sfera inserito; per ogni asse rotativo misurato: angolo di partenza, angolo finale, angolo di registrazione, numero dei punti di misura, dispersione (scostamento standard), errore massimo, errore angolare, gioco medio, errore di posizionamento medio, raggio del cerchio di misura, valori di correzione in tutti gli assi (spostamento Preset), valutazione dei punti di misura e imprecisione di misura per assi rotativi.
-note-kinematics-log-explained = Nel modo «verifica» il protocollo indica la precisione raggiungibile con un’ottimizzazione, negli altri modi la precisione raggiunta. I dati misurati vengono riportati nel protocollo anche quando la posizione angolare di un asse rotativo non è calcolabile. Dispersione misurata: il 68,3% degli errori nello spazio misurati rientra in ± questo valore; ottimizzata: il 68,3% degli errori previsti dopo la correzione. La valutazione dei punti di misura è una misura della qualità delle posizioni di misura rispetto alle conversioni modificabili del modello: quanto più è alta, tanto migliore è l’ottimizzazione. Non dovrebbe essere inferiore a 2 per nessun asse rotativo, meglio se 4 o più; se è piccola, ampliare il campo di misura dell’asse o aumentare il numero dei punti. Se ciò non basta, la descrizione della cinematica potrebbe essere errata; se necessario, rivolgersi al Servizio Assistenza.
+note-kinematics-log-explained = Nel modo «verifica» il protocollo indica la precisione raggiungibile con un’ottimizzazione, negli altri modi la precisione raggiunta. I dati misurati vengono riportati nel protocollo anche quando la posizione angolare di un asse rotativo non è calcolabile. Dispersione misurata: il 68,3% degli errori nello spazio misurati rientra in ± questo valore; ottimizzata: il 68,3% degli errori previsti dopo la correzione. La valutazione dei punti di misura è una misura della qualità delle posizioni di misura rispetto alle trasformazioni modificabili del modello: quanto più è alta, tanto migliore è l’ottimizzazione. Non dovrebbe essere inferiore a 2 per nessun asse rotativo, meglio se 4 o più; se è bassa, ampliare il campo di misura dell’asse o aumentare il numero dei punti. Se ciò non basta, la descrizione della cinematica potrebbe essere errata; se necessario, rivolgersi al Servizio Assistenza.
 note-measuring-uncertainty = L’imprecisione di misura è indicata in gradi per 1 µm di imprecisione del sistema e serve a valutare gli errori di posizionamento misurati o il gioco di un asse rotativo. Il controllo non conosce la precisione dell’intero sistema, che va quindi stimata: imprecisione del sistema = SQRT(3 · u² + p²), con l’imprecisione di posizione (oppure, per il gioco, la ripetibilità) u di ogni asse lineare e l’imprecisione p del sistema di tastatura. Esempi: u = 10 µm, p = 2 µm: 17,4 µm, con 0,0002°/µm 0,0034°; u = 5 µm, p = 2 µm: 8,9 µm, con 0,0002°/µm 0,0018°.
 note-reference-head = Per la taratura di teste intercambiabili inserirne una come testa di riferimento, serrare la sfera calibrata, inserire il sistema di tastatura, misurare la cinematica completa con questo ciclo e impostare il Preset dopo la misurazione ({ $q-sphere-preset }=2 o 3). Le altre teste vengono poi tarate con il ciclo 452.
 note-drift-reference = Per compensare la deriva serrare la sfera calibrata, misurare la cinematica completa con questo ciclo prima dell’inizio della lavorazione, impostare il Preset dopo la misurazione ({ $q-sphere-preset }=2 o 3), quindi impostare i Preset dei pezzi e avviare la lavorazione. Il ciclo 452 compensa la deriva a intervalli regolari.

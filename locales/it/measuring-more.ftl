@@ -5,7 +5,7 @@ say-part-is-scrap = scarto (Q182=1) se un valore misurato è fuori tolleranza e 
 say-part-needs-rework = ripresa (Q181=1) se un valore misurato è fuori tolleranza e può essere corretto
 
 # --- 422 ---
-cycle-measure-stud = Misurazione pezzo cerchio esterno (isola)
+cycle-measure-stud = Misurazione cerchio esterno (isola)
     .nc = MISURARE CERCHIO EST.
     .purpose = Misura il centro e il diametro di un’isola circolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
 say-part-is-scrap__measure-stud = scarto (Q182=1) se l’isola è più piccola di { $q-stud-least-diameter } o il suo centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
@@ -13,10 +13,10 @@ say-part-needs-rework__measure-stud = ripresa (Q181=1) se l’isola è più gran
 note-smallest-stepping-angle__measure-stud = Quanto più piccolo è l’angolo incrementale { $q-probing-stepping-angle }, tanto meno precise sono le dimensioni dell’isola calcolate dal controllo. Valore minimo di immissione: 5°.
 
 # --- 423, 424 ---
-cycle-measure-rectangular-pocket = Misurazione pezzo rettangolo interno
+cycle-measure-rectangular-pocket = Misurazione rettangolo interno
     .nc = MISURARE RETTANGOLO INT.
     .purpose = Misura il centro, la lunghezza e la larghezza di una tasca rettangolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
-cycle-measure-rectangular-stud = Misurazione pezzo rettangolo esterno
+cycle-measure-rectangular-stud = Misurazione rettangolo esterno
     .nc = MISURARE RETTANGOLO EST.
     .purpose = Misura il centro, la lunghezza e la larghezza di un’isola rettangolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
 say-part-is-scrap__measure-rectangular-pocket = scarto (Q182=1) se un lato è più lungo di { $q-first-side-greatest-length } o { $q-second-side-greatest-length } o il centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
@@ -29,10 +29,10 @@ title-measure-and-rework-rectangular-stud = Misurazione di un’isola rettangola
 title-measure-rectangular-pocket-with-log = Misurazione di una tasca rettangolare con registrazione dei risultati
 
 # --- 425, 426 ---
-cycle-measure-slot-width = Misurazione pezzo larghezza interna (scanalatura)
+cycle-measure-slot-width = Misurazione larghezza interna (scanalatura)
     .nc = MISURARE LARGHEZZA INT.
     .purpose = Misura la posizione e la larghezza di una scanalatura (tasca). Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento in un parametro.
-cycle-measure-ridge-width = Misurazione pezzo larghezza esterna (isola)
+cycle-measure-ridge-width = Misurazione larghezza esterna (isola)
     .nc = MISURARE LARGHEZZA EST.
     .purpose = Misura la posizione e la larghezza di un’isola. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento in un parametro.
 step-probe-first-in-positive-direction = Il sistema di tastatura esegue la prima tastatura con l’avanzamento di tastatura (colonna { $mp-probing-feed }), sempre in direzione positiva dell’asse programmato.
@@ -40,8 +40,8 @@ step-probe-first-in-positive-direction__tnc426-430 = Il sistema di tastatura ese
 step-probe-first-in-negative-direction = Il sistema di tastatura esegue la prima tastatura con l’avanzamento di tastatura (colonna { $mp-probing-feed }), sempre in direzione negativa dell’asse programmato.
 step-probe-first-in-negative-direction__tnc426-430 = Il sistema di tastatura esegue la prima tastatura con l’avanzamento di tastatura ({ $mp-probing-feed } o { $mp-analog-probing-feed }), sempre in direzione negativa dell’asse programmato.
 step-probe-second-side-of-slot = Il sistema di tastatura esegue la seconda tastatura in base a { $q-second-measurement-offset }:
-step-probe-second-side-of-slot__tnc640 = Il sistema di tastatura esegue la seconda tastatura in base a { $q-second-measurement-offset }. Se la lunghezza nominale è grande, il controllo si porta in rapido al secondo punto di tastatura:
-say-offset-second-measurement = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura di questo offset, parallelamente all’asse, fino al punto di tastatura successivo ed esegue qui la tastatura
+step-probe-second-side-of-slot__tnc640 = Se la lunghezza nominale è grande, il controllo si porta in rapido al secondo punto di tastatura. Il sistema di tastatura esegue la seconda tastatura in base a { $q-second-measurement-offset }:
+say-offset-second-measurement = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura di questo offset, parallelamente agli assi, fino al punto di tastatura successivo ed esegue qui la tastatura
 say-offset-second-measurement__tnc640 = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura di questo offset fino al punto di tastatura successivo, con { $q-traverse-to-clearance-height }=1 all’altezza di sicurezza { $q-clearance-height }, ed esegue qui la tastatura
 say-measure-in-opposite-direction = con { $q-second-measurement-offset }=0 misura la larghezza direttamente nella direzione opposta
 step-probe-second-side-of-ridge = Il sistema di tastatura si porta, all’altezza di sicurezza { $q-clearance-height }, al punto di tastatura successivo ed esegue qui la seconda tastatura.
@@ -54,9 +54,9 @@ result-measured-length-actual = Valore reale lunghezza misurata
 result-measured-length-deviation = Scostamento lunghezza misurata
 
 # --- 427 ---
-cycle-measure-coordinate = Misurazione pezzo asse singolo selezionabile
+cycle-measure-coordinate = Misurazione coordinata in un asse selezionabile
     .nc = MISURARE COORDINATA
-    .purpose = Misura una coordinata in un asse selezionabile e memorizza il valore in un parametro. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento nei parametri di risultato.
+    .purpose = Misura una coordinata in un asse selezionabile e memorizza il valore in un parametro. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
 step-position-against-traverse-direction = Il controllo posiziona il sistema di tastatura sul punto di tastatura programmato, in rapido (valore della colonna { $mp-positioning-feed }) e con logica di posizionamento, arretrandolo della distanza di sicurezza in senso opposto alla direzione di spostamento { $q-traverse-direction }.
 step-position-against-traverse-direction__tnc426-430 = Il controllo posiziona il sistema di tastatura sul punto di tastatura programmato, in rapido (valore di { $mp-positioning-feed } o { $mp-analog-positioning-feed }) e con logica di posizionamento, arretrandolo della distanza di sicurezza in senso opposto alla direzione di spostamento { $q-traverse-direction }.
 step-probe-coordinate = Il controllo posiziona il sistema di tastatura nel piano di lavoro sul punto di tastatura programmato e misura qui il valore reale nell’asse selezionato.
@@ -64,14 +64,14 @@ step-retract-and-store-measured-coordinate = Il controllo riporta il sistema di 
 say-part-is-scrap__measure-coordinate = scarto (Q182=1) se la coordinata misurata è minore di { $q-least-dimension }
 say-part-needs-rework__measure-coordinate = ripresa (Q181=1) se la coordinata misurata è maggiore di { $q-greatest-dimension }
 say-correct-tool-length = con { $q-monitored-tool } diverso da 0 e { $q-measuring-axis }=3 corregge la lunghezza utensile nella colonna DL della tabella utensili; se lo scostamento è maggiore della tolleranza di rottura RBREAK, visualizza un messaggio d’errore, arresta l’esecuzione del programma e blocca l’utensile (colonna TL = L)
-say-correct-tool-radius__measure-coordinate = con { $q-monitored-tool } diverso da 0 e { $q-measuring-axis }=1 o 2 corregge il raggio delta nella colonna DR della tabella utensili, nel senso che risulta da { $q-traverse-direction }; se lo scostamento è maggiore della tolleranza di rottura RBREAK, visualizza un messaggio d’errore, arresta l’esecuzione del programma e blocca l’utensile (colonna TL = L)
-note-coordinate-is-outside-dimension = Il controllo presuppone che venga misurata una quota esterna (isola). Lo stato della misurazione può essere corretto con una scelta adeguata della quota massima e minima in combinazione con la direzione di tastatura.
+say-correct-tool-radius__measure-coordinate = con { $q-monitored-tool } diverso da 0 e { $q-measuring-axis }=1 o 2 corregge il valore delta del raggio nella colonna DR della tabella utensili, nel senso che risulta da { $q-traverse-direction }; se lo scostamento è maggiore della tolleranza di rottura RBREAK, visualizza un messaggio d’errore, arresta l’esecuzione del programma e blocca l’utensile (colonna TL = L)
+note-coordinate-is-outside-dimension = Il controllo presuppone che venga misurata una quota esterna (isola). Per ottenere lo stato corretto in altri casi, scegliere in modo adeguato la quota massima, la quota minima e la direzione di tastatura.
 note-coordinate-corrects-radius-or-length = Se l’asse di misura è un asse del piano di lavoro ({ $q-measuring-axis }=1 o 2), il controllo corregge il raggio utensile; il senso della correzione risulta dalla direzione di spostamento { $q-traverse-direction }. Se l’asse di misura è l’asse del tastatore ({ $q-measuring-axis }=3), corregge la lunghezza utensile.
 
 # --- 430 ---
-cycle-measure-bolt-hole-circle = Misurazione pezzo cerchio di fori
+cycle-measure-bolt-hole-circle = Misurazione cerchio di fori
     .nc = MISURARE CERCHIO DI FORI
-    .purpose = Misura il centro e il diametro di un cerchio di fori misurando tre dei suoi fori. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento nei parametri di risultato.
+    .purpose = Misura il centro e il diametro di un cerchio di fori misurando tre dei suoi fori. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
 step-measure-centre-of-hole = Il sistema di tastatura si porta all’altezza di misura { $q-measuring-height } e rileva il centro del foro con quattro tastature.
 step-travel-to-next-hole = Il sistema di tastatura ritorna all’altezza di sicurezza { $q-clearance-height } e viene posizionato sul centro inserito del foro successivo.
 until-three-holes-measured = non sono stati rilevati i centri di tutti e tre i fori
@@ -94,7 +94,7 @@ note-results-shown-in-help-graphic__tnc426-430 = Durante la definizione del cicl
 result-measured-angle = Angolo misurato riferito all’asse principale del piano di lavoro
 
 # --- 431 ---
-cycle-measure-plane = Misurazione pezzo piano
+cycle-measure-plane = Misurazione piano
     .nc = MISURARE PIANO
     .purpose = Misura gli angoli di un piano misurando tre punti e memorizza i valori in parametri.
 step-measure-first-point-of-plane = Il controllo posiziona il sistema di tastatura sul primo punto di tastatura programmato, in rapido (valore della colonna { $mp-positioning-feed }) e con logica di posizionamento, arretrandolo della distanza di sicurezza in senso opposto alla direzione di tastatura, e misura qui il primo punto del piano.
@@ -124,8 +124,8 @@ result-third-value-in-probe-axis = Valore misurato nell’asse del tastatore (te
 cycle-polar-reference-plane = Origine polare
     .nc = ORIGINE POLARE
     .purpose = Misura una posizione qualsiasi del pezzo in una direzione di tastatura qualsiasi, indicata da un angolo.
-step-probe-at-polar-angle = Il sistema di tastatura esegue la tastatura con l’avanzamento di tastatura (colonna { $mp-probing-feed }). Durante la tastatura il controllo si sposta contemporaneamente in due assi, in funzione dell’angolo di tastatura. La direzione di tastatura viene definita nel ciclo da un angolo polare.
-step-probe-at-polar-angle__tnc426-430 = Il sistema di tastatura esegue la tastatura con l’avanzamento di tastatura ({ $mp-probing-feed } o { $mp-analog-probing-feed }). Durante la tastatura il controllo si sposta contemporaneamente in due assi, in funzione dell’angolo di tastatura. La direzione di tastatura viene definita nel ciclo da un angolo polare.
+step-probe-at-polar-angle = Il sistema di tastatura esegue la tastatura con l’avanzamento di tastatura (colonna { $mp-probing-feed }). Durante la tastatura il sistema di tastatura si sposta contemporaneamente in due assi, in funzione dell’angolo di tastatura. La direzione di tastatura viene definita nel ciclo da un angolo polare.
+step-probe-at-polar-angle__tnc426-430 = Il sistema di tastatura esegue la tastatura con l’avanzamento di tastatura ({ $mp-probing-feed } o { $mp-analog-probing-feed }). Durante la tastatura il sistema di tastatura si sposta contemporaneamente in due assi, in funzione dell’angolo di tastatura. La direzione di tastatura viene definita nel ciclo da un angolo polare.
 step-return-and-store-trigger-position = Dopo il rilevamento della posizione il sistema di tastatura ritorna al punto di partenza della tastatura. Il controllo memorizza nei parametri da Q115 a Q119 le coordinate della posizione in cui il sistema di tastatura si trovava al momento del segnale di commutazione.
 step-return-and-store-trigger-position__tnc426-430 = Dopo il rilevamento della posizione il sistema di tastatura ritorna al punto di partenza della tastatura. Il controllo memorizza nei parametri da Q115 a Q119 le coordinate del centro della sfera al momento del contatto con il pezzo.
 note-probing-plane-by-axis = L’asse di tastatura definito nel ciclo determina il piano di tastatura: asse di tastatura X: piano X/Y; Y: piano Y/Z; Z: piano Z/X.

@@ -1,7 +1,7 @@
 # Cycles that measure the workpiece; see the English file.
 
 # --- 421 ---
-cycle-measure-hole = Misurazione pezzo cerchio interno (foro)
+cycle-measure-hole = Misurazione cerchio interno (foro)
     .nc = MISURARE FORO
     .purpose = Misura il centro e il diametro di un foro (tasca circolare). Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
 step-retract-and-store-results = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } e memorizza nei parametri di risultato i valori reali e gli scostamenti dai valori nominali.
@@ -15,7 +15,7 @@ say-log-on-screen = con { $q-measuring-log }=2 interrompe l’esecuzione del pro
 say-no-log = altrimenti non crea alcun protocollo
 message-measuring-log-on-screen = Il protocollo di misura è visualizzato sullo schermo. Proseguire con Avvio NC.
 step-monitor-tool = Il controllo verifica l’utensile in base a { $q-monitored-tool }:
-say-correct-tool-radius = con { $q-monitored-tool } diverso da 0 lo scostamento del raggio viene sommato al raggio delta nella colonna DR della tabella utensili; se lo scostamento è maggiore della tolleranza di rottura RBREAK, viene visualizzato un messaggio d’errore, l’esecuzione del programma viene arrestata e l’utensile bloccato (colonna TL = L)
+say-correct-tool-radius = con { $q-monitored-tool } diverso da 0 lo scostamento del raggio viene sommato al valore delta nella colonna DR della tabella utensili; se lo scostamento è maggiore della tolleranza di rottura RBREAK, viene visualizzato un messaggio d’errore, l’esecuzione del programma viene arrestata e l’utensile bloccato (colonna TL = L)
 say-no-tool-monitoring = con { $q-monitored-tool }=0 non viene controllato alcun utensile
 step-stop-on-tolerance-error = Il controllo reagisce al superamento di una tolleranza in base a { $q-stop-on-tolerance-error }:
 say-stop-with-tolerance-error = con { $q-stop-on-tolerance-error }=1 interrompe l’esecuzione del programma e visualizza un messaggio d’errore

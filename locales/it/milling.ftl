@@ -31,8 +31,8 @@ say-back-to-slot-centre = { $q-slot-position } = 0: il controllo riporta l’ute
 say-stays-in-working-plane = altrimenti: il controllo non posiziona l’utensile nel piano di lavoro
 note-position-at-slot-start = Posizionare l’utensile sul punto di partenza nel piano di lavoro con correzione del raggio R0. Tenere conto della posizione della scanalatura { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Posizionare l’utensile sul punto di partenza nel piano di lavoro con correzione del raggio R0. Tenere conto del riferimento per la posizione della scanalatura { $q-slot-position-reference }.
-note-slot-end-position = Al termine del ciclo il controllo riporta l’utensile nel piano di lavoro al centro della scanalatura; nell’altro asse del piano di lavoro non esegue alcun posizionamento. Se è definita una posizione della scanalatura { $q-slot-position } diversa da 0, il controllo posiziona l’utensile solo nell’asse utensile alla 2ª distanza di sicurezza. Prima di richiamare il ciclo riportare l’utensile nella posizione di partenza oppure programmare spostamenti assoluti prima della chiamata.
-note-wide-slot-is-cleared = Se la scanalatura è più larga del doppio del diametro dell’utensile, il controllo la svuota di conseguenza dall’interno verso l’esterno. Si possono quindi fresare scanalature di qualsiasi larghezza anche con utensili piccoli.
+note-slot-end-position = Al termine del ciclo il controllo riporta l’utensile nel piano di lavoro al centro della scanalatura. Eccezione: se è definita una posizione della scanalatura { $q-slot-position } diversa da 0, lo posiziona solo nell’asse utensile alla 2ª distanza di sicurezza. Prima di richiamare il ciclo riportare l’utensile nella posizione di partenza oppure programmare spostamenti assoluti prima della chiamata.
+note-wide-slot-is-cleared = Se la scanalatura è più larga del doppio del diametro dell’utensile, il controllo la svuota dall’interno verso l’esterno. Si possono quindi fresare scanalature di qualsiasi larghezza anche con utensili piccoli.
 
 # --- 254 ---
 cycle-circular-slot = Scanalatura circolare
@@ -45,7 +45,7 @@ step-end-of-circular-slot = La posizione dell’utensile al termine del ciclo di
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: il controllo riporta l’utensile nel piano di lavoro sul punto di partenza (centro del cerchio parziale)
 condition-slot-at-entered-centre = la posizione della scanalatura risulta dal centro del cerchio parziale inserito ({ $q-slot-position-reference } = 0)
 note-circular-slot-end-position = Al termine del ciclo il controllo riporta l’utensile nel piano di lavoro sul punto di partenza (centro del cerchio parziale). Eccezione: se è definita una posizione della scanalatura { $q-slot-position-reference } diversa da 0, lo posiziona solo nell’asse utensile alla 2ª distanza di sicurezza. In questo caso programmare sempre spostamenti assoluti dopo la chiamata del ciclo.
-note-circular-slot-with-pattern = Se il ciclo 254 (scanalatura circolare) viene combinato con il ciclo 221, la posizione della scanalatura 0 non è ammessa.
+note-circular-slot-with-pattern = Se il ciclo 254 (scanalatura circolare) viene combinato con il ciclo 221, il valore 0 per la posizione della scanalatura non è ammesso.
 
 # --- 256 ---
 cycle-rectangular-stud = Isola rettangolare
@@ -73,11 +73,11 @@ cycle-circular-stud = Isola circolare
 step-move-to-circular-stud-approach = L’utensile si porta dalla posizione di partenza del ciclo (centro dell’isola) alla posizione di partenza per la lavorazione dell’isola, che il parametro { $q-stud-starting-angle } definisce come angolo polare riferito al centro dell’isola.
 step-mill-spiral-around-stud = L’utensile si accosta poi tangenzialmente al profilo dell’isola su una traiettoria a spirale e fresa un giro.
 step-keep-spiral-to-finished-diameter = Se con un giro non si raggiunge il diametro della parte finita, il controllo continua ad avanzare sulla spirale fino a raggiungerlo, tenendo conto del diametro del grezzo, del diametro della parte finita e dell’incremento laterale ammesso.
-step-leave-stud-on-spiral = Il controllo si distacca dal profilo su una traiettoria a spirale.
+step-leave-stud-on-spiral = L’utensile si distacca dal profilo su una traiettoria a spirale.
 step-next-infeed-near-departure = Se sono necessari più incrementi, quello successivo avviene nel punto più vicino al distacco.
 step-retract-and-return-to-stud-centre = Al termine del ciclo, dopo il distacco a spirale, il controllo posiziona l’utensile nell’asse utensile alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (se non è inserita, alla distanza di sicurezza) e poi al centro dell’isola.
 note-position-at-stud-centre = Posizionare l’utensile sul punto di partenza (centro dell’isola) nel piano di lavoro con correzione del raggio R0.
-note-circular-stud-end-height = Pericolo di collisione! Al termine il controllo riporta l’utensile alla distanza di sicurezza oppure, se inserita, alla 2ª distanza di sicurezza. La posizione finale dell’utensile dopo il ciclo può quindi essere diversa dalla sua posizione di partenza.
+note-circular-stud-end-height = Pericolo di collisione! Al termine il controllo riporta l’utensile alla distanza di sicurezza oppure, se inserita, alla 2ª distanza di sicurezza. Nell’asse utensile, la posizione finale dopo il ciclo può quindi essere diversa dalla sua posizione di partenza.
 
 # --- 221 ---
 cycle-line-pattern = Sagome di punti su linee
@@ -112,10 +112,10 @@ cycle-ruled-surface = Superficie regolare
     .purpose = Fresa una superficie obliqua, inclinata o svergolata, definita da quattro punti d’angolo, con righe nella stessa direzione.
 step-straight-to-starting-point = Il controllo porta l’utensile dalla posizione attuale su una retta nello spazio al punto di partenza 1.
 step-mill-line-to-its-end = L’utensile fresa poi con l’avanzamento programmato { $q-milling-feed } fino al punto finale della riga: nella prima riga fino al punto 2, con avanzamento dimezzato; in ogni riga successiva fino a un punto che il controllo calcola dal punto 2 e dallo spostamento verso il punto 3.
-step-rapid-back-to-start-of-line = Da qui il controllo sposta l’utensile in rapido (FMAX) in direzione positiva dell’asse del mandrino, fino al diametro dell’utensile al di sopra dell’estremità più alta della riga, e poi lo riporta al punto di partenza della riga (nella prima riga il punto 1).
+step-rapid-back-to-start-of-line = Da qui il controllo sposta l’utensile in rapido (FMAX) in direzione positiva dell’asse del mandrino, fino a una distanza pari al diametro dell’utensile sopra l’estremità più alta della riga, e poi lo riporta al punto di partenza della riga (nella prima riga il punto 1).
 step-down-to-last-height = Sul punto di partenza il controllo riporta l’utensile all’ultimo valore raggiunto in quel punto nell’asse del mandrino.
 step-move-to-start-of-next-line = Il controllo porta poi l’utensile alla riga successiva, in tutti e tre gli assi, dal punto 1 in direzione del punto 4.
-step-above-highest-point = Al termine il controllo posiziona l’utensile, nell’asse del mandrino, di un diametro utensile sopra il punto più alto inserito.
+step-above-highest-point = Al termine il controllo posiziona l’utensile nell’asse del mandrino, a una distanza pari al diametro dell’utensile sopra il punto più alto inserito.
 note-cutting-direction-of-surface = Il punto di partenza, e quindi la direzione di fresatura, può essere scelto liberamente: il controllo esegue i singoli tagli dal punto 1 al punto 2, mentre la lavorazione complessiva procede dai punti 1 e 2 ai punti 3 e 4. Il punto 1 può trovarsi su un angolo qualsiasi della superficie.
 note-surface-quality-with-end-mills = Con frese a candela la qualità della superficie può essere migliorata: con un taglio in spinta (coordinata dell’asse del mandrino del punto 1 maggiore di quella del punto 2) su superfici poco inclinate; con un taglio in trazione (coordinata dell’asse del mandrino del punto 1 minore di quella del punto 2) su superfici molto inclinate; su superfici svergolate disponendo la direzione di taglio principale (dal punto 1 al punto 2) nella direzione dell’inclinazione maggiore.
 note-surface-quality-with-ball-end-mills = Con frese sferiche la qualità di superfici svergolate può essere migliorata disponendo la direzione di taglio principale (dal punto 1 al punto 2) perpendicolarmente alla direzione dell’inclinazione maggiore.
@@ -126,8 +126,8 @@ note-centre-cut-or-pilot-drill = Se necessario, utilizzare una fresa con taglien
 # --- 232 ---
 cycle-face-milling = Fresatura a spianare
     .nc = FRESATURA A SPIANARE
-    .purpose = Fresa una superficie piana in più incrementi secondo una di tre strategie, tenendo conto di un sovrametallo di finitura.
-step-position-beside-surface = Dalla posizione attuale il controllo posiziona l’utensile in rapido (FMAX) con logica di posizionamento sul punto di partenza 1, situato a fianco del pezzo e distante da esso il raggio dell’utensile più la distanza laterale { $q-side-clearance }:
+    .purpose = Fresa una superficie piana in più incrementi con una strategia a scelta fra tre, tenendo conto di un sovrametallo di finitura.
+step-position-beside-surface = Dalla posizione attuale il controllo posiziona l’utensile in rapido (FMAX) con logica di posizionamento sul punto di partenza 1, situato a fianco del pezzo, a una distanza pari al raggio dell’utensile più la distanza laterale { $q-side-clearance }:
 say-plane-then-spindle-axis = se l’utensile si trova sopra la 2ª distanza di sicurezza { $q-second-set-up-clearance }: dapprima nel piano di lavoro, poi nell’asse del mandrino
 say-second-clearance-then-plane = altrimenti: dapprima alla 2ª distanza di sicurezza { $q-second-set-up-clearance }, poi nel piano di lavoro
 step-feed-to-face-infeed = L’utensile si porta poi nell’asse del mandrino con l’avanzamento di avvicinamento { $q-pre-positioning-feed } alla profondità incremento successiva, calcolata dal controllo.
@@ -135,7 +135,7 @@ step-mill-face-line = L’utensile fresa con l’avanzamento programmato { $q-mi
 say-line-ends-outside-surface = { $q-face-milling-strategy } = 0: all’esterno della superficie; il controllo lo calcola dal punto di partenza, dalla lunghezza e dalla distanza laterale { $q-side-clearance } programmati e dal raggio dell’utensile
 say-line-ends-inside-surface = { $q-face-milling-strategy } = 1: all’interno della superficie; il controllo lo calcola dal punto di partenza e dalla lunghezza programmati e dal raggio dell’utensile
 say-line-ends-outside-surface-by-lines = { $q-face-milling-strategy } = 2: all’esterno della superficie; il controllo lo calcola dal punto di partenza, dalla lunghezza e dalla distanza laterale { $q-side-clearance } programmati e dal raggio dell’utensile
-step-step-over-on-face = Il controllo sposta l’utensile trasversalmente sul punto di partenza della riga successiva. Calcola lo spostamento dalla larghezza programmata { $q-second-side-length }, dal raggio dell’utensile e dal fattore di sovrapposizione massimo { $q-max-path-overlap }:
+step-step-over-on-face = Il controllo calcola lo spostamento dalla larghezza programmata { $q-second-side-length }, dal raggio dell’utensile e dal fattore di sovrapposizione massimo { $q-max-path-overlap } e sposta l’utensile trasversalmente sul punto di partenza della riga successiva:
 say-step-over-outside = { $q-face-milling-strategy } = 0: con l’avanzamento di avvicinamento { $q-pre-positioning-feed }
 say-step-over-inside = { $q-face-milling-strategy } = 1: all’interno del pezzo, con l’avanzamento di fresatura { $q-milling-feed }
 say-retract-and-return-to-next-line = { $q-face-milling-strategy } = 2: l’utensile si porta nell’asse del mandrino alla distanza di sicurezza { $q-set-up-clearance } sopra la profondità attuale e con l’avanzamento di avvicinamento { $q-pre-positioning-feed } direttamente sul punto di partenza della riga successiva

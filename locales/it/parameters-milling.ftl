@@ -225,7 +225,7 @@ choice-line-by-line-with-retraction = Lavorazione per righe, con ritrazione e in
 
 # --- coordinate transforms ---
 parameter-mirrored-axes = Assi speculari
-    .help = Assi da rendere speculari. Si possono rendere speculari tutti gli assi, compresi gli assi rotativi, tranne l’asse del mandrino e il relativo asse secondario. Fino a tre degli assi NC X, Y, Z, U, V, W, A, B, C.
+    .help = Assi da rendere speculari. Si possono rendere speculari tutti gli assi, compresi gli assi rotativi, tranne l’asse del mandrino e l’asse secondario parallelo ad esso. Fino a tre degli assi NC X, Y, Z, U, V, W, A, B, C.
     .prompt = Asse speculare?
 parameter-scaling-factor = Fattore
     .help = Fattore di scala SCL. Il controllo moltiplica per esso coordinate e raggi.

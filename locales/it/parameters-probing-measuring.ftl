@@ -82,9 +82,9 @@ parameter-probing-clearance__measure-slot-width =
 parameter-measuring-axis__measure-coordinate = Asse di misura (1...3: 1=asse principale)
     .help = Asse nel quale viene eseguita la misurazione.
 parameter-greatest-dimension__measure-coordinate =
-    .help = Valore massimo misurato ammesso.
+    .help = Valore misurato massimo ammesso.
 parameter-least-dimension__measure-coordinate =
-    .help = Valore minimo misurato ammesso.
+    .help = Valore misurato minimo ammesso.
 
 # --- 430 ---
 parameter-probing-centre-main__measure-bolt-hole-circle =
@@ -132,7 +132,7 @@ parameter-probing-centre-main__datum-bolt-hole-circle =
 parameter-probing-centre-minor__datum-bolt-hole-circle =
     .help = Centro del cerchio di fori (valore nominale) nell’asse secondario del piano di lavoro.
 parameter-probing-nominal-diameter__datum-bolt-hole-circle =
-    .help = Diametro approssimativo del cerchio di fori. Quanto più piccolo è il diametro dei fori, con tanta maggiore precisione deve essere inserito.
+    .help = Diametro approssimativo del cerchio di fori. Quanto più piccolo è il diametro dei fori, tanto maggiore deve essere la precisione del valore inserito.
 parameter-datum-row-number__datum-bolt-hole-circle =
     .help = Numero nella tabella origini o nella tabella Preset con il quale vengono memorizzate le coordinate del centro del cerchio di fori. Con 0 il controllo imposta la visualizzazione in modo che la nuova origine si trovi al centro del cerchio di fori.
 parameter-datum-row-number__datum-bolt-hole-circle__tnc426-430 =
@@ -190,7 +190,7 @@ parameter-polar-probing-axis__measuring__tnc426-430 =
     .help = Asse principale del piano di lavoro: X con asse utensile Z, Z con asse utensile Y, Y con asse utensile X. Confermare con ENT.
 parameter-polar-probing-angle = Angolo di tastatura
     .word = ANGOLO:
-    .help = Angolo riferito all’asse di tastatura con il quale si sposta il sistema di tastatura.
+    .help = Angolo, riferito all’asse di tastatura, che indica la direzione in cui si sposta il sistema di tastatura.
 parameter-result-parameter__measuring =
     .help = Numero del parametro Q al quale il controllo assegna la prima coordinata misurata (X). Y e Z si trovano nei parametri Q successivi.
 parameter-greatest-measuring-path = Percorso di misura massimo

@@ -63,7 +63,7 @@ parameter-probing-traverse-type = Tipo di traiettoria? Retta=0/cerchio=1
     .label = TIPO DI TRAIETTORIA
     .help = Traiettoria sulla quale il sistema di tastatura si sposta tra i punti di misura, se lo spostamento avviene all’altezza di sicurezza ({ $q-traverse-to-clearance-height }=1).
 choice-traverse-straight = spostamento su una retta
-choice-traverse-on-circle = spostamento su un arco del diametro del cerchio parziale
+choice-traverse-on-circle = spostamento su un arco di cerchio tra i punti di misura
 
 # --- the datum ---
 parameter-datum-row-number = Numero origine nella tabella

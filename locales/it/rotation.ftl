@@ -52,7 +52,7 @@ cycle-rotation-by-rotary-axis = Compensazione posizione obliqua con asse rotativ
     .purpose = Determina la posizione obliqua di un pezzo misurando due punti che devono trovarsi su una retta. Il controllo la compensa ruotando l’asse A, B o C. Il pezzo può essere serrato in un punto qualsiasi della tavola rotante.
 step-retract-and-turn-rotary-axis = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } e ruota l’asse rotativo { $q-compensation-axis } del valore calcolato. Memorizza inoltre l’angolo nel parametro di risultato. A scelta, dopo l’allineamento imposta la visualizzazione a 0.
 step-retract-and-turn-rotary-axis__tnc426-430 = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } e ruota l’asse rotativo { $q-compensation-axis } del valore calcolato.
-note-compensation-may-be-turned-180 = Pericolo di collisione! Il controllo verifica soltanto se i punti di tastatura e l’asse di compensazione sono compatibili. I movimenti di compensazione possono quindi risultare ruotati di 180°.
+note-compensation-may-be-turned-180 = Pericolo di collisione! Il controllo verifica soltanto in modo approssimativo se i punti di tastatura e l’asse di compensazione sono compatibili. I movimenti di compensazione possono quindi risultare ruotati di 180°.
 note-compensation-axis-combinations = Combinazioni ammesse tra asse di misura { $q-measuring-axis } e asse di compensazione { $q-compensation-axis }. Asse del tastatore Z: 1 con 6, 2 con 6, 3 con 5 o 4. Asse del tastatore Y: 1 con 5, 2 con 5, 3 con 6 o 4. Asse del tastatore X: 1 con 4, 2 con 4, 3 con 5 o 6.
 note-only-without-tilting = Utilizzare questo ciclo solo se la funzione di rotazione del piano di lavoro non è attiva.
 

@@ -17,8 +17,8 @@ range-length =
     }
 
 caption-reference = Riferimento
-reference-absolute = assoluto
-reference-incremental = incrementale
+reference-absolute = valore assoluto
+reference-incremental = valore incrementale
 caption-range = Campo di immissione
 caption-unit = Unità
 caption-words = Oppure

@@ -6,7 +6,7 @@ cycle-tapping = Maschiatura con compensatore utensile, nuovo
     .purpose = Maschia un filetto in un unico movimento con compensatore utensile.
 cycle-rigid-tapping = Maschiatura senza compensatore utensile, nuovo
     .nc = MASCHIATURA RIGIDA NUOVO
-    .purpose = Maschia un filetto in uno o più movimenti senza compensatore utensile.
+    .purpose = Maschia un filetto in un unico movimento senza compensatore utensile.
 cycle-tapping-with-chip-breaking = Maschiatura con rottura truciolo
     .nc = MASCH. CON ROTT. TRUCIOLO
     .purpose = Maschia un filetto in più incrementi senza compensatore utensile. Un parametro determina se per la rottura truciolo l’utensile esce completamente dal foro.
@@ -17,7 +17,7 @@ step-reverse-spindle-again = Alla distanza di sicurezza il senso di rotazione de
 step-stop-spindle-at-set-up-clearance = Il controllo arresta il mandrino alla distanza di sicurezza.
 step-rapid-to-set-up-clearance-and-orient = Il controllo porta l’utensile nell’asse del mandrino in rapido (FMAX) alla distanza di sicurezza { $q-set-up-clearance } sopra la superficie del pezzo e qui orienta il mandrino a { $q-spindle-orientation-angle }.
 step-tap-to-next-depth = L’utensile avanza in profondità dell’incremento { $q-depth-for-chip-breaking }.
-step-reverse-and-break-chip = Il senso di rotazione del mandrino viene invertito e l’utensile arretra, con un numero di giri aumentato del fattore { $q-retraction-speed-factor }, se inserito; poi il senso viene di nuovo invertito per l’incremento successivo:
+step-reverse-and-break-chip = Il senso di rotazione del mandrino viene invertito e, dopo la ritrazione, di nuovo invertito per l’incremento successivo. Con un numero di giri aumentato del fattore { $q-retraction-speed-factor }, se inserito, l’utensile arretra:
 say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: completamente dal foro, per il raffreddamento
 say-tap-goes-back-some-turns = altrimenti di { $q-chip-breaking-turns } volte il passo del filetto { $q-thread-pitch }
 step-tap-back-to-set-up-clearance = L’utensile ritorna alla distanza di sicurezza { $q-set-up-clearance }.
@@ -31,7 +31,7 @@ note-feed-from-speed-and-pitch = Determinare l’avanzamento con F = S × p. F: 
 note-retract-after-interruption = Se durante la maschiatura viene premuto il tasto di stop esterno, il controllo visualizza un softkey con cui è possibile ritrarre l’utensile.
 note-feed-follows-spindle-speed = Il controllo calcola l’avanzamento dal numero di giri del mandrino. Se durante la maschiatura viene azionato il potenziometro dell’avanzamento, il controllo adatta automaticamente l’avanzamento. Il potenziometro del numero di giri mandrino non è attivo.
 note-spindle-stopped-after-tapping = Al termine del ciclo il mandrino è fermo. Prima della lavorazione successiva reinserirlo con M3 (o M4).
-note-retract-by-soft-key = Se durante la maschiatura viene premuto il tasto di stop esterno, il controllo visualizza il softkey per lo spostamento manuale. Dopo averlo premuto, l’utensile può essere ritratto in modo controllato con il tasto di direzione positiva dell’asse del mandrino attivo.
+note-retract-by-soft-key = Se durante la maschiatura viene premuto il tasto di stop esterno, il controllo visualizza il softkey per lo spostamento manuale. Premuto il softkey, è possibile ritrarre l’utensile in modo controllato con il tasto di direzione positiva dell’asse del mandrino attivo.
 note-retraction-speed-is-limited = Se in { $q-retraction-speed-factor } è definito un fattore del numero di giri per una ritrazione più rapida, il controllo limita il numero di giri a quello massimo ammesso per la gamma attiva.
 
 # --- thread milling: cycles ---
@@ -71,11 +71,11 @@ step-depart-from-thread = L’utensile si distacca tangenzialmente dal profilo e
 step-end-of-thread-milling = Al termine del ciclo il controllo porta l’utensile in rapido:
 step-feed-to-countersinking-depth = Se non è inserita alcuna distanza laterale { $q-clearance-to-wall }, l’utensile si porta con l’avanzamento di avvicinamento { $q-in-and-out-feed } alla profondità di svasatura { $q-countersinking-depth } meno la distanza di sicurezza e poi con l’avanzamento di lamatura { $q-countersinking-feed } alla profondità di svasatura.
 step-feed-directly-to-countersinking-depth = Se è inserita una distanza laterale { $q-clearance-to-wall }, il controllo porta l’utensile subito con l’avanzamento di avvicinamento { $q-in-and-out-feed } alla profondità di svasatura { $q-countersinking-depth }.
-step-countersink-on-circle = A seconda dello spazio disponibile, il controllo si accosta dolcemente dal centro oppure con un preposizionamento laterale ed esegue un movimento circolare.
+step-countersink-on-circle = A seconda dello spazio disponibile, l’utensile si accosta dolcemente dal centro oppure con un preposizionamento laterale ed esegue un movimento circolare.
 step-feed-to-depth-at-front = L’utensile si porta con l’avanzamento di avvicinamento { $q-in-and-out-feed } alla profondità di svasatura frontale { $q-depth-at-front }.
 step-feed-to-depth-at-front-before-or-after = Se la svasatura precede il filetto ({ $q-countersinking-moment } = 0), l’utensile si porta con l’avanzamento di lamatura { $q-countersinking-feed } alla profondità di svasatura frontale { $q-depth-at-front }; se segue il filetto, con l’avanzamento di avvicinamento { $q-in-and-out-feed }.
-step-countersink-at-front = Il controllo sposta l’utensile, senza correzione, su un semicerchio dal centro all’offset frontale { $q-offset-at-front } ed esegue un movimento circolare con l’avanzamento di lamatura { $q-countersinking-feed }.
-step-countersink-at-front__thread-drilling-milling = Il controllo sposta l’utensile, senza correzione, su un semicerchio dal centro all’offset frontale { $q-offset-at-front } ed esegue un movimento circolare con l’avanzamento { $q-plunging-feed }.
+step-countersink-at-front = Il controllo sposta l’utensile, senza correzione del raggio, su un semicerchio dal centro all’offset frontale { $q-offset-at-front } ed esegue un movimento circolare con l’avanzamento di lamatura { $q-countersinking-feed }.
+step-countersink-at-front__thread-drilling-milling = Il controllo sposta l’utensile, senza correzione del raggio, su un semicerchio dal centro all’offset frontale { $q-offset-at-front } ed esegue un movimento circolare con l’avanzamento { $q-plunging-feed }.
 step-leave-countersink-at-front = Il controllo riporta l’utensile su un semicerchio al centro del foro.
 step-leave-countersink-at-front__outside-thread-milling = Il controllo riporta l’utensile su un semicerchio al punto di partenza.
 step-countersink-after-thread = Se la svasatura segue il filetto ({ $q-countersinking-moment } = 1), viene eseguita ora, come descritto sopra.
@@ -100,14 +100,14 @@ note-depths-give-direction = I segni dei parametri di profondità determinano la
 note-depths-give-direction__thread-drilling-milling = I segni dei parametri di profondità determinano la direzione di lavoro nel seguente ordine: 1. profondità di filettatura { $q-thread-depth }, 2. profondità totale foro { $q-total-hole-depth }, 3. profondità frontale { $q-depth-at-front }.
 note-two-depths-give-direction = I segni dei parametri di profondità determinano la direzione di lavoro nel seguente ordine: 1. profondità di filettatura { $q-thread-depth }, 2. profondità frontale { $q-depth-at-front }.
 note-depth-zero-leaves-out-step = Se per una delle profondità è inserito 0, il controllo non esegue il relativo passo di lavorazione.
-note-no-countersinking-depth-for-front = Per eseguire la svasatura frontale definire la profondità di svasatura { $q-countersinking-depth } con 0.
+note-no-countersinking-depth-for-front = Per eseguire la svasatura frontale impostare a 0 la profondità di svasatura { $q-countersinking-depth }.
 note-thread-depth-above-countersinking-depth = Inserire una profondità di filettatura { $q-thread-depth } minore della profondità di svasatura { $q-countersinking-depth } di almeno un terzo del passo del filetto.
 note-thread-depth-above-hole-depth = Inserire una profondità di filettatura { $q-thread-depth } minore della profondità totale foro { $q-total-hole-depth } di almeno un terzo del passo del filetto.
 note-helix-goes-into-workpiece = Il tipo di fresatura (concorde o discorde) risulta dal filetto (destrorso o sinistrorso) e dal senso di rotazione dell’utensile, poiché l’unica direzione di lavoro possibile va dalla superficie del pezzo verso l’interno del pezzo.
 note-position-over-stud-centre = Programmare un blocco di posizionamento sul punto di partenza (centro dell’isola) nel piano di lavoro con correzione del raggio R0.
 note-offset-at-front-determined-before = Determinare in anticipo l’offset necessario per la svasatura frontale. Inserire la distanza dal centro dell’isola al centro dell’utensile (valore non corretto).
-note-internal-coolant-for-thread-milling = La macchina dovrebbe essere dotata di raffreddamento interno del mandrino: refrigerante almeno 30 bar, aria compressa almeno 6 bar.
-note-profile-correction-by-delta-radius = La fresatura di filetti deforma spesso il profilo del filetto e richiede quindi correzioni specifiche per l’utensile. Esse sono riportate nel catalogo utensili o fornite dal produttore dell’utensile. La correzione si inserisce nel blocco TOOL CALL con il valore delta { $mp-delta-radius }.
+note-internal-coolant-for-thread-milling = La macchina dovrebbe essere dotata di raffreddamento interno attraverso il mandrino: refrigerante almeno 30 bar, aria compressa almeno 6 bar.
+note-profile-correction-by-delta-radius = La fresatura di filetti deforma spesso il profilo del filetto e richiede quindi correzioni specifiche per l’utensile, riportate nel catalogo utensili o fornite dal produttore dell’utensile. La correzione si inserisce nel blocco TOOL CALL con il valore delta { $mp-delta-radius }.
 note-clockwise-tools-only = Il ciclo può essere impiegato solo con utensili a rotazione oraria.
 note-tools-of-both-rotations = Il ciclo può essere impiegato con utensili a rotazione oraria e antioraria.
 note-direction-of-inside-thread = La direzione di lavoro dipende dal segno del passo del filetto { $q-thread-pitch } e dal tipo di fresatura { $q-milling-type }. Con utensili a rotazione oraria e filetti interni: destrorso (+) con fresatura concorde (+1, RL): Z+; sinistrorso (−) con fresatura discorde (−1, RR): Z+; destrorso (+) con fresatura discorde (−1, RR): Z−; sinistrorso (−) con fresatura concorde (+1, RL): Z−.
@@ -115,4 +115,6 @@ note-direction-of-outside-thread = La direzione di lavoro dipende dal segno del 
 note-feed-of-cutting-edge = Nella fresatura di filetti il controllo riferisce l’avanzamento programmato al tagliente. Poiché visualizza l’avanzamento della traiettoria del centro dell’utensile, il valore visualizzato è diverso da quello programmato.
 note-mirroring-turns-thread = Il senso del filetto cambia se il ciclo viene eseguito insieme al ciclo 8 (lavorazione speculare) in un solo asse.
 note-same-signs-of-depths = Pericolo di collisione! Inserire sempre lo stesso segno per tutte le profondità, poiché i cicli contengono più sequenze indipendenti tra loro. Per ripetere ad esempio soltanto la svasatura, inserire 0 come profondità di filettatura; la direzione di lavoro viene allora determinata dalla profondità di svasatura.
+note-same-signs-of-depths__outside-thread-milling = Pericolo di collisione! Inserire sempre lo stesso segno per tutte le profondità, poiché i cicli contengono più sequenze indipendenti tra loro. Per ripetere ad esempio soltanto la svasatura frontale, inserire 0 come profondità di filettatura; la direzione di lavoro viene allora determinata dalla profondità frontale.
 note-tool-breakage-in-thread = Se l’utensile si rompe durante il taglio del filetto: arrestare l’esecuzione del programma, passare al modo operativo Introduzione manuale dati e portare l’utensile su una retta al centro del foro. Poi disimpegnare l’utensile nell’asse di incremento e sostituirlo.
+note-tool-breakage-in-thread__outside-thread-milling = Se l’utensile si rompe durante il taglio del filetto: arrestare l’esecuzione del programma, passare al modo operativo Introduzione manuale dati e allontanare l’utensile dal filetto su una retta. Poi disimpegnare l’utensile nell’asse di incremento e sostituirlo.

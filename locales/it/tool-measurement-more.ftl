@@ -60,8 +60,8 @@ step-store-tool-radius = Il controllo memorizza il risultato:
 say-overwrite-tool-radius = con { $q-tool-check }=0 sovrascrive il raggio utensile { $mp-tool-radius } in TOOL.T e imposta il valore delta { $mp-delta-radius } a 0
 say-enter-delta-radius = con { $q-tool-check }=1 confronta il raggio misurato con il raggio utensile { $mp-tool-radius }, registra lo scostamento con il suo segno come valore delta { $mp-delta-radius } e in Q116 e blocca l’utensile (stato L) se la tolleranza di usura o di rottura è superata
 result-tool-radius-deviation = Scostamento del raggio utensile
-note-diamond-coated-cylinders = Gli utensili cilindrici diamantati si possono misurare a mandrino fermo. Per farlo definire nella tabella utensili il numero dei taglienti { $mp-teeth } pari a 0 e adattare il parametro macchina { $mp-tool-measurement-config }. Consultare il manuale della macchina.
-note-diamond-coated-cylinders__itnc530 = Gli utensili cilindrici diamantati si possono misurare a mandrino fermo. Per farlo definire nella tabella utensili il numero dei taglienti { $mp-teeth } pari a 0 e adattare il parametro macchina { $mp-calibration-behaviour }. Consultare il manuale della macchina.
+note-diamond-coated-cylinders = Gli utensili cilindrici diamantati si possono misurare a mandrino fermo. A tale scopo impostare a 0 il numero dei taglienti { $mp-teeth } nella tabella utensili e adattare il parametro macchina { $mp-tool-measurement-config }. Consultare il manuale della macchina.
+note-diamond-coated-cylinders__itnc530 = Gli utensili cilindrici diamantati si possono misurare a mandrino fermo. A tale scopo impostare a 0 il numero dei taglienti { $mp-teeth } nella tabella utensili e adattare il parametro macchina { $mp-calibration-behaviour }. Consultare il manuale della macchina.
 note-two-ways-to-measure-tool = L’utensile può essere misurato in due modi: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente.
 
 # --- 33 and 483 ---

@@ -3,42 +3,42 @@
 # --- 841, 842, 840, 851, 852, 850 ---
 cycle-simple-radial-recess-turning = Tornitura gola radiale semplice
     .nc = TORNITURA GOLA RAD. SEMPLICE
-    .purpose = Lavora gole rettangolari in direzione longitudinale mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Lavora gole rettangolari in direzione longitudinale mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 cycle-extended-radial-recess-turning = Tornitura gola radiale estesa
     .nc = TORNITURA GOLA RAD. ESTESA
-    .purpose = Lavora gole in direzione longitudinale mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse. La gola può avere pareti laterali inclinate, spigoli arrotondati e uno smusso o un raccordo all’inizio e alla fine del profilo.
+    .purpose = Lavora gole in direzione longitudinale mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi. La gola può avere pareti laterali inclinate, spigoli arrotondati e uno smusso o un raccordo all’inizio e alla fine del profilo.
 cycle-radial-contour-recess-turning = Tornitura gola profilo radiale
     .nc = TORNITURA GOLA PROFILO RAD.
-    .purpose = Lavora gole di forma qualsiasi in direzione longitudinale mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Lavora gole di forma qualsiasi in direzione longitudinale mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 cycle-simple-axial-recess-turning = Tornitura gola assiale semplice
     .nc = TORNITURA GOLA ASS. SEMPLICE
-    .purpose = Lavora gole rettangolari in direzione trasversale (su una superficie frontale) mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Lavora gole rettangolari in direzione trasversale (su una superficie frontale) mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 cycle-extended-axial-recess-turning = Tornitura gola assiale estesa
     .nc = TORNITURA GOLA ASS. ESTESA
-    .purpose = Lavora gole in direzione trasversale mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse. La gola può avere pareti laterali inclinate, spigoli arrotondati e uno smusso o un raccordo all’inizio e alla fine del profilo.
+    .purpose = Lavora gole in direzione trasversale mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi. La gola può avere pareti laterali inclinate, spigoli arrotondati e uno smusso o un raccordo all’inizio e alla fine del profilo.
 cycle-axial-contour-recess-turning = Tornitura gola profilo assiale
     .nc = TORNITURA GOLA PROFILO ASS.
-    .purpose = Lavora gole di forma qualsiasi in direzione trasversale mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Lavora gole di forma qualsiasi in direzione trasversale mediante tornitura di gole: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Gola radiale
     .nc = GOLA RADIALE
-    .purpose = Esegue gole rettangolari in direzione radiale: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Esegue gole rettangolari in direzione radiale: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 cycle-extended-radial-recessing = Gola radiale estesa
     .nc = GOLA RADIALE ESTESA
-    .purpose = Esegue gole in direzione radiale: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse. La gola può avere pareti laterali inclinate, spigoli arrotondati e uno smusso o un raccordo all’inizio e alla fine del profilo.
+    .purpose = Esegue gole in direzione radiale: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi. La gola può avere pareti laterali inclinate, spigoli arrotondati e uno smusso o un raccordo all’inizio e alla fine del profilo.
 cycle-radial-contour-recessing = Gola profilo radiale
     .nc = GOLA PROFILO RADIALE
-    .purpose = Esegue gole di forma qualsiasi in direzione radiale: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Esegue gole di forma qualsiasi in direzione radiale: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 cycle-axial-recessing = Gola assiale
     .nc = GOLA ASSIALE
-    .purpose = Esegue gole rettangolari in direzione assiale (gole frontali): sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Esegue gole rettangolari in direzione assiale (gole frontali): sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 cycle-extended-axial-recessing = Gola assiale estesa
     .nc = GOLA ASSIALE ESTESA
-    .purpose = Esegue gole in direzione assiale (gole frontali): sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse. La gola può avere pareti laterali inclinate, spigoli arrotondati e uno smusso o un raccordo all’inizio e alla fine del profilo.
+    .purpose = Esegue gole in direzione assiale (gole frontali): sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi. La gola può avere pareti laterali inclinate, spigoli arrotondati e uno smusso o un raccordo all’inizio e alla fine del profilo.
 cycle-axial-contour-recessing = Gola profilo assiale
     .nc = GOLA PROFILO ASSIALE
-    .purpose = Esegue gole di forma qualsiasi in direzione assiale (gole frontali): sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Esegue gole di forma qualsiasi in direzione assiale (gole frontali): sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 831, 832, 830 ---
 cycle-longitudinal-thread = Filettatura longitudinale
@@ -69,7 +69,7 @@ say-infeed-at-both-sides = { $q-recess-direction } = 0 (entrambe le direzioni): 
 step-recess-to-next-depth = L’utensile lavora a tuffo fino alla profondità incremento successiva.
 until-groove-depth-reached = non è raggiunta la profondità della gola
 step-recess-at-both-walls = Il controllo posiziona di nuovo l’utensile alla distanza di sicurezza ed esegue un tuffo su ciascuna parete laterale.
-step-infeed-parallel-to-axis = Il controllo esegue un incremento parallelo all’asse in rapido. L’incremento laterale è pari a 0,8 volte la larghezza del tagliente.
+step-infeed-parallel-to-axis = Il controllo esegue in rapido un incremento parallelo agli assi. L’incremento laterale è pari a 0,8 volte la larghezza del tagliente.
 step-recess-radially = Il controllo lavora l’area tra la posizione di partenza e il punto finale in direzione radiale con l’avanzamento { $q-turning-roughing-feed }.
 step-recess-axially = Il controllo lavora l’area tra la posizione di partenza e il punto finale in direzione assiale con l’avanzamento { $q-turning-roughing-feed }.
 until-groove-width-reached = non è raggiunta la larghezza della gola

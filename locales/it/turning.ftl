@@ -3,7 +3,7 @@
 # --- common sentences of the turning cycles ---
 group-turning-roughing = Sgrossatura
 group-turning-finishing = Finitura
-step-rapid-radial-infeed = Il controllo fa avanzare l’utensile in direzione radiale, parallelamente all’asse, in rapido. Calcola l’incremento dalla massima profondità di taglio { $q-max-cutting-depth }.
+step-rapid-radial-infeed = Il controllo fa avanzare l’utensile in rapido in direzione radiale, parallelamente agli assi. Calcola l’incremento dalla massima profondità di taglio { $q-max-cutting-depth }.
 step-cut-longitudinally = Il controllo lavora l’area tra la posizione di partenza e il punto finale in direzione longitudinale con l’avanzamento { $q-turning-roughing-feed }.
 step-retract-by-infeed = Il controllo ritrae l’utensile del valore dell’incremento con l’avanzamento definito:
 say-follow-contour-within-infeed = con { $q-contour-smoothing } = 0 lungo il profilo, entro il campo dell’incremento
@@ -14,7 +14,7 @@ step-smooth-after-last-cut = Con { $q-contour-smoothing } = 1, dopo l’ultimo t
 step-rapid-to-starting-point-of-cycle = Il controllo riporta l’utensile in rapido al punto di partenza del ciclo.
 step-rapid-back-after-finishing = { step-rapid-to-starting-point-of-cycle }
 step-rapid-in-z-by-clearance = Il controllo sposta l’utensile in Z della distanza di sicurezza { $q-turning-clearance } in rapido.
-step-rapid-paraxial-infeed = Il controllo fa avanzare l’utensile parallelamente all’asse in rapido.
+step-rapid-paraxial-infeed = Il controllo fa avanzare l’utensile in rapido parallelamente agli assi.
 step-finish-turned-contour = Il controllo esegue la finitura del profilo del pezzo con l’avanzamento { $q-turning-finishing-feed }.
 step-retract-by-clearance = Il controllo ritrae l’utensile della distanza di sicurezza { $q-turning-clearance } con l’avanzamento definito.
 guard-turning-mode-missing = I cicli di tornitura possono essere eseguiti solo nel modo tornitura FUNCTION MODE TURN.
@@ -23,7 +23,7 @@ note-program-before-turning-cycle = Prima della chiamata del ciclo programmare s
 note-call-turning-cycle = Chiamare il ciclo con CYCL CALL o M99.
 note-outside-or-inside-by-tool-position = Il ciclo esegue una lavorazione esterna se alla chiamata l’utensile si trova all’esterno del profilo da lavorare, una lavorazione interna se si trova al suo interno.
 note-outside-or-inside-by-diameters = Se il diametro iniziale { $q-contour-start-diameter } è maggiore del diametro finale { $q-contour-end-diameter }, il ciclo esegue una lavorazione esterna; se è minore, una lavorazione interna.
-note-outside-or-inside-by-contour = Se il punto di partenza del profilo è maggiore del suo punto finale, il ciclo esegue una lavorazione esterna; se è minore, una lavorazione interna.
+note-outside-or-inside-by-contour = Se la coordinata del punto di partenza del profilo è maggiore di quella del punto finale, il ciclo esegue una lavorazione esterna; se è minore, una lavorazione interna.
 note-check-after-change-of-side = Dopo il passaggio tra lavorazione esterna e interna verificare le impostazioni dell’utensile e il senso di rotazione.
 note-area-from-tool-position-to-end-point = Nella sgrossatura il ciclo lavora l’area dalla posizione dell’utensile alla chiamata del ciclo (punto di partenza del ciclo) fino al punto finale definito nel ciclo.
 note-position-at-starting-position = Prima della chiamata del ciclo programmare un blocco di posizionamento sulla posizione di partenza con correzione del raggio R0.
@@ -37,19 +37,19 @@ note-feed-rates-with-m136 = Se prima del ciclo è programmata M136, il controllo
 note-inclined-turning = Se il ciclo viene eseguito durante una lavorazione inclinata (M144), gli angoli dell’utensile rispetto al profilo cambiano. Il controllo tiene conto automaticamente di questa modifica e sorveglia quindi anche la lavorazione inclinata, per evitare danneggiamenti del profilo.
 note-blank-form-update = Con l’aggiornamento del pezzo grezzo (FUNCTION TURNDATA BLANK) il controllo riconosce le aree già lavorate e adatta tutti i percorsi di avvicinamento e allontanamento alle singole operazioni. La funzione è disponibile solo in un ciclo di lavorazione nel modo tornitura; il pezzo grezzo deve essere un profilo chiuso (posizione di partenza = posizione finale) e corrisponde alla sezione di un corpo di rivoluzione.
 note-finished-part-beyond-blank = Con l’aggiornamento del pezzo grezzo il controllo adatta avvicinamento e ritrazione al pezzo grezzo aggiornato. Se alcune aree della parte finita sporgono dal pezzo grezzo, pezzo e utensile possono essere danneggiati.
-step-rapid-axial-infeed = Il controllo fa avanzare l’utensile in direzione assiale, parallelamente all’asse, in rapido. Calcola l’incremento dalla massima profondità di taglio { $q-max-axial-cutting-depth }.
+step-rapid-axial-infeed = Il controllo fa avanzare l’utensile in rapido in direzione assiale, parallelamente agli assi. Calcola l’incremento dalla massima profondità di taglio { $q-max-axial-cutting-depth }.
 step-cut-across-axis = Il controllo lavora l’area tra la posizione di partenza e il punto finale in direzione radiale con l’avanzamento { $q-turning-roughing-feed }.
-step-cut-contour-longitudinally = Il controllo lavora l’area tra la posizione di partenza e il punto finale in direzione longitudinale. Il taglio longitudinale procede parallelamente all’asse con l’avanzamento { $q-turning-roughing-feed }.
-step-cut-contour-across-axis = Il controllo lavora l’area tra la posizione di partenza e il punto finale in direzione radiale. Il taglio radiale procede parallelamente all’asse con l’avanzamento { $q-turning-roughing-feed }.
+step-cut-contour-longitudinally = Il controllo lavora l’area tra la posizione di partenza e il punto finale in direzione longitudinale. Il taglio longitudinale procede parallelamente agli assi con l’avanzamento { $q-turning-roughing-feed }.
+step-cut-contour-across-axis = Il controllo lavora l’area tra la posizione di partenza e il punto finale in direzione radiale. Il taglio radiale procede parallelamente agli assi con l’avanzamento { $q-turning-roughing-feed }.
 step-cut-parallel-to-contour = Il controllo lavora l’area tra la posizione di partenza e il punto finale. Il taglio procede parallelamente al profilo con l’avanzamento { $q-turning-roughing-feed }.
 step-retract-to-starting-position-in-x = Il controllo ritrae l’utensile con l’avanzamento definito alla posizione di partenza in X.
 step-clear-area-in-x-then-z = Se il punto di partenza (la posizione dell’utensile alla chiamata del ciclo) si trova all’interno dell’area da lavorare, il controllo posiziona l’utensile in X e poi in Z alla distanza di sicurezza { $q-turning-clearance } e inizia il ciclo da qui.
 step-clear-area-in-z-then-x = Se il punto di partenza (la posizione dell’utensile alla chiamata del ciclo) si trova all’interno dell’area da lavorare, il controllo posiziona l’utensile in Z e poi in X alla distanza di sicurezza { $q-turning-clearance } e inizia il ciclo da qui.
 step-clear-area-in-z = Se il punto di partenza si trova all’interno dell’area da lavorare, il controllo posiziona dapprima l’utensile in Z alla distanza di sicurezza { $q-turning-clearance }.
 step-clear-plunging-start-in-z = Se la coordinata Z del punto di partenza (la posizione dell’utensile alla chiamata del ciclo) è minore dell’inizio del profilo { $q-plunging-start-z }, il controllo posiziona l’utensile in Z alla distanza di sicurezza { $q-turning-clearance } e inizia il ciclo da qui.
-step-clear-contour-start-in-z = Se la coordinata Z del punto di partenza (la posizione dell’utensile alla chiamata del ciclo) è minore del punto di partenza del profilo, il controllo posiziona l’utensile in Z alla distanza di sicurezza { $q-turning-clearance } e inizia il ciclo da qui.
+step-clear-contour-start-in-z = Se la coordinata Z del punto di partenza (la posizione dell’utensile alla chiamata del ciclo) è minore di quella del punto di partenza del profilo, il controllo posiziona l’utensile in Z alla distanza di sicurezza { $q-turning-clearance } e inizia il ciclo da qui.
 step-clear-contour-start-before-finishing = { step-clear-contour-start-in-z }
-step-position-at-contour-start-in-z = Se la coordinata Z del punto di partenza (la posizione dell’utensile alla chiamata del ciclo) è minore del punto di partenza del profilo, il controllo posiziona l’utensile in Z sul punto di partenza del profilo e inizia il ciclo da qui.
+step-position-at-contour-start-in-z = Se la coordinata Z del punto di partenza (la posizione dell’utensile alla chiamata del ciclo) è minore di quella del punto di partenza del profilo, il controllo posiziona l’utensile in Z sul punto di partenza del profilo e inizia il ciclo da qui.
 step-rapid-infeed = Il controllo fa avanzare l’utensile in rapido.
 step-finish-turned-contour-to-end = Il controllo esegue la finitura del profilo del pezzo, dal punto di partenza al punto finale del profilo, con l’avanzamento { $q-turning-finishing-feed }.
 condition-start-element-added = { $q-start-element-type } prevede un elemento all’inizio del profilo
@@ -63,27 +63,27 @@ title-shoulder-with-recess = Spallamento con gola
 # --- 811 ---
 cycle-turn-shoulder-longitudinal = Tornitura spallamento longitudinale
     .nc = TORNITURA SPALL. LONG.
-    .purpose = Tornisce spallamenti ad angolo retto in direzione longitudinale, all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Tornisce spallamenti ad angolo retto in direzione longitudinale, all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 812 ---
 cycle-turn-shoulder-longitudinal-extended = Tornitura spallamento longitudinale estesa
     .nc = TORNITURA SPALL. LONG. EST.
-    .purpose = Tornisce spallamenti in direzione longitudinale, all’esterno o all’interno: sgrossatura, finitura o entrambe. All’inizio e alla fine del profilo è possibile aggiungere uno smusso o un raccordo, per la superficie frontale e per quella perimetrale si possono definire angoli e lo spigolo del profilo può avere un raggio. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Tornisce spallamenti in direzione longitudinale, all’esterno o all’interno: sgrossatura, finitura o entrambe. All’inizio e alla fine del profilo è possibile aggiungere uno smusso o un raccordo, per la superficie frontale e per quella perimetrale si possono definire angoli e lo spigolo del profilo può avere un raggio. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 813 ---
 cycle-turn-plunge-longitudinal = Tornitura longitudinale con entrata
     .nc = TORNITURA LONG. ENTRATA
-    .purpose = Tornisce spallamenti con elementi di entrata (scarichi) in direzione longitudinale, all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Tornisce spallamenti con elementi di entrata (scarichi) in direzione longitudinale, all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 814 ---
 cycle-turn-plunge-longitudinal-extended = Tornitura longitudinale con entrata estesa
     .nc = TORNITURA LONG. ENTRATA EST.
-    .purpose = Tornisce spallamenti con elementi di entrata (scarichi) in direzione longitudinale, all’esterno o all’interno: sgrossatura, finitura o entrambe. All’inizio e alla fine del profilo è possibile aggiungere uno smusso o un raccordo e si possono definire un angolo della superficie frontale e un raggio dello spigolo del profilo. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Tornisce spallamenti con elementi di entrata (scarichi) in direzione longitudinale, all’esterno o all’interno: sgrossatura, finitura o entrambe. All’inizio e alla fine del profilo è possibile aggiungere uno smusso o un raccordo e si possono definire un angolo della superficie frontale e un raggio dello spigolo del profilo. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 810 ---
 cycle-turn-contour-longitudinal = Tornitura profilo longitudinale
     .nc = TORNITURA PROFILO LONG.
-    .purpose = Tornisce in direzione longitudinale pezzi con un profilo di tornitura qualsiasi, descritto in un sottoprogramma, all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Tornisce in direzione longitudinale pezzi con un profilo di tornitura qualsiasi, descritto in un sottoprogramma, all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 815 ---
 cycle-turn-contour-parallel = Tornitura parallela al profilo
@@ -93,27 +93,27 @@ cycle-turn-contour-parallel = Tornitura parallela al profilo
 # --- 821 ---
 cycle-turn-shoulder-face = Tornitura spallamento radiale
     .nc = TORNITURA SPALL. RAD.
-    .purpose = Tornisce in direzione radiale spallamenti ad angolo retto, all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Tornisce in direzione radiale spallamenti ad angolo retto, all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 822 ---
 cycle-turn-shoulder-face-extended = Tornitura spallamento radiale estesa
     .nc = TORNITURA SPALL. RAD. EST.
-    .purpose = Tornisce in direzione radiale spallamenti, all’esterno o all’interno: sgrossatura, finitura o entrambe. All’inizio e alla fine del profilo è possibile aggiungere uno smusso o un raccordo, per la superficie frontale e per quella perimetrale si possono definire angoli e lo spigolo del profilo può avere un raggio. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Tornisce in direzione radiale spallamenti, all’esterno o all’interno: sgrossatura, finitura o entrambe. All’inizio e alla fine del profilo è possibile aggiungere uno smusso o un raccordo, per la superficie frontale e per quella perimetrale si possono definire angoli e lo spigolo del profilo può avere un raggio. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 823 ---
 cycle-turn-plunge-face = Tornitura radiale con entrata
     .nc = TORNITURA RAD. ENTRATA
-    .purpose = Tornisce in direzione radiale elementi di entrata (scarichi), all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Tornisce in direzione radiale elementi di entrata (scarichi), all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 824 ---
 cycle-turn-plunge-face-extended = Tornitura radiale con entrata estesa
     .nc = TORNITURA RAD. ENTRATA EST.
-    .purpose = Tornisce in direzione radiale elementi di entrata (scarichi), all’esterno o all’interno: sgrossatura, finitura o entrambe. All’inizio e alla fine del profilo è possibile aggiungere uno smusso o un raccordo e si possono definire un angolo della superficie frontale e un raggio dello spigolo del profilo. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Tornisce in direzione radiale elementi di entrata (scarichi), all’esterno o all’interno: sgrossatura, finitura o entrambe. All’inizio e alla fine del profilo è possibile aggiungere uno smusso o un raccordo e si possono definire un angolo della superficie frontale e un raggio dello spigolo del profilo. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 820 ---
 cycle-turn-contour-face = Tornitura profilo radiale
     .nc = TORNITURA PROFILO RAD.
-    .purpose = Tornisce in direzione radiale pezzi con un profilo di tornitura qualsiasi, descritto in un sottoprogramma, all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli all’asse.
+    .purpose = Tornisce in direzione radiale pezzi con un profilo di tornitura qualsiasi, descritto in un sottoprogramma, all’esterno o all’interno: sgrossatura, finitura o entrambe. I tagli di sgrossatura sono paralleli agli assi.
 
 # --- 800 ---
 cycle-adapt-turning-system = Adattamento sistema di coordinate di tornitura

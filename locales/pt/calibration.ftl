@@ -31,7 +31,7 @@ cycle-calibrate-probe-length = Calibrar longitude do apalpador
     .purpose = Calibra a longitude efetiva de um apalpador digital 3D numa superfície de altura conhecida, como a de um anel de ajuste.
 step-prepare-length-calibration = Antes do início do ciclo, memorize o ponto de referência no eixo do cabeçote de modo que na mesa da máquina seja Z=0, e posicione o apalpador por cima do anel de calibração.
 step-orient-to-calibration-angle = O comando orienta o apalpador para o ângulo { $mp-probe-calibration-angle } da tabela de apalpadores, se o apalpador puder ser orientado.
-step-probe-down-from-here = Da posição atual, o comando apalpa na direção negativa do eixo do cabeçote com o avanço de apalpação (coluna { $mp-probing-feed }).
+step-probe-down-from-here = A partir da posição atual, o comando apalpa na direção negativa do eixo do cabeçote com o avanço de apalpação (coluna { $mp-probing-feed }).
 step-return-to-start-of-calibration = O comando faz regressar o apalpador em avanço rápido (coluna { $mp-positioning-feed }) à posição de partida.
 step-store-probe-length = O comando guarda a longitude efetiva na tabela de ferramentas.
 note-datum-on-table-for-length = Antes do início do ciclo de calibração, memorize o ponto de referência no eixo do cabeçote de modo que na mesa da máquina seja Z=0, e posicione o apalpador por cima do anel de calibração.
@@ -44,8 +44,9 @@ cycle-calibrate-on-stud = Calibrar raio do apalpador, exterior
     .nc = CALIBRAR TS NA ILHA
     .purpose = Calibra numa ilha ou num pino de calibração o raio efetivo da esfera de um apalpador digital 3D e, se o apalpador o permitir, a sua excentricidade.
 step-pre-position-in-ring = Antes do início do ciclo, posicione previamente o apalpador no centro do anel de calibração e à altura de medição pretendida.
-step-pre-position-over-stud = Antes do início do ciclo, posicione previamente o apalpador ao centro por cima do pino de calibração e, no eixo do apalpador, aproximadamente à distância de segurança acima dele (valor da coluna { $mp-set-up } + { $q-probing-clearance }).
-step-rough-measurement-of-part = Na primeira passagem, o comando determina o centro do anel de calibração ou da ilha (medição grosseira) e posiciona o apalpador no centro.
+step-pre-position-over-stud = Antes do início do ciclo, posicione previamente o apalpador por cima do centro do pino de calibração e, no eixo do apalpador, aproximadamente à distância de segurança acima dele (valor da coluna { $mp-set-up } + { $q-probing-clearance }).
+step-rough-measurement-of-part = Na primeira passagem, o comando determina o centro do anel de calibração (medição grosseira) e posiciona o apalpador no centro.
+step-rough-measurement-of-part__calibrate-on-stud = Na primeira passagem, o comando determina o centro da ilha ou do pino de calibração (medição grosseira) e posiciona o apalpador no centro.
 step-fine-measurement-of-part = A calibração propriamente dita (medição fina) determina depois o raio da esfera.
 step-travel-between-calibration-points = Entre os pontos de medição, o apalpador desloca-se:
 step-reverse-measurement = Se o apalpador puder ser orientado em duas ou em todas as direções, o comando roda-o 180° e executa mais quatro apalpações. Esta medição determina também a excentricidade.

@@ -31,6 +31,8 @@ cli-texts-accepted = { $language }: { $count ->
        *[other] { $count } textos aceites.
     }
 cli-texts-left = { $language }: não aceites, porque o texto inglês mudou e a tradução não: { $keys }. Para aceitar um texto tal como está, indique-o com «ciklo texts accept --text KEY».
+cli-texts-moved = { $language }: não aceites, porque têm agora as palavras de outros textos: { $keys }. Para aceitar um texto tal como está, indique-o com «ciklo texts accept --text KEY».
+cli-texts-new = { $language }: não aceites, porque são novos: { $keys }. «ciklo texts accept --changed» aceita-os.
 cli-texts-open =
     { $state ->
         [missing] em falta: { $key } ({ $file })

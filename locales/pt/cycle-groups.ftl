@@ -25,6 +25,6 @@ named-cycl-def-270 = Dados do traçado do contorno
 named-cycl-def-275 = Ranhura de contorno trocoidal
 named-cycl-def-290 = Torneamento por interpolação
 named-tch-probe-4 = Medição 3D
-named-tch-probe-9 = Calibração do comprimento do apalpador
+named-tch-probe-9 = Calibração da longitude do apalpador
 named-tch-probe-440 = Medição do desvio dos eixos
 named-tch-probe-441 = Apalpação rápida

@@ -39,8 +39,11 @@ title-datum-at-arc-centre-and-top = Memorizar o ponto de referência no centro d
 title-datum-at-arc-centre-and-top__tnc426-430 = Memorizar o ponto de referência no centro de um segmento de círculo
 
 # --- results ---
+result-side-main-actual = Valor real longitude do lado eixo principal
+result-side-minor-actual = Valor real longitude do lado eixo secundário
 result-slot-width-actual = Valor real da largura da ranhura medida
 result-ridge-width-actual = Valor real da largura da nervura medida
+result-centre-axis-actual = Valor real posição eixo central
 result-corner-main-actual = Valor real da esquina no eixo principal
 result-corner-minor-actual = Valor real da esquina no eixo secundário
 
@@ -51,7 +54,7 @@ cycle-datum-slot-centre = Ponto de referência: centro da ranhura
 cycle-datum-ridge-centre = Ponto de referência: centro da nervura
     .nc = PONTO REF CENTRO NERVURA
     .purpose = Mede o centro de uma nervura e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero ou na tabela de presets.
-step-travel-at-clearance-height-to-second = O apalpador desloca-se à altura segura { $q-clearance-height } para o segundo ponto de apalpação.
+step-travel-at-clearance-height-to-second = O apalpador desloca-se, à altura segura { $q-clearance-height }, para o segundo ponto de apalpação.
 say-start-again-from-centre__datum-slot-centre = se a ranhura e a distância de segurança não deixarem espaço para um posicionamento prévio perto dos pontos de apalpação, permanece no centro e não se desloca à altura segura
 note-slot-width-rather-small = Perigo de colisão! Para que o apalpador não colida com a peça, introduza a largura da ranhura aproximada por defeito.
 note-ridge-width-rather-large = Perigo de colisão! Para que o apalpador não colida com a peça, introduza a largura da nervura aproximada por excesso.
@@ -78,4 +81,4 @@ step-retract-and-store-corner__tnc426-430 = O comando faz regressar o apalpador 
 step-carry-out-basic-rotation-on-request = Com { $q-corner-basic-rotation }=1, o comando compensa a inclinação da peça por meio de uma rotação básica.
 note-corner-from-first-and-third-point = As posições dos pontos de medição 1 e 3 determinam a esquina em que o comando memoriza o ponto de referência. Esquina A: ponto 1 maior do que o ponto 3 em X, menor em Y. Esquina B: menor em X, menor em Y. Esquina C: menor em X, maior em Y. Esquina D: maior em X, maior em Y.
 note-first-line-in-secondary-direction = O comando mede a primeira reta sempre na direção do eixo secundário do plano de maquinação.
-note-basic-rotation-with-immediate-datum = Mande executar a rotação básica só se o ponto de referência for memorizado de imediato, e não se for escrito na tabela de pontos zero para uma maquinação posterior.
+note-basic-rotation-with-immediate-datum = Execute a rotação básica só se o ponto de referência for memorizado de imediato, e não se for escrito na tabela de pontos zero para uma maquinação posterior.

@@ -4,9 +4,9 @@ diag-approach-twice = Faz-se a aproximação ao contorno com a correção de rai
 diag-approach-without-compensation =
     { $what ->
         [approach] A aproximação ao contorno faz-se aqui sem RL nem RR.
-       *[departure] Sai-se aqui do contorno, mas nenhuma correção do raio está ativa.
+       *[departure] Sai-se aqui do contorno, mas nenhuma correção de raio está ativa.
     }
-diag-arc-in-unequal-scaling = { $cycle } escala os eixos deste arco com fatores diferentes: o resultado não é um arco.
+diag-arc-in-unequal-scaling = { $cycle } aplica fatores de escala diferentes aos eixos deste arco: o resultado não é um arco.
 diag-arc-too-narrow = O raio { $radius } no interior do contorno é menor do que o da ferramenta, { $tool }.
 diag-arc-without-tangent = Antes deste arco tangente não há nenhum elemento de contorno.
 diag-arc-wrong =
@@ -17,6 +17,7 @@ diag-arc-wrong =
        *[centre] o início fica a { $first } do centro e o fim a { $second }
     }.
 diag-axis-twice = O eixo { $axis } aparece duas vezes nesta frase.
+diag-back-boring-inside = Segundo o ciclo, a espessura do material é { $value }, mas o bloco vai até { $other } abaixo da superfície.
 diag-blocks-after-end = Há aqui frases depois de END PGM.
 diag-blank-wrong =
     { $what ->
@@ -51,6 +52,7 @@ diag-contour-def-wrong =
        *[island] { $found }: o primeiro contorno de CONTOUR DEF tem de ser uma caixa, a mais profunda.
     }
 diag-contour-depth-missing = { $contour } não tem DEPTH, mas outros contornos têm.
+diag-contour-returns = O contorno volta a { $value }; { $other }, um canto que já tem.
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } já foi declarado.
@@ -77,6 +79,7 @@ diag-contour-wrong =
     }.
 diag-coordinate-out-of-place = { $path } não aceita estas coordenadas.
 diag-core-hole-too-large = O furo tem o diâmetro { $other }, a rosca { $value }: não fica material para a rosca.
+diag-core-hole-too-small = Uma rosca de { $value } é aberta num furo de { $other }: o furo é demasiado estreito.
 diag-corner-wrong =
     Esta esquina não se pode maquinar: { $what ->
         [twice] segue-se diretamente a outro arredondamento ou chanfre
@@ -87,6 +90,11 @@ diag-corner-wrong =
         [size] o seu raio ou comprimento não é positivo
        *[long] precisa de mais do que o comprimento da reta mais curta, { $least }
     }.
+diag-cutting-speed-unusual =
+    { $side ->
+        [above] Uma velocidade de corte de { $value } m/min é demasiado alta para esta ferramenta com o diâmetro { $other }.
+       *[below] Uma velocidade de corte de { $value } m/min é demasiado baixa para esta ferramenta com o diâmetro { $other }.
+    }
 diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
 diag-cycle-line-zero-missing = A linha { $line } não é precedida da linha { $head }.
 diag-cycle-line-empty = Na linha { $line } de { $cycle } não há nada.
@@ -120,7 +128,7 @@ diag-doubtful-value =
         [negative] o valor é negativo
         [small] o valor é muito menor do que o habitual
         [large] o valor é muito maior do que o habitual
-       *[positive] o valor é positivo e afasta da peça
+       *[positive] o valor é positivo e afasta a ferramenta da peça
     }.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
 diag-empty-word = Este { $word } não tem valor e não faz nada.
@@ -165,6 +173,7 @@ diag-hole-outside-blank =
         [surface] A superfície em { $value } está longe do bloco.
        *[through] O furo desce até { $value }, muito para além do bloco.
     }
+diag-holes-overlap = Dois furos com o diâmetro { $other } estão aqui apenas a { $value } um do outro: sobrepõem-se.
 diag-insert-points-away = A pastilha não pode cortar para onde vai { $cycle }: a sua orientação (TO) é { $orientation }, pelo que a ponta está virada para o lado oposto à peça ou ao avanço.
 diag-iso-incomplete =
     Esta frase está incompleta: { $what ->
@@ -188,13 +197,14 @@ diag-labels-of-unknown-language =
     }
 diag-languages-mixed = A maioria das designações está num idioma ({ $language }); as definições nestas linhas estão noutro ({ $others }): { $lines }.
 diag-loop-endless = Este salto fecha uma repetição que nunca acaba.
-diag-machine-coordinates-compensated = Programam-se aqui coordenadas da máquina (M91, M92) com correção do raio.
+diag-machine-coordinates-compensated = Programam-se aqui coordenadas da máquina (M91, M92) com correção de raio.
 diag-machine-coordinates-missing = Noutro lugar o programa recua para { $value } com M91; aqui falta M91, e a altura conta a partir do ponto zero da peça.
 diag-main-runs-into-subprogram = O programa principal continua aqui para dentro do subprograma { $label }: nem M2 nem M30 o termina.
+diag-measuring-height-above-surface = A altura de medição { $value } fica acima da peça, que termina em { $other }.
 diag-measuring-height-below-floor = { $cycle } mede em { $parameter }={ $value }, abaixo do fundo em { $floor } que { $milling } aí deixa.
 diag-metric-values-in-inch = O programa está em polegadas, mas { $value } parece estar em milímetros.
 diag-mirror-of-tool-axis = O eixo da ferramenta { $axis } não pode ser espelhado.
-diag-misordered-parameter = Em { $cycle }, o comando visualiza { $parameter } antes de { $before }.
+diag-misordered-parameter = Em { $cycle }, o comando mostra { $parameter } antes de { $before }.
 diag-missing-parameter =
     { $count ->
         [one] Em { $cycle } falta { $parameter }.
@@ -220,6 +230,7 @@ diag-no-result =
     }.
 diag-no-table-open = FN 27 e FN 28 precisam de uma tabela que FN 26 tenha aberto.
 diag-not-a-program = Este ficheiro não é um programa NC.
+diag-nothing-left = O furo já tem aqui { $other } de largura: uma ferramenta de { $value } não remove nada.
 diag-number-does-not-exist = { $name } não existe: o número maior é { $greatest }.
 diag-older-parameter-set = { $cycle } tem os parâmetros de uma versão de software anterior; o comando acrescenta { $parameter }.
 diag-out-of-range =
@@ -244,6 +255,7 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } em { $cycle } exige uma versão de software posterior à { $software }, que o manual descreve.
 diag-parameter-unassigned =
     { $parameter } é lido aqui, mas nada lhe atribuiu um valor.
+diag-path-twice = Todo o percurso a partir daqui já foi maquinado com esta ferramenta com outra conversão.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } não pode chamar { $called } com { $value }.
@@ -259,6 +271,7 @@ diag-pattern-wrong =
         [same] { $word } repete uma posição anterior.
        *[diameter] O diâmetro { $word } de um círculo teórico tem de ser maior do que 0.
     }
+diag-pilot-hole-too-shallow = O ponto de partida aprofundado está em { $value }, e o furo existente termina em { $other }.
 diag-plane-incomplete = Neste PLANE falta { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -267,10 +280,12 @@ diag-plane-not-positioned =
     }
 diag-plane-not-reset =
     { $what ->
-        [zero] { $cycle } põe aqui todos os ângulos a 0, mas nada desliga a inclinação do plano de maquinação.
+        [zero] { $cycle } coloca aqui todos os ângulos a 0, mas nada desliga a inclinação do plano de maquinação.
        *[tilted] O programa termina aqui com o plano de maquinação inclinado.
     }
+diag-plunge-too-fast = A ferramenta penetra aqui no material { $value } por rotação.
 diag-position-after-contour = Esta é a primeira posição depois de { $cycle }, mas não tem valores absolutos para ambas as coordenadas do plano.
+diag-position-missing = A ferramenta desce até { $value } antes de o programa a ter posicionado no plano.
 diag-position-twice = O ponto { $value }; { $other } já foi maquinado com esta definição e esta ferramenta.
 diag-probe-while-turning = { $cycle } apalpa aqui com o cabeçote a rodar.
 diag-probed-axis-missing = Apalpa-se na direção { $direction }, mas a posição não tem { $axis }.
@@ -283,9 +298,15 @@ diag-program-end-missing =
         [iso] uma frase final que comece por %
        *[pgm] END PGM
     }.
-diag-programs-call-in-circle = O programa { $name } chama este de volta, diretamente ou através de outros.
+diag-programs-call-in-circle = O programa { $name } chama, por sua vez, este programa, diretamente ou através de outros.
 diag-rapid-into-blank = A ferramenta entra aqui no bloco em avanço rápido: vai para Z { $value }, e o topo do bloco está em { $top }.
 diag-rapid-through-material = A ferramenta atravessa aqui até { $value }{"\u00A0"}mm de material em avanço rápido.
+diag-reaming-wrong =
+    { $what ->
+        [none] Não há aqui nenhum furo para alargar.
+        [deep] O alargador desce até { $value }, e o furo só até { $other }.
+       *[allowance] O furo tem { $other } de largura: para um alargador de { $value } sobra material a mais.
+    }
 diag-repeat-count-wrong = O número de repetições tem de ser um número inteiro de 0 a 65534.
 diag-repeat-of-later-label = O label { $label } tem de vir antes da repetição, não depois dela.
 diag-repeated-infeed =
@@ -307,9 +328,10 @@ diag-retract-missing =
         [end] o programa termina
        *[turn] um eixo rotativo se move em avanço rápido
     }: não foi recuada.
+diag-rotary-axis-jumps = O eixo rotativo oscila aqui de { $other } para { $value } e volta no bloco seguinte.
 diag-row-not-in-table =
     { $table ->
-        [preset] A tabela de pontos de referência não tem a linha { $row }.
+        [preset] A tabela de presets não tem a linha { $row }.
        *[datum] A tabela de pontos zero não tem a linha { $row }.
     }
 diag-program-not-selected = Chama-se aqui um programa selecionado, mas nenhum foi selecionado.
@@ -335,8 +357,8 @@ diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subpr
 diag-subprogram-without-end = O subprograma { $label } continua até ao fim do programa sem LBL 0.
 diag-tcpm-left-on =
     { $what ->
-        [tool] Chama-se aqui uma ferramenta com M128 ou FUNCTION TCPM ativo.
-       *[end] O programa termina aqui com M128 ou FUNCTION TCPM ativo.
+        [tool] Chama-se aqui uma ferramenta com M128 ou FUNCTION TCPM ativa.
+       *[end] O programa termina aqui com M128 ou FUNCTION TCPM ativa.
     }
 diag-text-for-number =
     { $what ->
@@ -350,6 +372,7 @@ diag-text-wrong =
         [alone] «{ $found }» no texto de { $parameter } não está escrito em dobro nem seguido de uma letra.
        *[character] O carácter «{ $found }» não é permitido em { $parameter }.
     }
+diag-thread-pitch-unusual = Um passo de { $value } não é normalizado para uma rosca com o diâmetro { $other }.
 diag-tool-axis-missing = Esta chamada da ferramenta não tem eixo da ferramenta, e nenhuma anterior o indicou.
 diag-tool-axis-other =
     { $what ->
@@ -357,6 +380,7 @@ diag-tool-axis-other =
         [lifted] Esta chamada indica um eixo da ferramenta diferente do eixo do bloco, mas a ferramenta só é recuada em { $axis }.
        *[blank] O bloco tem o eixo da ferramenta { $axis }, mas nenhuma ferramenta do programa o tem.
     }
+diag-tool-cuts-sideways = Uma broca, um macho ou um alargador move-se aqui lateralmente no material.
 diag-tool-definition-wrong =
     { $what ->
         [zero] A ferramenta 0 significa nenhuma ferramenta e não pode ser definida.
@@ -382,6 +406,7 @@ diag-uncalculable-contour =
         [crossing] o contorno cruza-se a si próprio
        *[approach] não é possível aproximar-se assim do contorno
     }.
+diag-value-unlike-others = O valor é aqui { $value }, e { $other } em todos os outros sítios deste tipo.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } apalpa aqui com a ferramenta que acabou de maquinar.
@@ -411,17 +436,18 @@ diag-transformation-left-on =
     O programa termina aqui com { $what ->
         [datum-shift] uma deslocação do ponto zero ativa
         [rotation] uma rotação ativa
-        [mirroring] um espelho ativo
+        [mirroring] um espelhamento ativo
        *[scaling] um fator de escala ativo
     }.
 diag-feed-unit =
     { $what ->
-        [revolution] Aqui { $parameter }={ $value } é um avanço por rotação, porque M136 está ativo.
-        [revolving] Aqui { $parameter }{ $value } é um avanço por rotação, porque M136 está ativo.
-        [moving] Aqui { $parameter }{ $value } é um avanço por minuto, porque M136 não está ativo.
-       *[minute] Aqui { $parameter }={ $value } é um avanço por minuto, porque M136 não está ativo.
+        [revolution] Aqui { $parameter }={ $value } é um avanço por rotação, porque M136 está ativa.
+        [revolving] Aqui { $parameter }{ $value } é um avanço por rotação, porque M136 está ativa.
+        [moving] Aqui { $parameter }{ $value } é um avanço por minuto, porque M136 não está ativa.
+       *[minute] Aqui { $parameter }={ $value } é um avanço por minuto, porque M136 não está ativa.
     }
 diag-turning-system-missing = { $cycle } é chamado aqui, mas { $aligning } não foi definido desde a chamada da ferramenta.
+diag-cutting-speed-unlimited = A velocidade de corte é constante e a velocidade de rotação não está limitada, mas na linha { $line } a ferramenta chega ao eixo de rotação.
 diag-two-signs = Antes do número há dois sinais; são lidos como { $right }.
 diag-unknown-cycle =
     { $name ->

@@ -19,6 +19,10 @@ diag-spec-odd-condition = A condição «{ $name }» diz que { $q } é { $found 
 diag-spec-odd-formula = O ciclo { $cycle } calcula «{ $name }» a partir de { $q }, mas outros ciclos calculam-no a partir de { $usual }, que este ciclo também tem.
 diag-spec-example-guarded = O exemplo impresso é recusado pela verificação «{ $code }».
 diag-spec-unused-parameter = Nada no desenvolvimento, nas verificações ou nas frases de { $cycle } utiliza { $q }.
+diag-spec-odd-result = { $reason ->
+        [parameter] { $q } é um resultado e também um parâmetro de { $cycle }
+       *[not-a-result] O desenvolvimento de { $cycle } define { $q }, que não é resultado nem parâmetro desse ciclo
+    }.
 diag-consistency-reference-word = O texto { $key } no idioma { $language } não diz absoluto ou incremental como os idiomas { $others }: { $found } em vez de { $expected }.
 diag-locale-unused = Nenhuma especificação e nenhum texto utiliza o texto { $key }.
 diag-spec-example-fails = O exemplo «{ $name }» no { $control } não tem o resultado esperado: { $what } devia ser { $expected }, mas é { $found }.

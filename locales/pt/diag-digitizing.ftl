@@ -2,13 +2,13 @@
 diag-digitizing-axis-wrong = O eixo { $axis } não serve para a digitalização com o eixo da ferramenta { $tool }.
 explain-digitizing-axis-wrong = O eixo do apalpador do ciclo CAMPO tem de ser o eixo da ferramenta da última chamada; as direções das linhas e da aproximação são eixos do plano de maquinação. Exemplo: eixo da ferramenta Z e linhas na direção Z. Solução: programe no campo o eixo da ferramenta e, como direção, X ou Y.
 diag-digitizing-contour-lost = A haste não consegue seguir a peça a partir de X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) }.
-explain-digitizing-contour-lost = Nesta posição, a esfera não encontra caminho ao longo da peça: uma abertura é tão estreita como a esfera, ou a peça acaba a esta altura. Exemplo: linhas de nível numa ranhura da largura da esfera. Solução: uma esfera mais pequena, ou outro ponto de partida, altura ou campo.
+explain-digitizing-contour-lost = Nesta posição, a esfera não encontra caminho ao longo da peça: uma abertura é tão estreita como a esfera, a peça acaba a esta altura, ou a linha volta aqui sem ter alcançado o seu primeiro ponto. Exemplo: linhas de nível numa ranhura da largura da esfera. Solução: uma esfera mais pequena, ou outro ponto de partida, altura ou campo.
 diag-digitizing-range-incomplete = No campo de digitalização falta a coordenada em { $axis }.
 explain-digitizing-range-incomplete = O ponto MIN e o ponto MAX do ciclo 5 precisam de coordenadas em X, Y e Z. Exemplo: «X+0 Y+0» sem Z. Solução: acrescente o eixo aos dois pontos.
 diag-digitizing-range-left = Em X { NUMBER($x) }, Y { NUMBER($y) }, Z { NUMBER($z) } a haste sairia do campo de digitalização.
-explain-digitizing-range-left = A peça é mais alta do que o ponto MAX, ou o seu contorno fica fora do campo; a haste continuaria para lá dos limites. Para linhas de nível, o campo tem de ser maior do que a peça, pelo menos no raio da esfera. Solução: aumente o campo ou, se a haste já tocar aí na peça, a altura de segurança.
+explain-digitizing-range-left = A peça é mais alta do que o ponto MAX, ou o seu contorno fica fora do campo; a haste continuaria para lá dos limites. Para linhas de nível, o campo tem de exceder a peça em, pelo menos, o raio da esfera. Solução: aumente o campo ou, se a haste já tocar na peça à altura segura, aumente esta altura.
 diag-digitizing-range-missing = Não foi definido nenhum campo de digitalização.
-explain-digitizing-range-missing = Os ciclos que digitalizam vão buscar o campo, a altura de segurança e o ficheiro dos dados ao ciclo CAMPO, e antes não foi executado nenhum. Exemplo: o ciclo 6 sem o ciclo 5. Solução: defina antes o ciclo 5 ou 15.
+explain-digitizing-range-missing = Os ciclos que digitalizam vão buscar o campo, a altura segura e o ficheiro dos dados ao ciclo CAMPO, e antes não foi executado nenhum. Exemplo: o ciclo 6 sem o ciclo 5. Solução: defina antes o ciclo 5 ou 15.
 diag-digitizing-range-of-points = Não é possível digitalizar linhas de nível num campo de uma tabela de pontos.
 explain-digitizing-range-of-points = O comando não combina o ciclo 15 com linhas de nível. Solução: defina um campo retangular com o ciclo 5.
 diag-digitizing-range-points = Um campo é limitado por { NUMBER($least) } a { NUMBER($most) } pontos; a tabela tem { NUMBER($count) }.

@@ -1,16 +1,16 @@
 # Blocks that end a program or speak with the machine.
 diag-error-of-program = O programa termina por si próprio com o erro { $number } (FN 14).
-explain-error-of-program = FN 14: ERROR termina o programa com um erro próprio; o número escolhe a mensagem que o comando mostra. Os programas usam-no quando não podem continuar, por exemplo porque o valor de um parâmetro não serve. Exemplo: «FN 14: ERROR = 1010». Solução: verificar a condição antes do bloco e dar aos parâmetros valores com que o programa possa trabalhar.
+explain-error-of-program = FN 14: ERROR termina o programa com um erro próprio; o número escolhe a mensagem que o comando mostra. Os programas usam-no quando não podem continuar, por exemplo porque o valor de um parâmetro não serve. Exemplo: «FN 14: ERROR = 1010». Solução: verificar a condição antes da frase e dar aos parâmetros valores com que o programa possa trabalhar.
 diag-tool-setter-askew = A ferramenta não está perpendicular à face do apalpador de ferramentas.
-explain-tool-setter-askew = A cabeça ou o plano de maquinação está inclinado de modo diferente da montagem do apalpador de ferramentas: a ferramenta tocá-lo-ia de viés e o resultado não seria nem o comprimento nem o raio. Exemplo: uma ferramenta na horizontal sobre um apalpador cuja face aponta para cima. Solução: antes do ciclo, rode os eixos rotativos de modo que a ferramenta fique alinhada com o apalpador, ou monte o apalpador do cenário em conformidade («rotate»).
+explain-tool-setter-askew = A cabeça ou o plano de maquinação está inclinado de modo diferente da montagem do apalpador de ferramentas: a ferramenta tocá-lo-ia obliquamente e o resultado não seria nem a longitude nem o raio. Exemplo: uma ferramenta na horizontal sobre um apalpador cuja face aponta para cima. Solução: antes do ciclo, rode os eixos rotativos de modo que a ferramenta fique alinhada com o apalpador, ou monte o apalpador da cena em conformidade («rotate»).
 diag-tool-setter-collision = Colisão: a ferramenta embate no apalpador de ferramentas num movimento a partir de X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
-explain-tool-setter-collision = A ferramenta embate no apalpador de ferramentas do cenário num movimento que não mede: a ferramenta tal como é na realidade, com a navalha mais comprida e a mais larga. Na máquina, ambos poderiam partir-se. Muitas vezes a altura segura é demasiado baixa, ou o comprimento e o raio na tabela de ferramentas estão mais longe da realidade do que permite a distância de segurança do apalpador. Introduza valores aproximados antes da primeira medição, ou contorne o apalpador.
-diag-tool-setter-missing = O cenário não tem apalpador de ferramentas.
-explain-tool-setter-missing = Um ciclo de medição da ferramenta precisa de um apalpador de mesa no cenário: onde está a sua superfície e que largura tem. Exemplo: «tool_setter:» com «at: [300, 200, -50]» e «diameter: 40». Solução: acrescentá-lo ao cenário; docs/scene.md descreve as chaves.
+explain-tool-setter-collision = A ferramenta embate no apalpador de ferramentas da cena num movimento que não mede: a ferramenta tal como é na realidade, com a navalha mais comprida e a mais larga. Na máquina, ambos poderiam partir-se. Muitas vezes a altura segura é demasiado baixa, ou a longitude e o raio na tabela de ferramentas estão mais longe da realidade do que permite a distância de segurança do apalpador. Introduza valores aproximados antes da primeira medição, ou contorne o apalpador.
+diag-tool-setter-missing = A cena não tem apalpador de ferramentas.
+explain-tool-setter-missing = Um ciclo de medição da ferramenta precisa de um apalpador de ferramentas na cena: onde está a sua superfície e que largura tem. Exemplo: «tool_setter:» com «at: [300, 200, -50]» e «diameter: 40». Solução: acrescentá-lo à cena; docs/scene.md descreve as chaves.
 
 # --- kinematics ---
 diag-kinematics-not-saved = Não há nenhuma cinemática guardada com o nome «{ $name }».
-explain-kinematics-not-saved = Só se pode restaurar ou apagar uma cinemática guardada. Exemplo: modo 1 com o nome AB antes de guardar no modo 0. Solução: guardar primeiro, corrigir o nome ou acrescentar a posição em «kinematics: saved:» do cenário.
+explain-kinematics-not-saved = Só se pode restaurar ou apagar uma cinemática guardada. Exemplo: modo 1 com o nome AB antes de guardar no modo 0. Solução: guardar primeiro, corrigir o nome ou acrescentar a posição em «kinematics: saved:» da cena.
 diag-kinematics-differs = A cinemática guardada como «{ $name }» descreve outra máquina.
 explain-kinematics-differs = Os dados guardados só podem ser restaurados numa descrição de cinemática idêntica: o mesmo nome e os mesmos eixos rotativos pela mesma ordem. Exemplo: dados de uma máquina com A e C numa máquina com B e C. Solução: escolher dados desta máquina.
 diag-kinematics-memory-full = Todas as posições de memória para cinemáticas ({ $count }) estão ocupadas.
@@ -25,8 +25,8 @@ diag-sphere-radius-differs = O raio medido da esfera de calibração, { $found }
 explain-sphere-radius-differs = Em cada posição o comando mede primeiro o raio da esfera; um parâmetro de máquina limita o desvio em relação ao introduzido. Exemplo: introduzido 12,5, esfera de 12,6 e limite 0,05. Solução: introduzir o raio exato ou calibrar o apalpador.
 diag-measuring-position-at-zero = Uma posição de medição do eixo { $axis } está a 0° ou 360°.
 explain-measuring-position-at-zero = A medição de referência é feita a 0°, pelo que uma posição de medição aí nada diz e o iTNC 530 recusa-a. Exemplo: −90 a +90 com 3 pontos. Solução: outro número de pontos ou outros ângulos.
-diag-hirth-without-retraction = O eixo { $axis } tem dentes Hirth e precisa de uma altura de retração.
-explain-hirth-without-retraction = Um eixo com dentes Hirth sai da sua grelha para ser posicionado, pelo que não pode ser medido sem retração. Exemplo: altura de retração 0 com «hirth: 3» na máquina. Solução: introduzir uma altura acima da esfera.
+diag-hirth-without-retraction = O eixo { $axis } tem dentado Hirth e precisa de uma altura de recuo.
+explain-hirth-without-retraction = Um eixo com dentado Hirth sai dele para ser posicionado, pelo que não pode ser medido sem recuo. Exemplo: altura de recuo 0 com «hirth: 3» na máquina. Solução: introduzir uma altura acima da esfera.
 diag-mask-missing = A máscara { $name } não existe.
 explain-mask-missing = FN 16 escreve segundo uma máscara, um ficheiro de texto ao lado do programa ou em «masks» na cena, e esta não está em nenhum dos dois sítios. A unidade e as pastas no nome não contam. Exemplo: «FN 16: F-PRINT TNC:\MASK.A / TNC:\LOG.TXT» sem um ficheiro MASK.A. Acrescente a máscara ou corrija o nome.
 diag-mask-unreadable = { $file }, linha { $line }: não é possível ler a máscara: { $found }

@@ -63,4 +63,5 @@ diag-locale-stale =
        *[other] O texto inglês de «{ $key }» mudou depois da tradução para o idioma «{ $language }»: { $change }.
     }
 diag-locale-unrecorded = A tradução de «{ $key }» para o idioma «{ $language }» ainda não foi aceite.
+diag-locale-moved = A tradução de «{ $key }» para o idioma «{ $language }» tem agora as palavras aceites para «{ $name }».
 diag-locale-unknown-argument = «{ $key }» ({ $language }) usa o argumento «{ $name }», que o texto inglês não tem.

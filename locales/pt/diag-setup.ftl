@@ -24,7 +24,7 @@ diag-machining-outside-blank =
     { $what ->
         [above] O ciclo não desce abaixo de { $value }, que fica acima do bloco: não remove nada.
         [below] A ferramenta corta à altura { $value }, muito abaixo do bloco.
-        [over] O que é maquinado em { $value }; { $other } ultrapassa a borda do bloco.
+        [over] O que é maquinado em { $value }; { $other } ultrapassa o bordo do bloco.
        *[outside] O que é maquinado em { $value }; { $other } está longe do bloco.
     }
 diag-milling-deeper-than-edges = Aqui a ferramenta fresa a uma profundidade de { $value }, maior do que a longitude das suas navalhas (LCUTS).
@@ -40,8 +40,8 @@ diag-repeat-without-effect = Uma repetição de zero vezes não tem efeito.
 diag-slot-too-narrow = A ferramenta com o diâmetro { $tool } não cabe aqui entre as paredes: esta reta só tem { $value } de comprimento.
 diag-spindle-start-wrong =
     { $what ->
-        [missing] O mandril não foi ligado desde a chamada desta ferramenta.
-       *[direction] O mandril roda no sentido anti-horário (M4) enquanto esta ferramenta corta.
+        [missing] O cabeçote não foi ligado desde a chamada desta ferramenta.
+       *[direction] O cabeçote roda no sentido anti-horário (M4) enquanto esta ferramenta corta.
     }
 diag-tap-without-hole =
     { $what ->
@@ -56,6 +56,7 @@ diag-tool-table-contradicts =
         [locked] A ferramenta { $tool } está bloqueada na tabela de ferramentas (TL) e não há ferramenta gémea indicada (RT).
         [point] { $value } centra aqui até ao diâmetro, mas a ferramenta { $tool } não tem ângulo de ponta na tabela de ferramentas (T-ANGLE).
         [turning] { $value } não serve para a ferramenta { $tool }, que na tabela de ferramentas de tornear é do tipo { $other } (TYPE).
+        [size] A ferramenta { $tool } tem na tabela de ferramentas o diâmetro { $other }, mas o nome diz { $value }.
        *[type] { $value } não serve para a ferramenta { $tool }, que na tabela de ferramentas é do tipo { $other } (TYP).
     }
 diag-translate-encoding = O ficheiro é escrito em { $encoding }: tem aí os mesmos bytes e existem todas as letras das novas designações.
@@ -64,7 +65,7 @@ diag-translate-encoding-wrong = { $path } não está em { $encoding }: alguns by
 diag-translate-unread = { $cycle } tem uma linha que não pode ser lida, por isso o nome e as designações ficam como estão.
 related-preset-written-here = escrito aqui
 diag-character-unknown = O texto contém «{ $character }», que o tipo de letra não tem.
-diag-allowance-left = O contorno do label { $label } também é maquinado com esta ferramenta com a sobremedida { $value }: a sobremedida fica na peça.
+diag-allowance-left = O contorno do label { $label } também é maquinado com esta ferramenta com a medida excedente { $value }: a medida excedente fica na peça.
 diag-contour-crossed =
     { $what ->
         [back] Este contorno fechado volta de uma esquina diretamente à anterior.
@@ -78,7 +79,7 @@ diag-error-branch-entered =
 diag-finishing-before-roughing =
     { $what ->
         [pilot] { $other } indica a ferramenta que fura aqui; tem de indicar a que desbasta a seguir.
-       *[order] { $cycle } acaba o contorno aqui, antes de { $other } o desbastar.
+       *[order] { $cycle } faz aqui o acabamento do contorno, antes de { $other } o desbastar.
     }
 diag-label-unused = Nada chama ou repete o label { $label } deste subprograma, e nenhum salto conduz a ele.
 diag-loop-runs-once = Este salto para trás nunca é executado: o contador não cumpre a condição em nenhuma passagem.

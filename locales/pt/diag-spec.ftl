@@ -1,7 +1,7 @@
 ## Erros nas especificações. $expected e $found vêm do ficheiro ou designam um tipo de valor.
 
 diag-spec-both-forms = O ciclo tem parâmetros e linhas do formato antigo; só pode ser escrito num dos formatos.
-diag-spec-case-incomplete = O caso { $name } precisa de um cenário e de um resultado esperado, ou de um motivo para ser omitido.
+diag-spec-case-incomplete = O caso { $name } precisa de uma cena e de um resultado esperado, ou de um motivo para ser omitido.
 diag-spec-case-never-reached = Este caso nunca é alcançado: um caso anterior aplica-se sempre que este se aplica.
 diag-spec-case-proves-nothing = O caso { $name } não indica o que prova.
 diag-spec-duplicate-choice = A opção { $value } aparece duas vezes.
@@ -87,10 +87,12 @@ diag-spec-measure = Em { $cycle }, { $reason ->
         [distance-as-coordinate] está uma distância no lugar de uma coordenada
         [coordinate-as-distance] está uma coordenada no lugar de uma distância
         [not-a-feed] está no lugar de um avanço algo que não é um avanço
-        [not-a-length] está no lugar de uma posição algo que não é uma longitude
+        [not-a-length] está no lugar de uma posição algo que não é um comprimento
         [not-a-time] está no lugar de um tempo algo que não é um tempo
         [not-a-speed] está no lugar das rotações do cabeçote algo que não são rotações
         [not-a-number] está no lugar de um número sem unidade uma grandeza com unidade
-        [bare-number] compara-se uma longitude ou um avanço com um número sem unidade
+        [bare-number] compara-se um comprimento ou um avanço com um número sem unidade
+        [same-operands] escolhe-se ou compara-se entre duas fórmulas iguais
+        [never-negative] toma-se o sinal ou o módulo de um parâmetro que nunca é negativo
        *[not-an-angle] está no lugar de um ângulo algo que não é um ângulo
     }.

@@ -9,6 +9,9 @@ diag-texts-file-unreadable = Não é possível ler o ficheiro: { $reason ->
         [encoding] a codificação não é UTF-8
         [depth] os elementos estão encaixados a demasiada profundidade
         [columns] faltam à tabela as colunas concept e language
+        [empty] o ficheiro está vazio
+        [quote] aqui começa uma célula entre aspas que não termina
+        [size] é maior do que 64 MB
         [xliff] não é XLIFF 1.2 nem XLIFF 2.0
        *[form] a forma está errada a partir daqui
     }.

@@ -13,10 +13,10 @@ step-ream-to-depth = A ferramenta alarga o furo com o avanço { $q-plunging-feed
 cycle-universal-drilling = Furar universal
     .nc = FURAR UNIVERSAL
     .purpose = Abre um furo em passos que podem ir diminuindo. A apara pode ser quebrada várias vezes antes de a ferramenta ser retirada do furo.
-step-drill-to-decreasing-plunging-depth = A ferramenta fura com o avanço { $q-plunging-feed } até à profundidade de passo seguinte. Se estiver introduzido um valor de redução { $q-decrement }, a profundidade de passo { $q-plunging-depth } diminui esse valor em cada passo.
+step-drill-to-decreasing-plunging-depth = A ferramenta fura com o avanço { $q-plunging-feed } até à profundidade de passo seguinte. Se tiver sido introduzido um valor de redução { $q-decrement }, a profundidade de passo { $q-plunging-depth } diminui nesse valor em cada passo.
 step-break-chip-or-retract = Entre dois passos, a ferramenta recua:
-say-break-chip-by-retraction = com rotura de apara, a distância { $q-chip-breaking-retraction }, tantas vezes quantas { $q-chip-breaks-before-retraction } indicar antes de a ferramenta ser retirada do furo
-say-retract-and-return-at-rapid = sem rotura de apara, com o avanço { $q-retraction-feed } para a distância de segurança, onde permanece durante { $q-dwell-at-top }, se o tempo estiver introduzido; daí desloca-se em avanço rápido (FMAX) até à distância de segurança acima da profundidade atingida
+say-break-chip-by-retraction = com rotura de apara, no valor de { $q-chip-breaking-retraction }, tantas vezes quantas { $q-chip-breaks-before-retraction } indicar antes de a ferramenta ser retirada do furo
+say-retract-and-return-at-rapid = sem rotura de apara, com o avanço { $q-retraction-feed } para a distância de segurança, onde permanece durante { $q-dwell-at-top }, se este tiver sido introduzido; daí desloca-se em avanço rápido (FMAX) até à distância de segurança acima da profundidade atingida
 
 # --- 240 ---
 cycle-centring = Centrar
@@ -25,12 +25,12 @@ cycle-centring = Centrar
 step-centre-to-depth-or-diameter = A ferramenta centra com o avanço { $q-plunging-feed }:
 say-centre-to-diameter = { $q-depth-or-diameter } = 1: até ao diâmetro de centragem { $q-centring-diameter }
 say-centre-to-depth = { $q-depth-or-diameter } = 0: até à profundidade de centragem { $q-depth }
-step-dwell-at-centring-bottom = A ferramenta permanece no fundo da centragem durante { $q-dwell-at-bottom }, se o tempo estiver introduzido.
+step-dwell-at-centring-bottom = A ferramenta permanece no fundo da centragem durante { $q-dwell-at-bottom }, se este tiver sido introduzido.
 condition-centring-to-depth = { $q-depth-or-diameter } = 0
 condition-centring-to-diameter = { $q-depth-or-diameter } = 1
 guard-point-angle-missing = Para centrar até um diâmetro, defina na tabela de ferramentas o ângulo de ponta { $mp-drill-point-angle } da ferramenta.
 guard-depth-zero__centring = A profundidade ou o diâmetro selecionado é 0: o comando não executa o ciclo.
-guard-depth-positive__centring = A profundidade ou o diâmetro selecionado é positivo. Introduza um valor negativo ou permita-o com o parâmetro de máquina { $mp-display-depth-err }.
+guard-depth-positive__centring = A profundidade ou o diâmetro selecionado é positivo. Introduza um valor negativo ou permita valores positivos com o parâmetro de máquina { $mp-display-depth-err }.
 note-sign-of-depth-or-diameter = O sinal do diâmetro { $q-centring-diameter } ou da profundidade { $q-depth }, conforme o que estiver selecionado, determina a direção da maquinação. Com o diâmetro ou a profundidade 0, o comando não executa o ciclo.
 note-positive-diameter-or-depth-reverses = Perigo de colisão! Com um diâmetro ou uma profundidade positivos, o comando inverte o cálculo da posição prévia: a ferramenta desloca-se no eixo da ferramenta, em avanço rápido, para a distância de segurança abaixo da superfície da peça.
 
@@ -39,7 +39,7 @@ cycle-boring = Mandrilar
     .nc = MANDRILAR
     .purpose = Mandrila um furo. No fundo, o cabeçote é orientado e a ferramenta pode afastar-se da parede antes de ser retirada.
 step-bore-to-depth = A ferramenta mandrila com o avanço { $q-plunging-feed } até à profundidade { $q-depth }.
-step-dwell-with-spindle-turning = Para cortar livremente, a ferramenta permanece no fundo do furo durante { $q-dwell-at-bottom } com o cabeçote a rodar, se o tempo estiver introduzido.
+step-dwell-with-spindle-turning = Para cortar livremente, a ferramenta permanece no fundo do furo durante { $q-dwell-at-bottom }, se tiver sido introduzido, com o cabeçote a rodar.
 step-orient-spindle-to-angle = O comando orienta o cabeçote para a posição definida em { $q-spindle-orientation-angle }.
 step-disengage-from-wall = Se estiver selecionado um afastamento livre, a ferramenta desloca-se 0,2 mm (valor fixo) na direção { $q-disengaging-direction }.
 step-retract-bored-tool = A ferramenta recua com o avanço { $q-retraction-feed } para a distância de segurança { $q-set-up-clearance }. Se { $q-disengaging-direction } = 0, recua ao longo da parede do furo.
@@ -58,11 +58,11 @@ cycle-back-boring = Rebaixamento invertido
 step-orient-and-offset-tool = O comando orienta o cabeçote para { $q-spindle-orientation-angle } e desloca a ferramenta na direção { $q-disengaging-direction } no valor da medida excêntrica { $q-off-centre-distance }.
 step-feed-through-bore = A ferramenta penetra com o avanço de posicionamento prévio { $q-in-and-out-feed } no furo existente, até a navalha ficar à distância de segurança { $q-set-up-clearance } abaixo da aresta inferior da peça.
 step-centre-tool-and-counterbore = O comando volta a levar a ferramenta ao centro do furo, liga o cabeçote e, se necessário, o refrigerante, e desloca-a depois com o avanço de rebaixamento { $q-countersinking-feed } até à profundidade { $q-counterbore-depth }.
-step-dwell-and-leave-counterbore = Se { $q-counterbore-dwell } estiver introduzido, a ferramenta permanece no fundo do rebaixo. Sai depois do rebaixo; o comando orienta o cabeçote e volta a deslocar a ferramenta no valor da medida excêntrica.
+step-dwell-and-leave-counterbore = Se { $q-counterbore-dwell } tiver sido introduzido, a ferramenta permanece no fundo do rebaixo. Sai depois do rebaixo; o comando orienta o cabeçote e volta a deslocar a ferramenta no valor da medida excêntrica.
 step-feed-out-of-bore = A ferramenta desloca-se com o avanço de posicionamento prévio { $q-in-and-out-feed } para a distância de segurança { $q-set-up-clearance } acima da superfície da peça.
 note-back-boring-bars-only = O ciclo só funciona com barras de mandrilar para rebaixamento invertido.
 note-sign-of-counterbore-depth = O sinal da profundidade { $q-counterbore-depth } determina a direção da maquinação. Atenção: com sinal positivo, rebaixa-se na direção positiva do eixo do cabeçote.
-note-length-to-lower-edge-of-bar = Introduza a longitude da ferramenta de modo que fique medida a aresta inferior da barra de mandrilar e não a navalha.
+note-length-to-lower-edge-of-bar = Introduza a longitude da ferramenta medida até à aresta inferior da barra de mandrilar e não até à navalha.
 note-edge-height-and-thickness-considered = Ao calcular o ponto de partida do rebaixamento, o comando tem em conta a altura da navalha { $q-cutting-edge-height } da barra de mandrilar e a espessura do material { $q-material-thickness }.
 
 # --- 208 ---
@@ -70,7 +70,7 @@ cycle-bore-milling = Fresar furo
     .nc = FRESAR FURO
     .purpose = Fresa um furo em hélice. Se o furo tiver o diâmetro da ferramenta, é furado diretamente.
 step-rapid-and-approach-hole-circumference = O comando desloca a ferramenta no eixo do cabeçote, em avanço rápido (FMAX), para a distância de segurança { $q-set-up-clearance } acima da superfície da peça e depois, em arco, até ao perímetro do furo { $q-nominal-diameter }, se houver espaço suficiente.
-step-drill-directly-if-diameters-equal = Se o diâmetro { $q-nominal-diameter } for igual ao diâmetro da ferramenta, a ferramenta fura sem hélice, diretamente até à profundidade { $q-depth }.
+step-drill-directly-if-diameters-equal = Se o diâmetro { $q-nominal-diameter } for igual ao diâmetro da ferramenta, a ferramenta fura sem interpolação em hélice, diretamente até à profundidade { $q-depth }.
 step-mill-on-helix = A ferramenta fresa com o avanço { $q-plunging-feed } numa hélice que desce { $q-infeed-per-helix } em cada volta.
 step-mill-full-circle-at-depth = Atingida a profundidade, a ferramenta percorre mais um círculo completo, para eliminar o material deixado pela penetração.
 step-return-to-centre-of-hole = O comando volta a levar a ferramenta ao centro do furo.

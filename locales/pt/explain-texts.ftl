@@ -11,21 +11,21 @@ explain-texts-no-language =
 explain-texts-file-unreadable =
     O ficheiro é recusado na totalidade e nada é alterado. Leem-se XLIFF 1.2, XLIFF 2.0 e PO em UTF-8, e termos em TBX ou CSV. Se um de vários ficheiros não se puder ler, nenhum é aplicado. Declarações de tipo de documento e entidades próprias são recusadas porque podem ir buscar outros ficheiros ou crescer sem fim; pela mesma razão recusa-se um encaixe demasiado profundo de elementos. Verifique o local indicado, ou exporte os textos de novo e guarde-os na mesma forma com a ferramenta de tradução.
 explain-texts-unit-unknown =
-    O identificador de uma unidade é a chave de um texto, e nenhum texto do idioma tem esta chave. Foi mudada ou eliminada desde a exportação, ou o identificador foi alterado no ficheiro. Exporte de novo; uma memória de tradução encontra a tradução já feita pelas palavras.
+    O identificador de uma unidade é a chave de um texto, e nenhum texto do idioma tem esta chave. Foi mudada ou eliminada desde a exportação, ou o identificador foi alterado no ficheiro. Exporte de novo; uma memória de tradução encontra a tradução já feita pelas palavras. Um termo novo do glossário escreve-se primeiro em locales/en/glossary.ftl; depois podem importar-se as traduções.
 explain-texts-unit-twice =
     Duas unidades com o mesmo identificador poderiam dizer coisas diferentes, e nada indica qual é a certa. Nenhuma delas é adotada. Elimine todas menos uma.
 explain-texts-unit-source-changed =
-    O texto inglês foi alterado depois da exportação do ficheiro, por isso a tradução no ficheiro pode dizer algo que já não é verdade. A unidade é deixada de fora; as outras são adotadas. Exporte o texto de novo: as primeiras notas mostram que palavras mudaram.
+    O texto inglês foi alterado depois da exportação do ficheiro, por isso a tradução no ficheiro pode dizer algo que já não é verdade. A unidade não é adotada; as outras são-no. Exporte o texto de novo: as primeiras notas mostram que palavras mudaram.
 explain-texts-unit-not-read =
     Uma unidade definitiva precisa de uma tradução composta de palavras e dos códigos que foram exportados. Esta não tem texto, ou contém elementos que o ficheiro exportado não tinha. Elimine-os, ou dê à unidade um estado não definitivo até estar traduzida.
 explain-texts-unit-codes =
     Os códigos estão no lugar de valores, termos e escolhas que o programa preenche. Uma tradução pode mudar a sua ordem e escolher a forma de um termo, como em { "{ -probe(case: \"genitive\") }" }, mas precisa dos códigos do texto de partida e de nenhum outro: um código em falta faria perder um dado, por exemplo uma profundidade ou um parâmetro. Reponha os que faltam e elimine os que não são permitidos.
 explain-texts-unit-exchanged =
-    As palavras da tradução são as de hoje e só os códigos estão noutros lugares, por isso cada valor seria dito de outra coisa. Volte a pôr os códigos no lugar. Se a nova ordem estiver certa, altere também as palavras ou edite o ficheiro Fluent.
+    As palavras da tradução são as de hoje e só os códigos estão noutros lugares, por isso cada valor seria dito de outra coisa. Reponha os códigos no lugar. Se a nova ordem estiver certa, altere também as palavras ou edite o ficheiro Fluent.
 explain-texts-unit-incomplete =
     Um texto novo com variantes, por exemplo para um e para vários furos, só está completo quando existem todas as variantes: uma em falta deixaria uma lacuna nas frases. Traduza todas as unidades cujo identificador começa com a mesma chave e torne-as definitivas.
 explain-texts-unit-refused =
-    Cada unidade é verificada como «ciklo lint» verifica os textos do idioma: sintaxe, termos e as suas formas, os mesmos números, unidades e argumentos que nos outros idiomas, maiúsculas, caracteres e comprimento das etiquetas. Esta unidade acrescentaria a ocorrência citada. «ciklo explain» com o código entre parênteses diz mais sobre ela. Corrija a unidade e importe o ficheiro de novo; as unidades já adotadas ficam então inalteradas.
+    Cada unidade é verificada como «ciklo lint» verifica os textos do idioma: sintaxe, termos e as suas formas, os mesmos números, unidades e argumentos que nos outros idiomas, maiúsculas, caracteres e comprimento das designações. Esta unidade acrescentaria a ocorrência citada. «ciklo explain» com o código entre parênteses diz mais sobre ela. Corrija a unidade e importe o ficheiro de novo; as unidades já adotadas ficam então inalteradas.
 explain-texts-unit-markup =
     Uma página de prosa mantém a forma do texto de partida: os mesmos títulos, parágrafos, itens e células, com ligações e realces em redor das palavras que o tradutor escolhe. Uma marca que abre tem de fechar, e sinais como * ou | dentro de palavras não podem iniciar nada de novo. O Ciklo já tentou escrever esses sinais com uma barra invertida. Reponha os códigos aos pares e importe a unidade de novo.
 explain-texts-unit-numbers =

@@ -2,9 +2,9 @@
 
 figure-section = Corte
 figure-plan = Vista de cima
-figure-chip-breaking = Quebra de apara
+figure-chip-breaking = Rotura de apara
 figure-decreasing-infeeds = Passos decrescentes
-figure-deepened-start = Ponto inicial aprofundado
+figure-deepened-start = Ponto de partida aprofundado
 figure-centring-diameter = Centragem até ao diâmetro
 figure-rotation = Ângulo de rotação
 figure-pocket-position = Posição na chamada
@@ -42,9 +42,9 @@ figure-threads-per-step = Voltas ou hélices
 figure-countersinking-moment = Momento do rebaixamento
 figure-finishing-counter-clockwise = Acabamento em sentido anti-horário, Q9 = +1
 figure-finishing-clockwise = Acabamento em sentido horário, Q9 = −1
-figure-train-climb = Fresagem concordante, Q15 = +1
-figure-train-up-cut = Fresagem discordante, Q15 = −1
-figure-train-to-and-fro = Para lá e para cá, Q15 = 0
+figure-train-climb = Fresagem em sentido sincronizado, Q15 = +1
+figure-train-up-cut = Fresagem em sentido contrário, Q15 = −1
+figure-train-to-and-fro = Em vaivém, Q15 = 0
 figure-operation = Tipo de maquinação
 figure-no-contact = Percurso sem contacto
 way-rapid = avanço rápido
@@ -69,8 +69,8 @@ diag-figure-nothing-to-see = A figura { $figure } de { $cycle } mostra { $name }
 diag-figure-place-not-reached = A figura { $figure } de { $cycle } mostra { $name } até um ponto ({ $place }) que nem a ferramenta nem a peça alcançam.
 diag-figure-none = O ciclo { $cycle } não tem figuras neste comando.
 diag-figure-parameter-not-shown = Nenhuma figura de { $cycle } mostra { $name } e a especificação não indica o motivo.
-figure-teeth = Navalhas no apalpador de ferramenta
-figure-turning-tool = Ferramenta em rotação
+figure-teeth = Navalhas no apalpador de ferramentas
+figure-turning-tool = Ferramenta a rodar
 figure-single-teeth = Navalhas individuais
 figure-line-angle = Ângulo das linhas
 figure-rotary-a = Ao longo do eixo rotativo A

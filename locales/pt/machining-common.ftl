@@ -8,13 +8,13 @@ until-depth-reached = seja atingida a profundidade programada { $q-depth }
 
 # --- guards ---
 guard-depth-zero = A profundidade é 0: o comando não executa o ciclo.
-guard-depth-positive = A profundidade é positiva. Introduza uma profundidade negativa ou permita-a com o parâmetro de máquina { $mp-display-depth-err }.
+guard-depth-positive = A profundidade é positiva. Introduza uma profundidade negativa ou permita profundidades positivas com o parâmetro de máquina { $mp-display-depth-err }.
 
 # --- notes ---
 note-program-before-call = Antes da chamada do ciclo, programe a chamada da ferramenta, o sentido de rotação do cabeçote (M3 ou M4) e a definição do ciclo; o gráfico de teste precisa também do bloco (BLK FORM).
 note-graphic-test-first = Perigo de colisão! Os ciclos podem executar maquinações extensas. Por segurança, faça um teste gráfico do programa antes da maquinação.
 note-sign-of-depth = O sinal da profundidade { $q-depth } determina a direção da maquinação. Com a profundidade 0, o comando não executa o ciclo.
-note-positive-depth-error = Perigo de colisão! O parâmetro de máquina { $mp-display-depth-err } determina se o comando emite um aviso de erro quando se introduz uma profundidade positiva (on) ou não (off).
+note-positive-depth-error = Perigo de colisão com uma profundidade positiva! O parâmetro de máquina { $mp-display-depth-err } determina se o comando emite um aviso de erro quando se introduz uma tal profundidade (on) ou não (off).
 note-positive-depth-reverses = Perigo de colisão! Com uma profundidade { $q-depth } positiva, o comando inverte o cálculo da posição prévia: a ferramenta desloca-se no eixo da ferramenta, em avanço rápido, para a distância de segurança abaixo da superfície da peça.
 note-retraction-between-pattern-points = Com CYCL CALL PAT, a ferramenta recua entre os pontos para uma altura segura: a coordenada do eixo da ferramenta na chamada do ciclo ou a 2ª distância de segurança { $q-second-set-up-clearance }, a que for mais alta das duas.
 note-assigned-parameters-are-fixed = Se a um parâmetro do ciclo estiver atribuído outro parâmetro, uma modificação deste depois da definição do ciclo não tem efeito.

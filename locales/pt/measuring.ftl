@@ -5,11 +5,11 @@ cycle-measure-hole = Medir furo
     .nc = MEDIR FURO
     .nc-aliases = MEDIÇÃO DUM FURO
     .purpose = Mede o centro e o diâmetro de um furo (caixa circular). Se no ciclo estiverem definidas tolerâncias, o comando compara os valores nominais com os reais e guarda os desvios em parâmetros.
-step-retract-and-store-results = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e guarda os valores reais e os desvios dos valores nominais nos parâmetros de resultado.
+step-retract-and-store-results = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e guarda os valores reais e os desvios em relação aos valores nominais nos parâmetros de resultado.
 step-set-measuring-status = O comando determina o estado da medição:
 say-hole-is-scrap = desperdício (Q182=1) se o furo for maior do que { $q-hole-greatest-diameter } ou se o seu centro apresentar um desvio superior a { $q-centre-tolerance-main } ou { $q-centre-tolerance-minor }
 say-hole-needs-rework = trabalho de acabamento (Q181=1) se o furo for menor do que { $q-hole-least-diameter }
-say-hole-is-good = caso contrário, dentro da tolerância (Q180=1), mesmo que não estejam introduzidas tolerâncias nem valores limite
+say-hole-is-good = caso contrário, dentro da tolerância (Q180=1), mesmo que não tenham sido introduzidas tolerâncias nem valores limite
 step-write-measuring-log = O comando cria o registo de medição conforme { $q-measuring-log }:
 say-log-to-file = com { $q-measuring-log }=1, guarda o registo no ficheiro TCHPR{ $cycle }.TXT
 say-log-on-screen = com { $q-measuring-log }=2, interrompe a execução do programa e mostra o registo no ecrã; o arranque NC continua o programa
@@ -27,7 +27,7 @@ result-centre-minor-deviation = Desvio centro eixo secundário
 result-diameter-deviation = Desvio diâmetro
 result-status-good = 1: os valores de medição situam-se dentro da tolerância
 result-status-rework = 1: necessário trabalho de acabamento
-result-status-scrap = 1: desperdícios
+result-status-scrap = 1: desperdício
 note-measuring-log-contents = O registo de medição contém a data, a hora e o programa de medição, os valores nominais, os valores limite, os valores reais, os desvios e outros resultados (altura de medição).
 note-measuring-log-contents__tnc426-430 = O registo de medição contém a data, a hora e o programa de medição, os valores nominais, os valores limite, os valores reais e os desvios.
 note-measuring-log-in-tnc-directory = O comando guarda o registo de medição como ficheiro ASCII, por predefinição no diretório TNC:\.
@@ -35,14 +35,14 @@ note-measuring-log-in-program-directory = O comando guarda o registo de mediçã
 note-measuring-log-transfer = O registo de medição pode ser transmitido pela interface de dados com o TNCremo, o software de transmissão de dados da HEIDENHAIN.
 note-measuring-log-datum = Todos os valores medidos do ficheiro do registo referem-se ao ponto de referência que estava ativo quando o ciclo foi executado.
 note-measuring-log-manual-datum = Sem uma deslocação do ponto zero ativa, todos os valores medidos do ficheiro do registo referem-se ao ponto de referência memorizado no modo de funcionamento Manual.
-note-status-also-without-limits = O comando determina o estado da medição mesmo que não estejam introduzidas tolerâncias nem valores limite.
+note-status-also-without-limits = O comando determina o estado da medição mesmo que não tenham sido introduzidas tolerâncias nem valores limite.
 note-which-value-is-out = O comando assinala trabalho de acabamento ou desperdício assim que um dos valores medidos fique fora da tolerância. Para saber qual, consulte o registo de medição ou compare os resultados com os seus valores limite.
 note-limit-zero-not-monitored = Com 0 (o valor pré-ajustado) num valor limite ou numa tolerância, o comando não o supervisiona.
 note-tool-monitoring-needs = A supervisão e a correção da ferramenta só atuam se a tabela de ferramentas estiver ativa e { $q-monitored-tool } for diferente de 0. Se forem feitas várias medições de correção, o comando soma cada desvio ao valor guardado na tabela de ferramentas.
 note-tool-monitoring-needs__tnc426-430 = A supervisão e a correção da ferramenta só atuam se a tabela de ferramentas estiver ativa e { $q-monitored-tool } for diferente de 0.
 note-tool-radius-always-corrected = O comando corrige sempre o raio da ferramenta na coluna DR da tabela de ferramentas, mesmo que o desvio esteja dentro da tolerância. No programa pode consultar-se com Q181 se é necessário trabalho de acabamento (Q181=1: necessário).
 note-tool-breakage-needs = A supervisão da rotura da ferramenta só atua se a tabela de ferramentas estiver ativa, { $q-monitored-tool } for diferente de 0 e a tolerância de rotura RBREAK da ferramenta na tabela de ferramentas for maior do que 0.
-note-tool-by-name = A ferramenta também pode ser introduzida com o seu nome, selecionado por softkey. O comando não mostra as aspas finais.
+note-tool-by-name = A ferramenta também pode ser indicada pelo nome, que se seleciona por softkey. O comando não mostra as aspas finais.
 
 # --- 0 ---
 cycle-reference-plane = Plano de referência

@@ -16,36 +16,36 @@ note-position-at-pocket-centre = Posicione a ferramenta no ponto de partida (cen
 cycle-slot = Fresar ranhura
     .nc = FRESAR RANHURA
     .purpose = Maquina por completo uma ranhura: desbaste, acabamento do fundo e acabamento lateral. Também é possível fazer só o desbaste, só o acabamento do fundo e lateral, só o acabamento do fundo ou só o acabamento lateral.
-step-move-over-left-slot-arc = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se não estiver introduzida), depois sobre o centro do arco esquerdo da ranhura e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
+step-move-over-left-slot-arc = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (ou à distância de segurança, se aquela não tiver sido introduzida), depois sobre o centro do arco esquerdo da ranhura e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
 step-plunge-at-left-slot-arc = A partir do centro do arco esquerdo da ranhura, a ferramenta penetra na peça até à profundidade de passo seguinte { $q-plunging-depth }. O parâmetro { $q-plunging-strategy } determina como:
 say-plunge-to-and-fro-along-slot = { $q-plunging-strategy } = 1 ou 2: em vaivém ao longo da ranhura, com o ângulo de penetração { $mp-plunging-angle } da tabela de ferramentas e o avanço { $q-plunging-feed }
 step-clear-slot-level = O comando desbasta a ranhura de dentro para fora, tendo em conta as medidas excedentes de acabamento { $q-side-allowance } e { $q-floor-allowance }.
 step-rapid-to-first-plunging-depth-of-slot = Se só estiver programado o acabamento ({ $q-machining-operation } = 2), o comando desloca a ferramenta em avanço rápido até à primeira profundidade de passo.
-step-finish-slot-side = Se estiver definida uma medida excedente { $q-side-allowance }, o comando faz primeiro o acabamento das paredes da ranhura; com { $q-finishing-infeed }, em vários passos. Aproxima-se tangencialmente da parede no arco esquerdo da ranhura.
-step-finish-slot-side__circular-slot = Se estiver definida uma medida excedente { $q-side-allowance }, o comando faz primeiro o acabamento das paredes da ranhura; com { $q-finishing-infeed }, em vários passos. Aproxima-se tangencialmente da parede.
+step-finish-slot-side = Se estiver definida uma medida excedente { $q-side-allowance }, o comando faz primeiro o acabamento das paredes da ranhura; se { $q-finishing-infeed } tiver sido introduzido, em vários passos. Aproxima-se tangencialmente da parede no arco esquerdo da ranhura.
+step-finish-slot-side__circular-slot = Se estiver definida uma medida excedente { $q-side-allowance }, o comando faz primeiro o acabamento das paredes da ranhura; se { $q-finishing-infeed } tiver sido introduzido, em vários passos. Aproxima-se tangencialmente da parede.
 until-slot-side-finished = o acabamento das paredes chegue à profundidade { $q-depth }
 step-finish-slot-floor = Se estiver definida uma medida excedente { $q-floor-allowance }, o comando faz depois o acabamento do fundo da ranhura de dentro para fora.
-step-leave-slot = A ferramenta sai da ranhura em avanço rápido para a 2ª distância de segurança { $q-second-set-up-clearance } (para a distância de segurança, se não estiver introduzida).
+step-leave-slot = A ferramenta sai da ranhura em avanço rápido para a 2ª distância de segurança { $q-second-set-up-clearance } (ou para a distância de segurança, se aquela não tiver sido introduzida).
 step-end-of-slot = O local em que a ferramenta fica no fim do ciclo depende da posição da ranhura { $q-slot-position }:
 say-back-to-slot-centre = { $q-slot-position } = 0: o comando faz regressar a ferramenta no plano de maquinação ao centro da ranhura
 say-stays-in-working-plane = caso contrário: o comando não posiciona a ferramenta no plano de maquinação
 note-position-at-slot-start = Posicione a ferramenta no ponto de partida no plano de maquinação com correção de raio R0. Tenha em conta a posição da ranhura { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Posicione a ferramenta no ponto de partida no plano de maquinação com correção de raio R0. Tenha em conta a referência da posição da ranhura { $q-slot-position-reference }.
-note-slot-end-position = No fim do ciclo, o comando faz regressar a ferramenta no plano de maquinação ao centro da ranhura; no outro eixo do plano de maquinação não a posiciona. Se estiver definida uma posição da ranhura { $q-slot-position } diferente de 0, o comando posiciona a ferramenta apenas no eixo da ferramenta, à 2ª distância de segurança. Antes de chamar de novo o ciclo, volte a levar a ferramenta à posição de partida ou programe deslocações absolutas antes da chamada.
+note-slot-end-position = No fim do ciclo, o comando faz regressar a ferramenta no plano de maquinação ao centro da ranhura. Exceção: se estiver definida uma posição da ranhura { $q-slot-position } diferente de 0, posiciona-a apenas no eixo da ferramenta, à 2ª distância de segurança. Antes de chamar de novo o ciclo, volte a levar a ferramenta à posição de partida ou programe deslocações absolutas antes da chamada.
 note-wide-slot-is-cleared = Se a ranhura for mais larga do que o dobro do diâmetro da ferramenta, o comando desbasta-a de dentro para fora. Assim também se podem fresar ranhuras de qualquer largura com ferramentas pequenas.
 
 # --- 254 ---
 cycle-circular-slot = Ranhura circular
     .nc = RANHURA CIRCULAR
     .purpose = Maquina por completo uma ranhura circular, ou várias sobre um círculo teórico: desbaste, acabamento do fundo e acabamento lateral. Também é possível fazer só o desbaste, só o acabamento do fundo e lateral, só o acabamento do fundo ou só o acabamento lateral.
-step-move-over-circular-slot = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se não estiver introduzida), depois sobre o ponto de partida da ranhura e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
+step-move-over-circular-slot = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (ou à distância de segurança, se aquela não tiver sido introduzida), depois sobre o ponto de partida da ranhura e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
 step-plunge-in-circular-slot = A ferramenta penetra na peça a meio da largura da ranhura até à profundidade de passo seguinte { $q-plunging-depth }. O parâmetro { $q-plunging-strategy } determina como:
-until-all-slots-milled = estejam fresadas todas as { $q-number-of-operations } ranhuras, cada uma rodada { $q-pattern-stepping-angle } em torno do centro do círculo teórico
+until-all-slots-milled = estejam fresadas todas as { $q-number-of-operations } ranhuras, cada uma com uma rotação de { $q-pattern-stepping-angle } em torno do centro do círculo teórico
 step-end-of-circular-slot = O local em que a ferramenta fica no fim do ciclo depende da referência da posição da ranhura { $q-slot-position-reference }:
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: o comando faz regressar a ferramenta no plano de maquinação ao ponto de partida (centro do círculo teórico)
 condition-slot-at-entered-centre = a posição da ranhura resultar do centro do círculo teórico introduzido ({ $q-slot-position-reference } = 0)
 note-circular-slot-end-position = No fim do ciclo, o comando faz regressar a ferramenta no plano de maquinação ao ponto de partida (centro do círculo teórico). Exceção: se estiver definida uma posição da ranhura { $q-slot-position-reference } diferente de 0, posiciona-a apenas no eixo da ferramenta, à 2ª distância de segurança. Neste caso, programe sempre deslocações absolutas depois da chamada do ciclo.
-note-circular-slot-with-pattern = Se o ciclo 254 (ranhura circular) for combinado com o ciclo 221, não é permitida a posição da ranhura 0.
+note-circular-slot-with-pattern = Se o ciclo 254 (ranhura circular) for combinado com o ciclo 221, não é permitido o valor 0 para a posição da ranhura.
 
 # --- 256 ---
 cycle-rectangular-stud = Ilha retangular
@@ -58,13 +58,13 @@ say-approach-at-stud-corner = caso contrário: na esquina escolhida
 step-rapid-down-to-set-up-clearance = Se a ferramenta se encontrar à 2ª distância de segurança, o comando desloca-a em avanço rápido (FMAX) para a distância de segurança { $q-set-up-clearance }.
 step-feed-to-plunging-depth-of-stud = A ferramenta desloca-se com o avanço do passo em profundidade { $q-plunging-feed } até à profundidade de passo seguinte { $q-plunging-depth }.
 step-mill-around-stud = A ferramenta aproxima-se depois tangencialmente do contorno da ilha e fresa uma volta.
-step-mill-around-stud-again = Se uma volta não bastar para atingir as medidas acabadas, o comando avança lateralmente à profundidade de passo atual e fresa outra volta, tendo em conta as medidas do bloco, as medidas acabadas e o passo lateral permitido. O processo repete-se até serem atingidas as medidas acabadas. Se o ponto de partida ficar numa esquina ({ $q-stud-approach-position } diferente de 0), o comando fresa em espiral, do ponto de partida para dentro, até serem atingidas as medidas acabadas.
+step-mill-around-stud-again = Se uma volta não bastar para atingir as medidas acabadas, à profundidade de passo atual, o comando avança lateralmente e fresa outra volta, tendo em conta as medidas do bloco, as medidas acabadas e o passo lateral permitido. O processo repete-se até serem atingidas as medidas acabadas. Se o ponto de partida ficar numa esquina ({ $q-stud-approach-position } diferente de 0), o comando fresa em espiral, do ponto de partida para dentro, até serem atingidas as medidas acabadas.
 step-leave-stud-to-start = Se forem necessários mais passos em profundidade, a ferramenta sai tangencialmente do contorno e regressa ao ponto de partida da ilha.
 until-stud-depth-reached = seja atingida a profundidade programada { $q-depth } da ilha
 step-retract-from-stud = No fim do ciclo, o comando posiciona a ferramenta apenas no eixo da ferramenta. A posição final difere por isso da posição de partida:
 note-position-at-stud-start = Posicione a ferramenta no ponto de partida no plano de maquinação com correção de raio R0. Tenha em conta a posição da ilha { $q-stud-position }.
 note-room-beside-stud = Perigo de colisão! Deixe à direita da ilha espaço suficiente para a aproximação da ferramenta: pelo menos o diâmetro da ferramenta + 2 mm.
-note-stud-end-position = Perigo de colisão! No fim, o comando faz regressar a ferramenta à distância de segurança ou, se estiver introduzida, à 2ª distância de segurança. A posição final da ferramenta depois do ciclo não coincide, portanto, com a posição de partida.
+note-stud-end-position = Perigo de colisão! No fim, o comando faz regressar a ferramenta à distância de segurança ou, se tiver sido introduzida, à 2ª distância de segurança. A posição final da ferramenta depois do ciclo não coincide, portanto, com a posição de partida.
 note-choose-other-approach-position = Se a aproximação com { $q-stud-approach-position } = 0 deixar marcas na superfície da ilha, escolha outra posição de aproximação.
 
 # --- 257 ---
@@ -76,9 +76,9 @@ step-mill-spiral-around-stud = A ferramenta aproxima-se depois em espiral, tange
 step-keep-spiral-to-finished-diameter = Se uma volta não bastar para atingir o diâmetro acabado, o comando continua a avançar em espiral até o atingir, tendo em conta o diâmetro do bloco, o diâmetro acabado e o passo lateral permitido.
 step-leave-stud-on-spiral = O comando afasta a ferramenta do contorno em espiral.
 step-next-infeed-near-departure = Se forem necessários vários passos em profundidade, o seguinte faz-se no ponto mais próximo da saída.
-step-retract-and-return-to-stud-centre = No fim do ciclo, depois da saída em espiral, o comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se não estiver introduzida) e depois no centro da ilha.
+step-retract-and-return-to-stud-centre = No fim do ciclo, depois da saída em espiral, o comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (ou à distância de segurança, se aquela não tiver sido introduzida) e depois no centro da ilha.
 note-position-at-stud-centre = Posicione a ferramenta no ponto de partida (centro da ilha) no plano de maquinação com correção de raio R0.
-note-circular-stud-end-height = Perigo de colisão! No fim, o comando faz regressar a ferramenta à distância de segurança ou, se estiver introduzida, à 2ª distância de segurança. A posição final da ferramenta depois do ciclo pode, portanto, diferir da posição de partida.
+note-circular-stud-end-height = Perigo de colisão! No fim, o comando faz regressar a ferramenta à distância de segurança ou, se tiver sido introduzida, à 2ª distância de segurança. No eixo da ferramenta, a posição final depois do ciclo pode, portanto, diferir da posição de partida.
 
 # --- 221 ---
 cycle-line-pattern = Figura de pontos sobre linhas
@@ -105,7 +105,7 @@ step-mill-line = A ferramenta fresa depois com o avanço programado { $q-milling
 step-step-over-to-next-line = O comando desloca a ferramenta lateralmente com o avanço { $q-stepover-feed } para o ponto de partida da linha seguinte. Calcula a deslocação a partir da largura programada { $q-second-side-length } e do número de cortes { $q-number-of-cuts }.
 step-mill-back-in-next-line = A ferramenta regressa depois na direção negativa do 1.º eixo.
 step-rapid-back-to-clearance-over-surface = No fim, o comando retira a ferramenta em avanço rápido (FMAX) para a distância de segurança { $q-set-up-clearance }.
-note-plane-first-then-spindle-axis = Da posição atual, o comando posiciona a ferramenta no ponto de partida primeiro no plano de maquinação e depois no eixo do cabeçote.
+note-plane-first-then-spindle-axis = A partir da posição atual, o comando posiciona a ferramenta no ponto de partida primeiro no plano de maquinação e depois no eixo do cabeçote.
 
 # --- 231 ---
 cycle-ruled-surface = Superfície regrada
@@ -118,8 +118,8 @@ step-down-to-last-height = No ponto de partida, o comando leva a ferramenta ao �
 step-move-to-start-of-next-line = O comando desloca depois a ferramenta nos três eixos, do ponto 1 em direção ao ponto 4, para a linha seguinte.
 step-above-highest-point = No fim, o comando posiciona a ferramenta um diâmetro da ferramenta acima do ponto mais alto introduzido no eixo do cabeçote.
 note-cutting-direction-of-surface = O ponto de partida, e com ele a direção de fresagem, pode escolher-se livremente: o comando executa os cortes do ponto 1 para o ponto 2 e, no conjunto, avança dos pontos 1 e 2 para os pontos 3 e 4. O ponto 1 pode ficar em qualquer vértice da superfície.
-note-surface-quality-with-end-mills = Com fresas cilíndricas, a qualidade da superfície pode ser melhorada: em superfícies pouco inclinadas, com um corte a empurrar (coordenada do ponto 1 no eixo do cabeçote maior do que a do ponto 2); em superfícies muito inclinadas, com um corte a puxar (coordenada do ponto 1 no eixo do cabeçote menor do que a do ponto 2); em superfícies torcidas, pondo a direção principal de corte (do ponto 1 para o ponto 2) na direção da maior inclinação.
-note-surface-quality-with-ball-end-mills = Com fresas esféricas, a qualidade das superfícies torcidas pode ser melhorada pondo a direção principal de corte (do ponto 1 para o ponto 2) perpendicular à direção da maior inclinação.
+note-surface-quality-with-end-mills = Com fresas cilíndricas, a qualidade da superfície pode ser melhorada: em superfícies pouco inclinadas, com um corte a empurrar (coordenada do ponto 1 no eixo do cabeçote maior do que a do ponto 2); em superfícies muito inclinadas, com um corte a puxar (coordenada do ponto 1 no eixo do cabeçote menor do que a do ponto 2); em superfícies torcidas, com a direção principal de corte (do ponto 1 para o ponto 2) orientada segundo a maior inclinação.
+note-surface-quality-with-ball-end-mills = Com fresas esféricas, a qualidade das superfícies torcidas pode ser melhorada se a direção principal de corte (do ponto 1 para o ponto 2) for perpendicular à direção da maior inclinação.
 note-straight-to-start-without-collision = Perigo de colisão! O comando desloca a ferramenta da posição atual, em linha reta no espaço, para o ponto de partida 1. Posicione previamente a ferramenta de modo que não possa colidir com a peça nem com os dispositivos de fixação.
 note-positions-with-r0 = O comando desloca a ferramenta entre as posições introduzidas com correção de raio R0.
 note-centre-cut-or-pilot-drill = Se necessário, utilize uma fresa com navalha frontal que corte ao centro (DIN 844) ou faça um furo prévio com o ciclo 21.
@@ -128,7 +128,7 @@ note-centre-cut-or-pilot-drill = Se necessário, utilize uma fresa com navalha f
 cycle-face-milling = Fresar plano
     .nc = FRESAR PLANO
     .purpose = Fresa uma superfície plana em vários passos, com uma medida excedente de acabamento e segundo uma de três estratégias.
-step-position-beside-surface = Da posição atual, o comando posiciona a ferramenta em avanço rápido (FMAX) e com lógica de posicionamento no ponto de partida 1, que fica ao lado da peça, afastado dela no valor do raio da ferramenta mais a distância lateral { $q-side-clearance }:
+step-position-beside-surface = A partir da posição atual, o comando posiciona a ferramenta em avanço rápido (FMAX) e com lógica de posicionamento no ponto de partida 1, que fica ao lado da peça, afastado dela no valor do raio da ferramenta mais a distância lateral { $q-side-clearance }:
 say-plane-then-spindle-axis = se a ferramenta estiver acima da 2ª distância de segurança { $q-second-set-up-clearance }: primeiro no plano de maquinação, depois no eixo do cabeçote
 say-second-clearance-then-plane = caso contrário: primeiro para a 2ª distância de segurança { $q-second-set-up-clearance }, depois no plano de maquinação
 step-feed-to-face-infeed = A ferramenta desloca-se depois no eixo do cabeçote com o avanço de posicionamento prévio { $q-pre-positioning-feed } até à profundidade de passo seguinte, calculada pelo comando.
@@ -136,7 +136,7 @@ step-mill-face-line = A ferramenta fresa com o avanço programado { $q-milling-f
 say-line-ends-outside-surface = { $q-face-milling-strategy } = 0: fora da superfície; o comando calcula-o a partir do ponto de partida, da longitude e da distância lateral { $q-side-clearance } programados e do raio da ferramenta
 say-line-ends-inside-surface = { $q-face-milling-strategy } = 1: dentro da superfície; o comando calcula-o a partir do ponto de partida e da longitude programados e do raio da ferramenta
 say-line-ends-outside-surface-by-lines = { $q-face-milling-strategy } = 2: fora da superfície; o comando calcula-o a partir do ponto de partida, da longitude e da distância lateral { $q-side-clearance } programados e do raio da ferramenta
-step-step-over-on-face = O comando desloca a ferramenta lateralmente para o ponto de partida da linha seguinte. Calcula a deslocação a partir da largura programada { $q-second-side-length }, do raio da ferramenta e do fator máximo de sobreposição de trajetórias { $q-max-path-overlap }:
+step-step-over-on-face = O comando calcula a deslocação lateral a partir da largura programada { $q-second-side-length }, do raio da ferramenta e do fator máximo de sobreposição de trajetórias { $q-max-path-overlap }. Desloca a ferramenta lateralmente para o ponto de partida da linha seguinte:
 say-step-over-outside = { $q-face-milling-strategy } = 0: com o avanço de posicionamento prévio { $q-pre-positioning-feed }
 say-step-over-inside = { $q-face-milling-strategy } = 1: dentro da peça, com o avanço de fresagem { $q-milling-feed }
 say-retract-and-return-to-next-line = { $q-face-milling-strategy } = 2: a ferramenta desloca-se no eixo do cabeçote para a distância de segurança { $q-set-up-clearance } acima da profundidade de passo atual e regressa com o avanço de posicionamento prévio { $q-pre-positioning-feed } diretamente ao ponto de partida da linha seguinte

@@ -53,7 +53,7 @@ parameter-depth__rectangular-pocket =
     .help = Distância entre a superfície da peça e o fundo da caixa.
 parameter-plunging-depth = Profundidade de passo
     .label = PROFUNDIDADE DE PASSO
-    .help = Profundidade que a ferramenta avança em cada passo. A profundidade não tem de ser um múltiplo dela. A ferramenta vai até à profundidade num só movimento se os dois valores forem iguais ou se a profundidade de passo for maior do que a profundidade.
+    .help = Profundidade que a ferramenta avança em cada passo. A profundidade não tem de ser um múltiplo da profundidade de passo. A ferramenta avança até à profundidade num só movimento se os dois valores forem iguais ou se a profundidade de passo for maior do que a profundidade.
 parameter-plunging-depth__rectangular-pocket =
     .help = Profundidade que a ferramenta avança em cada passo. Introduza um valor maior do que 0.
 parameter-decrement = Valor de redução
@@ -61,7 +61,7 @@ parameter-decrement = Valor de redução
     .help = Valor em que a profundidade de passo { $q-plunging-depth } diminui em cada passo.
 parameter-least-plunging-depth = Profundidade de passo mínima
     .label = PROFUNDIDADE MÍN. DE PASSO
-    .help = Se estiver introduzido um valor de redução { $q-decrement }, nenhum passo fica menor do que este valor.
+    .help = Se tiver sido introduzido um valor de redução { $q-decrement }, nenhum passo é menor do que esta profundidade.
 parameter-upper-advanced-stop-distance = Distância de paragem prévia em cima
     .label = DIST. PARAGEM PRÉVIA EM CIMA
     .help = Distância acima da profundidade de passo atual até à qual a ferramenta, depois de um recuo, volta ao furo em avanço rápido: valor para o primeiro passo.
@@ -158,7 +158,7 @@ parameter-pattern-stopping-angle = Ângulo final
     .help = Ângulo entre o eixo principal do plano de maquinação e o ponto de partida da última maquinação no círculo teórico; não vale para círculos completos. Tem de ser diferente do ângulo inicial { $q-pattern-starting-angle }. Se for maior do que o ângulo inicial, a maquinação faz-se em sentido anti-horário; caso contrário, em sentido horário.
 parameter-pattern-stepping-angle = Passo angular
     .label = PASSO ANGULAR
-    .help = Ângulo entre duas maquinações no círculo teórico. Com 0, o comando calcula-o a partir do ângulo inicial, do ângulo final e do número de maquinações. Se estiver introduzido, o ângulo final { $q-pattern-stopping-angle } não é tido em conta. O sinal determina a direção (− = sentido horário).
+    .help = Ângulo entre duas maquinações no círculo teórico. Com 0, o comando calcula-o a partir do ângulo inicial, do ângulo final e do número de maquinações. Se tiver sido introduzido, o ângulo final { $q-pattern-stopping-angle } não é tido em conta. O sinal determina a direção (− = sentido horário).
 parameter-number-of-operations = Número de maquinações
     .label = NÚMERO DE MAQUINAÇÕES
     .help = Número de maquinações no círculo teórico.

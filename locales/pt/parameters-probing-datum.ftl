@@ -169,7 +169,7 @@ parameter-second-measuring-height = Altura de medição ilha 2 no eixo TS
 parameter-reference-line-angle = Ajuste prévio da rotação básica
     .label = AJUSTE PRÉVIO ROTAÇ. BÁSICA
     .label-aliases = AJUSTE PRÉVIO ROTAÇ.BÁSICA
-    .help = Ângulo da reta de referência, se a inclinação não tiver de ser medida em relação ao eixo principal mas sim a uma reta qualquer. Para a rotação básica, o comando toma a diferença entre o valor medido e este ângulo.
+    .help = Ângulo da reta de referência, se a inclinação se referir a uma reta qualquer e não ao eixo principal. Para a rotação básica, o comando utiliza a diferença entre o valor medido e este ângulo.
 parameter-reference-line-angle__tnc320 =
     .label = AJUSTE PRÉVIO ROT.BÁSICA
     .label-aliases = AJUSTE PRÉVIO ROTAÇ. BÁSICA | AJUSTE PRÉVIO ROTAÇ.BÁSICA
@@ -188,11 +188,11 @@ parameter-basic-rotation-angle__tnc320 =
     .label-aliases = AJUSTE PRÉVIO ROTAÇ. BÁSICA | AJUSTE PRÉVIO ROTAÇ.BÁSICA
 parameter-basic-rotation-row = Número de preset na tabela
     .label = N.º NA TABELA
-    .help = Número na tabela de presets em que é guardada a rotação básica determinada. Com 0, o comando guarda-a no menu ROT do modo de funcionamento Manual.
+    .help = Número na tabela de presets em que é guardada a rotação básica medida. Com 0, o comando guarda-a no menu ROT do modo de funcionamento Manual.
 parameter-basic-rotation-row__rotation-two-holes =
-    .help = Número na tabela de presets em que é guardada a rotação básica determinada. Com 0, o comando guarda-a no menu ROT do modo de funcionamento Manual. Se a inclinação for compensada por rotação da mesa rotativa ({ $q-misalignment-compensation }=1), o número não tem efeito e a inclinação não é guardada como ângulo.
+    .help = Número na tabela de presets em que é guardada a rotação básica medida. Com 0, o comando guarda-a no menu ROT do modo de funcionamento Manual. Se a inclinação for compensada por rotação da mesa rotativa ({ $q-misalignment-compensation }=1), o número não tem efeito e a inclinação não é guardada como ângulo.
 parameter-basic-rotation-row__rotation-two-studs =
-    .help = Número na tabela de presets em que é guardada a rotação básica determinada. Com 0, o comando guarda-a no menu ROT do modo de funcionamento Manual. Se a inclinação for compensada por rotação da mesa rotativa ({ $q-misalignment-compensation }=1), o número não tem efeito e a inclinação não é guardada como ângulo.
+    .help = Número na tabela de presets em que é guardada a rotação básica medida. Com 0, o comando guarda-a no menu ROT do modo de funcionamento Manual. Se a inclinação for compensada por rotação da mesa rotativa ({ $q-misalignment-compensation }=1), o número não tem efeito e a inclinação não é guardada como ângulo.
 parameter-misalignment-compensation = Compensação
     .label = COMPENSAÇÃO
     .help = Determina se o comando compensa a inclinação por meio de uma rotação básica ou por rotação da mesa rotativa.
@@ -200,13 +200,13 @@ choice-compensate-by-basic-rotation = memorizar uma rotação básica
 choice-compensate-by-rotary-table = rodar a mesa rotativa; o comando não guarda então a inclinação, mesmo que esteja indicada uma linha da tabela em { $q-basic-rotation-row }
 parameter-zero-after-alignment = Memorizar zero depois de alinhar
     .label = MEMORIZAR ZERO
-    .help = Determina se o comando põe a 0 a visualização do eixo rotativo alinhado.
-choice-keep-rotary-display = não pôr a 0 a visualização do eixo rotativo depois de alinhar
-choice-zero-rotary-display = pôr a 0 a visualização do eixo rotativo depois de alinhar
+    .help = Determina se o comando coloca a 0 a visualização do eixo rotativo alinhado.
+choice-keep-rotary-display = não colocar a 0 a visualização do eixo rotativo depois de alinhar
+choice-zero-rotary-display = colocar a 0 a visualização do eixo rotativo depois de alinhar
 parameter-zero-or-row-after-alignment = Memorizar zero depois de centrar
     .label = MEMORIZAR ZERO
-    .help = Determina se o comando põe a 0 a visualização do eixo C ou escreve o desvio angular na coluna C da tabela de pontos zero.
-choice-zero-c-axis-display = pôr a 0 a visualização do eixo C
+    .help = Determina se o comando coloca a 0 a visualização do eixo C ou escreve o desvio angular na coluna C da tabela de pontos zero.
+choice-zero-c-axis-display = colocar a 0 a visualização do eixo C
 choice-offset-into-datum-row = escrever o desvio angular medido, com o seu sinal, na tabela de pontos zero; o valor é o número da linha. Se a tabela já tiver aí um desvio de C, o comando soma ou subtrai o desvio medido conforme o sinal
 parameter-compensation-axis = Eixo para deslocação de compensação
     .label = EIXO DE COMPENSAÇÃO
@@ -216,11 +216,11 @@ choice-compensate-with-b-axis = compensar a inclinação com o eixo rotativo B
 choice-compensate-with-c-axis = compensar a inclinação com o eixo rotativo C
 parameter-rotary-axis-row = Número na tabela
     .label = N.º NA TABELA
-    .help = Número na tabela de presets ou na tabela de pontos zero em que o comando põe o eixo rotativo a zero.
+    .help = Número na tabela de presets ou na tabela de pontos zero em que o comando coloca a zero o eixo rotativo.
 parameter-measured-value-transfer__rotation-by-rotary-axis =
-    .help = Determina se a rotação básica determinada é guardada na tabela de pontos zero ou na tabela de presets.
-choice-rotation-into-datum-table = escrever a rotação básica determinada, como deslocação do ponto zero, na tabela de pontos zero ativa; o sistema de referência é o sistema de coordenadas da peça ativo
-choice-rotation-into-preset-table = escrever a rotação básica determinada na tabela de presets; o sistema de referência é o sistema de coordenadas da máquina (sistema REF)
+    .help = Determina se a rotação básica medida é guardada na tabela de pontos zero ou na tabela de presets.
+choice-rotation-into-datum-table = escrever a rotação básica medida, como deslocação do ponto zero, na tabela de pontos zero ativa; o sistema de referência é o sistema de coordenadas da peça ativo
+choice-rotation-into-preset-table = escrever a rotação básica medida na tabela de presets; o sistema de referência é o sistema de coordenadas da máquina (sistema REF)
 parameter-alignment-angle = Ângulo de referência? (0=eixo principal)
     .prompt = Ângulo de referência? (0=eixo principal)
     .label = ÂNGULO DE REFERÊNCIA

@@ -66,7 +66,7 @@ parameter-probing-traverse-type = Tipo de deslocação? Reta=0/círculo=1
     .prompt = Tipo de deslocação? Reta=0/círculo=1
     .help = Trajetória do apalpador entre os pontos de medição quando se desloca à altura segura ({ $q-traverse-to-clearance-height }=1).
 choice-traverse-straight = deslocar-se em linha reta
-choice-traverse-on-circle = deslocar-se num arco com o diâmetro do círculo teórico
+choice-traverse-on-circle = deslocar-se num arco de círculo entre os pontos de medição
 
 # --- the datum ---
 parameter-datum-row-number = Número de ponto zero na tabela
@@ -132,15 +132,15 @@ choice-stop-on-tolerance-error = interromper a execução do programa, emitir av
 parameter-monitored-tool = Ferramenta para supervisão
     .label = FERRAMENTA
     .label-aliases = NÚMERO DA FERRAMENTA
-    .help = Determina se o comando supervisiona uma ferramenta. O número ou o nome da ferramenta.
+    .help = Determina se o comando supervisiona uma ferramenta. Introduza o número ou o nome da ferramenta.
 parameter-monitored-tool__tnc320 = Número de ferr.ta para supervisão
     .label = NÚMERO DA FERRAMENTA
     .label-aliases = FERRAMENTA
-    .help = Determina se o comando supervisiona uma ferramenta. O número da ferramenta.
+    .help = Determina se o comando supervisiona uma ferramenta. Introduza o número da ferramenta.
 parameter-monitored-tool__tnc426-430 = Número de ferr.ta para supervisão
     .label = NÚMERO DA FERRAMENTA
     .label-aliases = FERRAMENTA
-    .help = Determina se o comando supervisiona uma ferramenta. O número da ferramenta.
+    .help = Determina se o comando supervisiona uma ferramenta. Introduza o número da ferramenta.
 choice-no-tool-monitoring = supervisão não ativa
 choice-monitored-tool-number = número da ferramenta na tabela de ferramentas TOOL.T
 

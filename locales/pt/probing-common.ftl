@@ -27,7 +27,7 @@ guard-tolerance-exceeded = Foi excedida uma tolerância.
 guard-tool-broken = O desvio é maior do que a tolerância de rotura da ferramenta. A ferramenta fica bloqueada.
 
 # --- notes: probing in general ---
-note-positioning-logic = Lógica de posicionamento: com o polo sul da haste de apalpação abaixo da altura segura { $q-clearance-height }, o comando faz primeiro recuar o apalpador, no seu eixo, para a altura segura e só depois o leva, no plano de maquinação, ao primeiro ponto de apalpação. Com o polo sul acima da altura segura, o apalpador vai primeiro, no plano de maquinação, ao primeiro ponto de apalpação e depois, no seu eixo, diretamente à altura de medição { $q-measuring-height }.
+note-positioning-logic = Lógica de posicionamento: com o polo sul da haste de apalpação abaixo da altura segura { $q-clearance-height }, o comando faz primeiro recuar o apalpador, no seu eixo, para a altura segura e só depois o leva, no plano de maquinação, ao primeiro ponto de apalpação. Com o polo sul acima da altura segura, o apalpador desloca-se primeiro, no plano de maquinação, para o primeiro ponto de apalpação e depois, no seu eixo, diretamente para a altura de medição { $q-measuring-height }.
 note-tool-call-before-definition = Antes da definição do ciclo, programe uma chamada da ferramenta que defina o eixo do apalpador.
 note-no-mirror-or-scaling-while-probing = Durante a execução dos ciclos de apalpação não podem estar ativos o espelhamento (ciclo 8), o fator de escala (ciclo 11) nem o fator de escala específico do eixo (ciclo 26).
 note-transformations-while-probing = Durante a execução dos ciclos de apalpação não pode estar ativo nenhum ciclo de conversão de coordenadas: deslocação do ponto zero (7), espelhamento (8), rotação (10), fator de escala (11 e 26), plano de maquinação (19).
@@ -49,8 +49,8 @@ note-results-in-active-system = O comando indica todos os resultados, nos parâm
 note-results-in-active-system__tnc320 = O comando indica todos os resultados, nos parâmetros de resultado e no ficheiro do registo, no sistema de coordenadas ativo, que pode estar deslocado e/ou rodado.
 note-results-in-active-system__tnc426-430 = O comando indica todos os resultados, nos parâmetros de resultado e no ficheiro do registo, no sistema de coordenadas ativo, que pode estar deslocado.
 note-results-in-q-parameters = O comando guarda os resultados de medição nos parâmetros Q de atuação global Q150 a Q160, que podem ser utilizados no resto do programa.
-note-deviations-in-q-parameters = O comando guarda os resultados de medição nos parâmetros Q de atuação global Q150 a Q160 e os desvios dos valores nominais nos parâmetros Q161 a Q166. Durante a definição do ciclo, a imagem de ajuda mostra também os parâmetros de resultado; o que está realçado pertence ao parâmetro de introdução selecionado.
-note-deviations-in-q-parameters__tnc426-430 = O comando guarda os resultados de medição nos parâmetros Q de atuação global Q150 a Q160 e os desvios dos valores nominais nos parâmetros Q161 a Q166. Durante a definição do ciclo, a imagem de ajuda mostra também os parâmetros de resultado.
+note-deviations-in-q-parameters = O comando guarda os resultados de medição nos parâmetros Q de atuação global Q150 a Q160 e os desvios em relação aos valores nominais nos parâmetros Q161 a Q166. Durante a definição do ciclo, a imagem de ajuda mostra também os parâmetros de resultado; o que está realçado pertence ao parâmetro de introdução selecionado.
+note-deviations-in-q-parameters__tnc426-430 = O comando guarda os resultados de medição nos parâmetros Q de atuação global Q150 a Q160 e os desvios em relação aos valores nominais nos parâmetros Q161 a Q166. Durante a definição do ciclo, a imagem de ajuda mostra também os parâmetros de resultado.
 
 # --- results ---
 result-centre-main-actual = Valor real centro eixo principal

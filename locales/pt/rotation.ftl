@@ -6,7 +6,7 @@ step-position-offset-at-first-touch-point__tnc426-430 = O comando posiciona o ap
 step-travel-to-and-probe-second-point = O apalpador desloca-se para o segundo ponto de apalpação e executa aí a segunda apalpação.
 step-retract-and-carry-out-basic-rotation = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e executa a rotação básica que determinou.
 note-basic-rotation-reset-at-start = No início do ciclo, o comando anula uma rotação básica ativa.
-note-known-reference-direction = Com { $q-reference-line-angle }, o comando corrige o valor medido segundo um ângulo conhecido. A rotação básica pode assim ser medida em qualquer reta da peça e referida à direção real de 0°.
+note-known-reference-direction = Com { $q-reference-line-angle }, o comando corrige o valor medido com um ângulo conhecido. A rotação básica pode assim ser medida em qualquer reta da peça e referida à direção real de 0°.
 
 # --- 400 ---
 cycle-basic-rotation = Rotação básica
@@ -42,7 +42,7 @@ step-measure-second-stud = O apalpador desloca-se para a altura de medição { $
 step-compensate-as-chosen = O comando compensa a inclinação conforme a escolha em { $q-misalignment-compensation }:
 say-rotation-into-preset-row-if-chosen = com { $q-misalignment-compensation }=0 e { $q-basic-rotation-row } diferente de 0, guarda a rotação básica na linha { $q-basic-rotation-row } da tabela de presets
 say-rotation-into-rot-menu-if-chosen = com { $q-misalignment-compensation }=0 e { $q-basic-rotation-row }=0, guarda a rotação básica no menu ROT do modo de funcionamento Manual
-say-turn-rotary-table = com { $q-misalignment-compensation }=1, roda a mesa rotativa; com { $q-zero-after-alignment }=1, põe depois a 0 a visualização do eixo rotativo
+say-turn-rotary-table = com { $q-misalignment-compensation }=1, roda a mesa rotativa; com { $q-zero-after-alignment }=1, coloca depois a 0 a visualização do eixo rotativo
 note-rotary-axis-by-tool-axis = Para compensar a inclinação por rotação da mesa rotativa, o comando utiliza automaticamente estes eixos rotativos: C com o eixo da ferramenta Z, B com o eixo da ferramenta Y, A com o eixo da ferramenta X.
 note-no-tilting-with-this-cycle = Este ciclo não é permitido com o plano de maquinação inclinado.
 title-rotation-from-two-holes = Determinar uma rotação básica através de dois furos
@@ -52,9 +52,9 @@ cycle-rotation-by-rotary-axis = Compensar rotação básica através de um eixo 
     .nc = ROT ATRAVÉS DE EIXO C
     .nc-aliases = ROT ATRAVÉS DE EIXO ROTATIVO
     .purpose = Determina a inclinação de uma peça medindo dois pontos que têm de situar-se sobre uma reta. O comando compensa-a rodando o eixo A, B ou C. A peça pode estar fixada em qualquer local da mesa rotativa.
-step-retract-and-turn-rotary-axis = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e roda o eixo rotativo { $q-compensation-axis } segundo o valor calculado. Guarda também o ângulo no parâmetro de resultado. Se pretendido, põe a visualização a 0 depois de alinhar.
-step-retract-and-turn-rotary-axis__tnc426-430 = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e roda o eixo rotativo { $q-compensation-axis } segundo o valor calculado.
-note-compensation-may-be-turned-180 = Perigo de colisão! O comando só verifica se os pontos de apalpação e o eixo de compensação fazem sentido em conjunto. Por isso, pode haver movimentos de compensação rodados 180°.
+step-retract-and-turn-rotary-axis = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e roda o eixo rotativo { $q-compensation-axis } no valor calculado. Guarda também o ângulo no parâmetro de resultado. Se pretendido, coloca a visualização a 0 depois de alinhar.
+step-retract-and-turn-rotary-axis__tnc426-430 = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e roda o eixo rotativo { $q-compensation-axis } no valor calculado.
+note-compensation-may-be-turned-180 = Perigo de colisão! O comando só verifica de forma aproximada se os pontos de apalpação e o eixo de compensação fazem sentido em conjunto. Por isso, pode haver movimentos de compensação rodados 180°.
 note-compensation-axis-combinations = Combinações permitidas do eixo de medição { $q-measuring-axis } e do eixo de compensação { $q-compensation-axis }. Eixo do apalpador Z: 1 com 6, 2 com 6, 3 com 5 ou 4. Eixo do apalpador Y: 1 com 5, 2 com 5, 3 com 6 ou 4. Eixo do apalpador X: 1 com 4, 2 com 4, 3 com 5 ou 6.
 note-only-without-tilting = Utilize este ciclo só enquanto a função de inclinação do plano de maquinação não estiver ativa.
 
@@ -75,7 +75,7 @@ say-travel-on-circle-at-clearance-height__rotation-by-c-axis = com { $q-traverse
 step-move-to-measured-centre = O comando posiciona o apalpador no centro medido do furo.
 step-retract-and-turn-to-y-axis = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e alinha a peça por rotação da mesa rotativa: depois da compensação, tanto com o eixo do apalpador vertical como horizontal, o centro do furo fica na direção do eixo Y positivo ({ $q-probing-centre-minor }=0) ou na sua posição nominal. O desvio angular medido é também guardado no parâmetro de resultado.
 step-store-angular-offset = O comando trata o desvio angular conforme { $q-zero-or-row-after-alignment }:
-say-zero-display-of-c-axis = com { $q-zero-or-row-after-alignment }=0, põe a 0 a visualização do eixo C
+say-zero-display-of-c-axis = com { $q-zero-or-row-after-alignment }=0, coloca a 0 a visualização do eixo C
 say-offset-into-column-c = com { $q-zero-or-row-after-alignment } maior do que 0, escreve o desvio angular, com o seu sinal, na coluna C da linha { $q-zero-or-row-after-alignment } da tabela de pontos zero; soma-se a um desvio de C que a linha já tenha
 note-smallest-stepping-angle__rotation-by-c-axis = Quanto menor for o passo angular { $q-probing-stepping-angle }, menos exato é o centro do círculo que o comando calcula. Valor de introdução mínimo: 5°.
 note-hole-with-positive-y = A coordenada Y do furo tem de ser positiva.

@@ -6,7 +6,7 @@ cycle-tapping = Roscar com mandril compensador (novo)
     .purpose = Corta uma rosca num só passo, com mandril compensador.
 cycle-rigid-tapping = Roscar rígido sem mandril compensador (novo)
     .nc = ROSCAR RÍGIDO NOVO
-    .purpose = Corta uma rosca num só passo ou em vários, sem mandril compensador.
+    .purpose = Corta uma rosca num só passo, sem mandril compensador.
 cycle-tapping-with-chip-breaking = Roscar com rotura de apara
     .nc = ROSCAR ROTURA DE APARA
     .purpose = Corta uma rosca em vários passos, sem mandril compensador. Um parâmetro determina se a ferramenta sai totalmente do furo na rotura de apara.
@@ -17,9 +17,9 @@ step-reverse-spindle-again = À distância de segurança, o sentido de rotação
 step-stop-spindle-at-set-up-clearance = O comando detém o cabeçote à distância de segurança.
 step-rapid-to-set-up-clearance-and-orient = O comando desloca a ferramenta no eixo do cabeçote, em avanço rápido (FMAX), para a distância de segurança { $q-set-up-clearance } acima da superfície da peça e orienta aí o cabeçote para { $q-spindle-orientation-angle }.
 step-tap-to-next-depth = A ferramenta desce mais um passo { $q-depth-for-chip-breaking }.
-step-reverse-and-break-chip = O sentido de rotação do cabeçote é invertido e a ferramenta recua, com as rotações aumentadas pelo fator { $q-retraction-speed-factor }, se estiver introduzido; depois o sentido é invertido de novo para o passo seguinte:
-say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: sai totalmente do furo, para arrefecer
-say-tap-goes-back-some-turns = caso contrário, recua { $q-chip-breaking-turns } vezes o passo de rosca { $q-thread-pitch }
+step-reverse-and-break-chip = O sentido de rotação do cabeçote é invertido, a ferramenta recua (com as rotações aumentadas pelo fator { $q-retraction-speed-factor }, se tiver sido introduzido) e o sentido é de novo invertido para o passo seguinte. O recuo faz-se assim:
+say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: a ferramenta sai totalmente do furo, para arrefecer
+say-tap-goes-back-some-turns = caso contrário, a ferramenta recua { $q-chip-breaking-turns } vezes o passo de rosca { $q-thread-pitch }
 step-tap-back-to-set-up-clearance = A ferramenta recua para a distância de segurança { $q-set-up-clearance }.
 note-sign-of-thread-depth = O sinal da profundidade da rosca { $q-thread-depth } determina a direção da maquinação. Com a profundidade da rosca 0, o comando não executa o ciclo.
 note-thread-depth-gives-direction = O sinal da profundidade da rosca { $q-thread-depth } determina a direção da maquinação.
@@ -31,7 +31,7 @@ note-feed-from-speed-and-pitch = Determine o avanço com F = S × p. F: avanço 
 note-retract-after-interruption = Se durante a roscagem for premida a tecla externa de paragem, o comando mostra uma softkey com que se pode retirar a ferramenta.
 note-feed-follows-spindle-speed = O comando calcula o avanço a partir das rotações do cabeçote. Se durante a roscagem se rodar o potenciómetro do avanço, o comando adapta automaticamente o avanço. O potenciómetro das rotações do cabeçote não está ativo.
 note-spindle-stopped-after-tapping = No fim do ciclo, o cabeçote fica parado. Ligue-o de novo com M3 (ou M4) antes da maquinação seguinte.
-note-retract-by-soft-key = Se durante a roscagem for premida a tecla externa de paragem, o comando mostra a softkey de deslocação manual. Depois de a premir, a ferramenta pode ser retirada de forma controlada com a tecla de direção positiva do eixo do cabeçote ativo.
+note-retract-by-soft-key = Se durante a roscagem for premida a tecla externa de paragem, o comando mostra a softkey de deslocação manual. Depois de premida esta softkey, a ferramenta pode ser retirada de forma controlada com a tecla de direção positiva do eixo do cabeçote ativo.
 note-retraction-speed-is-limited = Se em { $q-retraction-speed-factor } estiver definido um fator de rotações para um recuo mais rápido, o comando limita as rotações ao maior valor permitido na gama de velocidades ativa.
 
 # --- thread milling: cycles ---
@@ -69,13 +69,13 @@ say-thread-on-several-helices = { $q-threads-per-step } > 1: em vários moviment
 step-mill-thread-downwards = O comando desloca a ferramenta para baixo numa hélice contínua, até ser atingida a profundidade da rosca { $q-thread-depth }.
 step-depart-from-thread = A ferramenta sai tangencialmente do contorno e regressa ao ponto de partida no plano de maquinação.
 step-end-of-thread-milling = No fim do ciclo, o comando desloca a ferramenta em avanço rápido:
-step-feed-to-countersinking-depth = Se não estiver introduzida nenhuma distância lateral { $q-clearance-to-wall }, a ferramenta desloca-se com o avanço de posicionamento prévio { $q-in-and-out-feed } até à profundidade de rebaixamento { $q-countersinking-depth }, descontada a distância de segurança, e depois com o avanço de rebaixamento { $q-countersinking-feed } até à profundidade de rebaixamento.
-step-feed-directly-to-countersinking-depth = Se estiver introduzida uma distância lateral { $q-clearance-to-wall }, o comando desloca a ferramenta logo com o avanço de posicionamento prévio { $q-in-and-out-feed } até à profundidade de rebaixamento { $q-countersinking-depth }.
-step-countersink-on-circle = Consoante o espaço disponível, o comando aproxima-se suavemente a partir do centro ou com um posicionamento prévio lateral, e executa um movimento circular.
+step-feed-to-countersinking-depth = Se não tiver sido introduzida nenhuma distância lateral { $q-clearance-to-wall }, a ferramenta desloca-se com o avanço de posicionamento prévio { $q-in-and-out-feed } até à profundidade de rebaixamento { $q-countersinking-depth }, descontada a distância de segurança, e depois com o avanço de rebaixamento { $q-countersinking-feed } até à profundidade de rebaixamento.
+step-feed-directly-to-countersinking-depth = Se tiver sido introduzida uma distância lateral { $q-clearance-to-wall }, o comando desloca a ferramenta logo com o avanço de posicionamento prévio { $q-in-and-out-feed } até à profundidade de rebaixamento { $q-countersinking-depth }.
+step-countersink-on-circle = Consoante o espaço disponível, o comando aproxima a ferramenta suavemente, a partir do centro ou com um posicionamento prévio lateral, e executa um movimento circular.
 step-feed-to-depth-at-front = A ferramenta desloca-se com o avanço de posicionamento prévio { $q-in-and-out-feed } até à profundidade de rebaixamento frontal { $q-depth-at-front }.
 step-feed-to-depth-at-front-before-or-after = Se o rebaixamento for feito antes da rosca ({ $q-countersinking-moment } = 0), a ferramenta desloca-se com o avanço de rebaixamento { $q-countersinking-feed } até à profundidade de rebaixamento frontal { $q-depth-at-front }; se for feito depois da rosca, com o avanço de posicionamento prévio { $q-in-and-out-feed }.
-step-countersink-at-front = Sem correção, o comando desloca a ferramenta num semicírculo desde o centro até ao desvio frontal { $q-offset-at-front } e executa um movimento circular com o avanço de rebaixamento { $q-countersinking-feed }.
-step-countersink-at-front__thread-drilling-milling = Sem correção, o comando desloca a ferramenta num semicírculo desde o centro até ao desvio frontal { $q-offset-at-front } e executa um movimento circular com o avanço { $q-plunging-feed }.
+step-countersink-at-front = Sem correção de raio, o comando desloca a ferramenta num semicírculo desde o centro até ao desvio frontal { $q-offset-at-front } e executa um movimento circular com o avanço de rebaixamento { $q-countersinking-feed }.
+step-countersink-at-front__thread-drilling-milling = Sem correção de raio, o comando desloca a ferramenta num semicírculo desde o centro até ao desvio frontal { $q-offset-at-front } e executa um movimento circular com o avanço { $q-plunging-feed }.
 step-leave-countersink-at-front = O comando volta a levar a ferramenta num semicírculo ao centro do furo.
 step-leave-countersink-at-front__outside-thread-milling = O comando volta a levar a ferramenta num semicírculo ao ponto de partida.
 step-countersink-after-thread = Se o rebaixamento for feito depois da rosca ({ $q-countersinking-moment } = 1), é executado agora, como acima descrito.
@@ -106,8 +106,8 @@ note-thread-depth-above-hole-depth = Introduza uma profundidade da rosca { $q-th
 note-helix-goes-into-workpiece = O tipo de fresagem (sentido sincronizado ou sentido contrário) resulta da rosca (à direita ou à esquerda) e do sentido de rotação da ferramenta, porque a única direção de maquinação possível é da superfície da peça para dentro da peça.
 note-position-over-stud-centre = Programe uma frase de posicionamento para o ponto de partida (centro da ilha) no plano de maquinação com correção de raio R0.
 note-offset-at-front-determined-before = Determine previamente o desvio necessário para o rebaixamento frontal. Introduza a distância do centro da ilha ao centro da ferramenta (valor não corrigido).
-note-internal-coolant-for-thread-milling = A máquina deve ter refrigeração interior do cabeçote: refrigerante a, pelo menos, 30 bar, ar comprimido a, pelo menos, 6 bar.
-note-profile-correction-by-delta-radius = Ao fresar roscas, o perfil da rosca fica muitas vezes distorcido, pelo que são necessárias correções próprias da ferramenta. Encontram-se no catálogo de ferramentas ou são dadas pelo fabricante da ferramenta. A correção introduz-se na frase TOOL CALL com o valor delta { $mp-delta-radius }.
+note-internal-coolant-for-thread-milling = A máquina deve ter refrigeração interna através do cabeçote: refrigerante a, pelo menos, 30 bar, ar comprimido a, pelo menos, 6 bar.
+note-profile-correction-by-delta-radius = Ao fresar roscas, o perfil da rosca fica muitas vezes distorcido, pelo que são necessárias correções próprias da ferramenta. Encontram-se no catálogo de ferramentas ou são indicadas pelo fabricante da ferramenta. A correção introduz-se na frase TOOL CALL com o valor delta { $mp-delta-radius }.
 note-clockwise-tools-only = O ciclo só pode ser utilizado com ferramentas que rodem em sentido horário.
 note-tools-of-both-rotations = O ciclo pode ser utilizado com ferramentas que rodem em sentido horário e com ferramentas que rodem em sentido anti-horário.
 note-direction-of-inside-thread = A direção da maquinação depende do sinal do passo de rosca { $q-thread-pitch } e do tipo de fresagem { $q-milling-type }. Com ferramentas que rodem em sentido horário e roscas interiores: à direita (+) em sentido sincronizado (+1, RL): Z+; à esquerda (−) em sentido contrário (−1, RR): Z+; à direita (+) em sentido contrário (−1, RR): Z−; à esquerda (−) em sentido sincronizado (+1, RL): Z−.
@@ -115,4 +115,6 @@ note-direction-of-outside-thread = A direção da maquinação depende do sinal 
 note-feed-of-cutting-edge = Na fresagem de roscas, o comando refere o avanço programado à navalha da ferramenta. Uma vez que mostra o avanço da trajetória do centro da ferramenta, o valor visualizado difere do programado.
 note-mirroring-turns-thread = O sentido da rosca muda se o ciclo for executado juntamente com o ciclo 8 (espelhamento) em apenas um eixo.
 note-same-signs-of-depths = Perigo de colisão! Introduza sempre o mesmo sinal em todas as profundidades, porque os ciclos contêm várias sequências independentes entre si. Para repetir, por exemplo, apenas o rebaixamento, introduza 0 como profundidade da rosca; é então a profundidade de rebaixamento que determina a direção da maquinação.
-note-tool-breakage-in-thread = Se a ferramenta partir durante o corte da rosca: pare a execução do programa, passe ao modo de funcionamento Posicionamento com introdução manual e desloque a ferramenta em linha reta para o centro do furo. Retire-a depois no eixo de passo e substitua-a.
+note-same-signs-of-depths__outside-thread-milling = Perigo de colisão! Introduza sempre o mesmo sinal em todas as profundidades, porque os ciclos contêm várias sequências independentes entre si. Para repetir, por exemplo, apenas o rebaixamento frontal, introduza 0 como profundidade da rosca; é então a profundidade frontal que determina a direção da maquinação.
+note-tool-breakage-in-thread = Se a ferramenta partir durante o corte da rosca: pare a execução do programa, passe ao modo de funcionamento Posicionamento com introdução manual e desloque a ferramenta em linha reta para o centro do furo. Retire-a depois no eixo em que se faz o passo e substitua-a.
+note-tool-breakage-in-thread__outside-thread-milling = Se a ferramenta partir durante o corte da rosca: pare a execução do programa, passe ao modo de funcionamento Posicionamento com introdução manual e afaste a ferramenta da rosca em linha reta. Retire-a depois no eixo em que se faz o passo e substitua-a.

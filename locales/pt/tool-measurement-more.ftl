@@ -1,8 +1,8 @@
 # Cycles that measure the tool: radius, complete tool, calibration of the tool touch probe.
 
 # --- parameters ---
-help-tool-check-radius = Determina se se trata da primeira medição da ferramenta ou da verificação de uma ferramenta já medida. Na primeira medição, o comando substitui o raio da ferramenta { $mp-tool-radius } em TOOL.T, a memória central de ferramentas, e põe a 0 o valor delta { $mp-delta-radius }. A verificação compara o raio medido com o raio da ferramenta { $mp-tool-radius }; o desvio, com o seu sinal, é introduzido como valor delta { $mp-delta-radius } e está também disponível em Q116. Acima da tolerância de desgaste ou de rotura admissível para o raio, o comando bloqueia a ferramenta (estado L em TOOL.T).
-help-tool-check-complete = Determina se se trata da primeira medição da ferramenta ou da verificação de uma ferramenta já medida. Na primeira medição, o comando substitui o raio da ferramenta { $mp-tool-radius } e a longitude da ferramenta { $mp-tool-length } em TOOL.T, a memória central de ferramentas, e põe a 0 os valores delta { $mp-delta-radius } e { $mp-delta-length }. A verificação compara os dados medidos com os da memória de ferramentas; os desvios, com o seu sinal, são introduzidos como valores delta { $mp-delta-radius } e { $mp-delta-length } e estão também disponíveis em Q115 e Q116. Se um dos valores delta exceder a tolerância de desgaste ou de rotura admissível, o comando bloqueia a ferramenta (estado L em TOOL.T).
+help-tool-check-radius = Determina se se trata da primeira medição da ferramenta ou da verificação de uma ferramenta já medida. Na primeira medição, o comando substitui o raio da ferramenta { $mp-tool-radius } em TOOL.T, a memória central de ferramentas, e coloca a 0 o valor delta { $mp-delta-radius }. A verificação compara o raio medido com o raio da ferramenta { $mp-tool-radius }; o desvio, com o seu sinal, é introduzido como valor delta { $mp-delta-radius } e está também disponível em Q116. Se for excedida a tolerância de desgaste ou de rotura admissível para o raio, o comando bloqueia a ferramenta (estado L em TOOL.T).
+help-tool-check-complete = Determina se se trata da primeira medição da ferramenta ou da verificação de uma ferramenta já medida. Na primeira medição, o comando substitui o raio da ferramenta { $mp-tool-radius } e a longitude da ferramenta { $mp-tool-length } em TOOL.T, a memória central de ferramentas, e coloca a 0 os valores delta { $mp-delta-radius } e { $mp-delta-length }. A verificação compara os dados medidos com os da memória de ferramentas; os desvios, com o seu sinal, são introduzidos como valores delta { $mp-delta-radius } e { $mp-delta-length } e estão também disponíveis em Q115 e Q116. Se um dos valores delta exceder a tolerância de desgaste ou de rotura admissível, o comando bloqueia a ferramenta (estado L em TOOL.T).
 help-additional-tooth-measurement = Determina se, além disso, as navalhas são medidas individualmente. Podem medir-se no máximo 20 navalhas.
 help-additional-tooth-measurement__itnc530 = Determina se, além disso, as navalhas são medidas individualmente. Podem medir-se no máximo 99 navalhas.
 help-additional-tooth-measurement__tnc426-430 = Determina se, além disso, as navalhas são medidas individualmente.
@@ -59,13 +59,13 @@ cycle-tool-radius-old = Medir o raio da ferramenta
     .purpose = Mede ou verifica o raio da ferramenta com o apalpador de ferramentas: com a ferramenta a rodar, ou com a ferramenta a rodar e depois navalha a navalha. O comando guarda o resultado na memória central de ferramentas TOOL.T e tem-no automaticamente em conta no fim do ciclo. Formato antigo do ciclo 482.
 cycle-tool-radius-old__tnc426-430 =
     .purpose = Mede ou verifica o raio da ferramenta com o apalpador de ferramentas: com a ferramenta a rodar, ou com a ferramenta a rodar e depois navalha a navalha. O comando guarda o resultado na memória central de ferramentas TOOL.T e utiliza-o na chamada seguinte da ferramenta. Formato antigo do ciclo 482.
-step-position-tool-beside-setter = O comando posiciona a ferramenta ao lado da cabeça do apalpador, com a face abaixo da aresta superior desta, à distância { $mp-setter-axis-offset } (mais o desvio adicional da longitude { $mp-setter-offset-length }, se estiver introduzido na tabela de ferramentas).
+step-position-tool-beside-setter = O comando posiciona a ferramenta ao lado da cabeça do apalpador, com a face abaixo da aresta superior desta, à distância { $mp-setter-axis-offset } (mais o desvio adicional da longitude { $mp-setter-offset-length }, se tiver sido introduzido na tabela de ferramentas).
 step-probe-rotating-tool-radially = O comando apalpa radialmente a ferramenta a rodar.
 step-measure-teeth-radially = O comando determina o raio:
 say-measure-radii-of-teeth = com { $q-tooth-measurement }=1, mede depois os raios de todas as navalhas por meio da orientação do cabeçote
 say-radius-of-rotating-tool = com { $q-tooth-measurement }=0, o raio resulta da medição com a ferramenta a rodar
 step-store-tool-radius = O comando guarda o resultado:
-say-overwrite-tool-radius = com { $q-tool-check }=0, substitui o raio da ferramenta { $mp-tool-radius } em TOOL.T e põe a 0 o valor delta { $mp-delta-radius }
+say-overwrite-tool-radius = com { $q-tool-check }=0, substitui o raio da ferramenta { $mp-tool-radius } em TOOL.T e coloca a 0 o valor delta { $mp-delta-radius }
 say-enter-delta-radius = com { $q-tool-check }=1, compara o raio medido com o raio da ferramenta { $mp-tool-radius }, introduz o desvio, com o seu sinal, como valor delta { $mp-delta-radius } e em Q116 e bloqueia a ferramenta (estado L) se for excedida a tolerância de desgaste ou de rotura
 result-tool-radius-deviation = Desvio do raio da ferramenta
 note-diamond-coated-cylinders = As ferramentas cilíndricas com superfície de diamante podem ser medidas com o cabeçote parado. Para isso, defina na tabela de ferramentas o número de navalhas { $mp-teeth } como 0 e adapte o parâmetro de máquina { $mp-tool-measurement-config }. Consulte o manual da máquina.
@@ -88,7 +88,7 @@ cycle-tool-complete-old__tnc426-430 =
 step-measure-radius-first = O comando mede a ferramenta segundo uma sequência fixa. Mede primeiro o raio, como os ciclos 32 e 482: posiciona a ferramenta ao lado da cabeça do apalpador, com a face abaixo da aresta superior desta (valores { $mp-setter-axis-offset } e { $mp-setter-offset-length }), e apalpa radialmente a ferramenta a rodar.
 step-then-measure-length = Mede depois a longitude, como os ciclos 31 e 481:
 step-store-radius-and-length = O comando guarda os resultados:
-say-overwrite-radius-and-length = com { $q-tool-check }=0, substitui o raio da ferramenta { $mp-tool-radius } e a longitude da ferramenta { $mp-tool-length } em TOOL.T e põe a 0 os valores delta { $mp-delta-radius } e { $mp-delta-length }
+say-overwrite-radius-and-length = com { $q-tool-check }=0, substitui o raio da ferramenta { $mp-tool-radius } e a longitude da ferramenta { $mp-tool-length } em TOOL.T e coloca a 0 os valores delta { $mp-delta-radius } e { $mp-delta-length }
 say-enter-both-delta-values = com { $q-tool-check }=1, compara os dados medidos com os de TOOL.T, introduz os desvios, com o seu sinal, como valores delta { $mp-delta-radius } e { $mp-delta-length } e em Q116 (raio) e Q115 (longitude) e bloqueia a ferramenta (estado L) se for excedida uma tolerância de desgaste ou de rotura
 note-complete-measurement-saves-time = O ciclo adequa-se especialmente à primeira medição de ferramentas: em comparação com a medição da longitude e do raio em separado, poupa muito tempo.
 title-first-measurement-rotating = Primeira medição com a ferramenta a rodar
@@ -109,14 +109,14 @@ step-turn-spindle-for-centre-misalignment = A meio da calibração, o comando ro
 step-store-tool-probe-calibration = O comando guarda os valores de calibração e tem-nos em conta nas medições de ferramentas seguintes.
 note-enter-calibration-tool-data = Antes de calibrar, introduza na tabela de ferramentas TOOL.T o raio exato e a longitude exata da ferramenta de calibração.
 note-cylindrical-calibration-tool = Utilize como ferramenta de calibração uma peça exatamente cilíndrica, como um pino cilíndrico.
-note-calibration-tool-size = O diâmetro da ferramenta de calibração deve ser superior a 15 mm, e esta deve sobressair cerca de 50 mm do mandril. Flete então 0,1 µm por 1 N de força de apalpação.
+note-calibration-tool-size = O diâmetro da ferramenta de calibração deve ser superior a 15 mm, e esta deve sobressair cerca de 50 mm do mandril. A flexão é então de 0,1 µm por 1 N de força de apalpação.
 note-tool-probe-position-known = A posição do apalpador no espaço de trabalho da máquina tem de estar definida nos parâmetros de máquina { $mp-setter-centre } > [0] a [2].
 note-tool-probe-position-known__itnc530 = A posição do apalpador no espaço de trabalho da máquina tem de estar definida nos parâmetros de máquina { $mp-setter-centre }.0 a { $mp-setter-centre }.2.
 note-tool-probe-position-known__tnc426-430 = A posição do apalpador no espaço de trabalho da máquina tem de estar definida nos parâmetros de máquina { $mp-setter-centre }.0 a { $mp-setter-centre }.2.
 note-recalibrate-after-position-data-change = Depois de alterar um dos parâmetros de máquina { $mp-setter-centre } > [0] a [2], calibre de novo.
 note-recalibrate-after-position-data-change__itnc530 = Depois de alterar um dos parâmetros de máquina { $mp-setter-centre }.0 a { $mp-setter-centre }.2, calibre de novo.
 note-recalibrate-after-position-data-change__tnc426-430 = Depois de alterar um dos parâmetros de máquina { $mp-setter-centre }.0 a { $mp-setter-centre }.2, calibre de novo.
-note-keep-fixtures-off-tool-probe = Ao calibrar, certifique-se de que não há dispositivos de fixação montados à volta do apalpador. Recomendação: deixe um espaço do dobro do diâmetro da ferramenta de calibração.
+note-keep-fixtures-off-tool-probe = Ao calibrar, certifique-se de que não há dispositivos de fixação montados à volta do apalpador. Recomendação: deixe um espaço igual ao dobro do diâmetro da ferramenta de calibração.
 note-calibration-cycle-behaviour = O funcionamento do ciclo de calibração depende do parâmetro de máquina { $mp-tool-measurement-config }. Consulte o manual da máquina.
 note-calibration-cycle-behaviour__tnc320 = O fabricante da máquina define o funcionamento do ciclo de calibração. Consulte o manual da máquina.
 note-calibration-cycle-behaviour__itnc530 = O funcionamento do ciclo de calibração depende do parâmetro de máquina { $mp-calibration-behaviour }. Consulte o manual da máquina.
@@ -133,5 +133,5 @@ step-calibrate-wireless-tool-probe = O comando calibra de forma semiautomática 
 message-calibration-tool-over-setter = Posicione a ferramenta de calibração por cima do centro do apalpador e continue.
 note-wireless-calibration-by-hand = A calibração não é totalmente automática, porque a posição do apalpador na mesa da máquina não está definida.
 note-recalibrate-after-move = Se a posição do apalpador na mesa mudar, calibre de novo.
-note-calibration-tool-size__tnc640 = O diâmetro da ferramenta de calibração tem de ser superior a 15 mm, e esta tem de sobressair 50 mm do mandril. Flete então 0,1 µm por 1 N de força de apalpação.
+note-calibration-tool-size__tnc640 = O diâmetro da ferramenta de calibração tem de ser superior a 15 mm, e esta tem de sobressair 50 mm do mandril. A flexão é então de 0,1 µm por 1 N de força de apalpação.
 guard-tool-call-missing__calibrate-wireless-tool-probe = Não está chamada nenhuma ferramenta. Chame a ferramenta de calibração com TOOL CALL.

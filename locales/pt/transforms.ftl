@@ -11,7 +11,7 @@ cycle-datum-shift = Deslocação do ponto zero
     .nc = PONTO ZERO
     .purpose = Desloca o ponto zero, para que as maquinações possam ser repetidas em qualquer posição da peça. Depois da definição, todas as coordenadas se referem ao novo ponto zero. A deslocação é indicada no programa ou retirada de uma tabela de pontos zero, por exemplo para maquinações que se repetem em várias posições ou para uma deslocação que é necessária com frequência.
 step-shift-datum = O comando desloca o ponto zero:
-say-shift-by-table-row = com um número de linha: segundo os valores dessa linha da tabela de pontos zero ativa
+say-shift-by-table-row = com um número de linha: nos valores dessa linha da tabela de pontos zero ativa
 say-shift-by-coordinates = com coordenadas: em cada eixo programado, para a coordenada indicada; os valores absolutos referem-se ao ponto zero da peça, os incrementais ao último ponto zero válido
 note-reset-datum-shift = Para anular a deslocação do ponto zero, programe numa nova definição do ciclo uma deslocação para as coordenadas X=0, Y=0 etc. ou chame da tabela de pontos zero uma deslocação para as coordenadas X=0, Y=0 etc.
 note-rotary-axes-may-be-shifted = Também podem ser introduzidos eixos rotativos.
@@ -23,7 +23,7 @@ note-datum-table-is-absolute = Os valores das coordenadas das tabelas de pontos 
 note-datum-table-rows-at-end = Só podem ser acrescentadas linhas novas no fim da tabela de pontos zero.
 note-datum-table-name-begins-with-letter = O nome de ficheiro de uma nova tabela de pontos zero tem de começar por uma letra.
 note-save-datum-table-changes = Depois de modificar um valor numa tabela de pontos zero, guarde a modificação com a tecla ENT. Caso contrário, ela não é tida em conta na execução do programa.
-note-edit-datum-table = Uma tabela de pontos zero edita-se no modo de funcionamento Memorização/Edição do Programa: chame a gestão de ficheiros com a tecla PGM MGT, mostre com as softkeys os ficheiros do tipo .D e selecione uma tabela ou introduza um novo nome de ficheiro. Com as softkeys vai-se para o princípio, o fim, a página seguinte ou anterior, ou o princípio ou o fim de uma linha, insere-se uma ou várias linhas no fim, apaga-se uma linha, procura-se, e copia-se e insere-se um valor. Para sair da tabela, mostre outro tipo de ficheiro na gestão de ficheiros e selecione o ficheiro pretendido.
+note-edit-datum-table = Uma tabela de pontos zero edita-se no modo de funcionamento Memorização/Edição do Programa: chame a gestão de ficheiros com a tecla PGM MGT, mostre com as softkeys os ficheiros do tipo .D e selecione uma tabela ou introduza um novo nome de ficheiro. Com as softkeys é possível ir para o princípio, o fim, a página seguinte ou anterior, ou o princípio ou o fim de uma linha, inserir uma ou várias linhas no fim, apagar uma linha, procurar, e copiar e inserir um valor. Para sair da tabela, mostre outro tipo de ficheiro na gestão de ficheiros e selecione o ficheiro pretendido.
 note-datum-table-columns = Se não se pretender nenhum ponto zero para um eixo ativo, apague a sua introdução com a tecla DEL. As propriedades das colunas podem ser editadas depois de introduzido o código 555343 no menu MOD; a softkey EDITAR FORMATO mostra então as colunas com as suas propriedades. As modificações só valem para a tabela aberta.
 note-datum-row-in-status-display = A visualização adicional de estados mostra o nome e o caminho da tabela de pontos zero ativa, o número do ponto zero ativo e o seu comentário da coluna DOC.
 
@@ -31,7 +31,7 @@ note-datum-row-in-status-display = A visualização adicional de estados mostra 
 cycle-rotation = Rotação
     .nc = ROTAÇÃO
     .purpose = Roda, dentro de um programa, o sistema de coordenadas no plano de maquinação em torno do ponto zero ativo.
-step-rotate-coordinate-system = O comando roda o sistema de coordenadas em torno do ponto zero ativo segundo o ângulo programado. Um ângulo incremental soma-se ao ativo.
+step-rotate-coordinate-system = O comando roda o sistema de coordenadas no ângulo programado, em torno do ponto zero ativo. Um ângulo incremental soma-se ao ativo.
 step-cancel-radius-compensation = O comando anula uma correção de raio ativa.
 step-move-both-axes = Desloque os dois eixos do plano de maquinação para ativar a rotação.
 note-reset-rotation = Para anular a rotação, programe de novo o ciclo com o ângulo 0°.

@@ -3,42 +3,42 @@
 # --- 841, 842, 840, 851, 852, 850 ---
 cycle-simple-radial-recess-turning = Tornear ranhura radial, simples
     .nc = TORNEAR RANHURA RADIAL SIMPLES
-    .purpose = Maquina ranhuras retangulares em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras retangulares em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos.
 cycle-extended-radial-recess-turning = Tornear ranhura radial, ampliado
     .nc = TORNEAR RANHURA RADIAL AMPLIADO
-    .purpose = Maquina ranhuras em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
+    .purpose = Maquina ranhuras em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
 cycle-radial-contour-recess-turning = Tornear ranhura radial, contorno
     .nc = TORNEAR RANHURA RADIAL CONTORNO
-    .purpose = Maquina ranhuras de qualquer forma em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras de qualquer forma em direção longitudinal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos.
 cycle-simple-axial-recess-turning = Tornear ranhura axial, simples
     .nc = TORNEAR RANHURA AXIAL SIMPLES
-    .purpose = Maquina ranhuras retangulares em direção transversal (numa face), alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras retangulares em direção transversal (numa face), alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos.
 cycle-extended-axial-recess-turning = Tornear ranhura axial, ampliado
     .nc = TORNEAR RANHURA AXIAL AMPLIADO
-    .purpose = Maquina ranhuras em direção transversal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
+    .purpose = Maquina ranhuras em direção transversal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
 cycle-axial-contour-recess-turning = Tornear ranhura axial, contorno
     .nc = TORNEAR RANHURA AXIAL CONTORNO
-    .purpose = Maquina ranhuras de qualquer forma em direção transversal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Maquina ranhuras de qualquer forma em direção transversal, alternando movimentos de ranhurar e de tornear: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos.
 
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Ranhurar radial
     .nc = RANHURAR RADIAL
-    .purpose = Abre radialmente ranhuras retangulares: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Abre radialmente ranhuras retangulares: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos.
 cycle-extended-radial-recessing = Ranhurar radial, ampliado
     .nc = RANHURAR RADIAL AMPLIADO
-    .purpose = Abre radialmente ranhuras: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
+    .purpose = Abre radialmente ranhuras: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
 cycle-radial-contour-recessing = Ranhurar radial, contorno
     .nc = RANHURAR RADIAL CONTORNO
-    .purpose = Abre radialmente ranhuras de qualquer forma: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Abre radialmente ranhuras de qualquer forma: desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos.
 cycle-axial-recessing = Ranhurar axial
     .nc = RANHURAR AXIAL
-    .purpose = Abre axialmente ranhuras retangulares (ranhurar na face): desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Abre axialmente ranhuras retangulares (ranhurar na face): desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos.
 cycle-extended-axial-recessing = Ranhurar axial, ampliado
     .nc = RANHURAR AXIAL AMPLIADO
-    .purpose = Abre axialmente ranhuras (ranhurar na face): desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
+    .purpose = Abre axialmente ranhuras (ranhurar na face): desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos. A ranhura pode ter paredes laterais inclinadas, esquinas arredondadas e um chanfre ou um arredondamento no início e no fim do contorno.
 cycle-axial-contour-recessing = Ranhurar axial, contorno
     .nc = RANHURAR AXIAL CONTORNO
-    .purpose = Abre axialmente ranhuras de qualquer forma (ranhurar na face): desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos ao eixo.
+    .purpose = Abre axialmente ranhuras de qualquer forma (ranhurar na face): desbaste, acabamento ou ambos. Os cortes de desbaste são paralelos aos eixos.
 
 # --- 831, 832, 830 ---
 cycle-longitudinal-thread = Rosca longitudinal
@@ -52,7 +52,7 @@ cycle-contour-parallel-thread = Rosca paralela ao contorno
     .purpose = Torneia roscas longitudinais ou transversais de qualquer forma, de uma ou várias entradas.
 
 # --- roughing of grooves ---
-step-take-tool-position-as-start = O comando toma a posição da ferramenta na chamada do ciclo como ponto de partida do ciclo.
+step-take-tool-position-as-start = O comando utiliza a posição da ferramenta na chamada do ciclo como ponto de partida do ciclo.
 step-start-recess-at-contour-start-diameter = Se a coordenada X do ponto de partida for menor do que o diâmetro no início do contorno { $q-contour-start-diameter }, o comando posiciona a ferramenta no eixo X em { $q-contour-start-diameter } e inicia aí o ciclo.
 step-start-recess-at-contour-start-z = Se a coordenada Z do ponto de partida for menor do que o início do contorno em Z { $q-contour-start-z }, o comando posiciona a ferramenta no eixo Z em { $q-contour-start-z } e inicia aí o ciclo.
 step-start-recess-at-contour-point-x = Se a coordenada X do ponto de partida for menor do que a do ponto de partida do contorno, o comando posiciona a ferramenta em X no ponto de partida do contorno e inicia aí o ciclo.
@@ -69,7 +69,7 @@ say-infeed-at-both-sides = { $q-recess-direction } = 0 (nas duas direções): o 
 step-recess-to-next-depth = A ferramenta ranhura até à profundidade de passo seguinte.
 until-groove-depth-reached = seja atingida a profundidade da ranhura
 step-recess-at-both-walls = O comando volta a posicionar a ferramenta à distância de segurança e ranhura uma vez em cada parede lateral.
-step-infeed-parallel-to-axis = O comando executa em avanço rápido um passo paralelo ao eixo. O passo lateral é de 0,8 vezes a largura de corte.
+step-infeed-parallel-to-axis = O comando executa em avanço rápido um passo paralelo aos eixos. O passo lateral é de 0,8 vezes a largura de corte.
 step-recess-radially = O comando maquina a zona entre a posição de partida e o ponto final em direção radial, com o avanço { $q-turning-roughing-feed }.
 step-recess-axially = O comando maquina a zona entre a posição de partida e o ponto final em direção axial, com o avanço { $q-turning-roughing-feed }.
 until-groove-width-reached = seja atingida a largura da ranhura
@@ -84,7 +84,7 @@ step-finish-second-groove-wall = { step-finish-groove-wall }
 step-finish-groove-walls = O comando faz o acabamento das paredes laterais da ranhura com o avanço { $q-turning-finishing-feed }.
 step-finish-groove-floor = O comando faz o acabamento do fundo da ranhura com o avanço definido.
 step-finish-groove-floor-or-all = O comando faz o acabamento com o avanço definido:
-say-finish-whole-groove = se estiver introduzido um raio { $q-contour-corner-radius } para a esquina do contorno, de toda a ranhura numa só passagem
+say-finish-whole-groove = se tiver sido introduzido um raio { $q-contour-corner-radius } para a esquina do contorno, de toda a ranhura numa só passagem
 say-finish-floor-only = caso contrário, só do fundo da ranhura
 step-retract-from-groove = O comando faz recuar a ferramenta em avanço rápido.
 step-finish-half-of-width = O comando faz o acabamento de metade da largura da ranhura com o avanço definido.
@@ -97,11 +97,11 @@ step-move-before-thread-and-infeed = O comando posiciona a ferramenta em avanço
 step-cut-thread-parallel-to-axis = O comando executa um corte longitudinal paralelo ao eixo. Sincroniza o avanço e as rotações do cabeçote de modo que resulte o passo de rosca definido.
 step-cut-thread-along-line = O comando corta a rosca entre o ponto de partida e o ponto final. Sincroniza o avanço e as rotações do cabeçote de modo que resulte o passo de rosca definido.
 step-cut-thread-along-contour = O comando corta a rosca paralelamente ao contorno da rosca definido. Sincroniza o avanço e as rotações do cabeçote de modo que resulte o passo de rosca definido.
-step-lift-off-thread = O comando afasta a ferramenta em avanço rápido a distância de segurança.
+step-lift-off-thread = O comando afasta a ferramenta em avanço rápido no valor da distância de segurança.
 step-infeed-at-angle = O comando executa um passo. Os passos seguem o ângulo de passo { $q-thread-infeed-angle }.
 until-thread-depth-reached = seja atingida a profundidade da rosca
 step-make-air-cuts = O comando executa tantas passagens em vazio quantas { $q-number-of-air-cuts } indicar.
-step-infeed-for-next-start = Para a entrada de rosca seguinte, o comando leva a ferramenta de novo ao primeiro passo. O corte começa num ângulo da árvore deslocado do intervalo angular entre as entradas.
+step-infeed-for-next-start = Para a entrada de rosca seguinte, o comando leva a ferramenta de novo ao primeiro passo. O corte começa num ângulo do cabeçote deslocado no intervalo angular entre as entradas.
 until-all-thread-starts-cut = estejam cortadas tantas entradas de rosca quantas { $q-number-of-thread-starts } indicar
 
 # --- conditions ---
@@ -116,18 +116,18 @@ condition-end-z-given = { $q-taper-dimensioning } definir o cone pela coordenada
 guard-recess-offset-too-great = A deslocação lateral é superior a 80% da largura de corte efetiva, que é a largura de corte menos o dobro do raio da navalha.
 
 # --- notes: grooves ---
-note-recess-turning-alternates = Ao tornear ranhuras, alternam movimentos de ranhurar até à profundidade de passo e cortes de desbaste. Assim, a maquinação precisa do menor número possível de recuos e passos.
+note-recess-turning-alternates = Ao tornear ranhuras, alternam-se movimentos de ranhurar até à profundidade de passo e cortes de desbaste. Assim, a maquinação precisa do menor número possível de recuos e passos.
 note-groove-extended-scope = Funções ampliadas: no início e no fim do contorno pode acrescentar-se um chanfre ou um arredondamento; podem definir-se ângulos para as paredes laterais da ranhura; podem acrescentar-se raios nas esquinas do contorno.
-note-recess-cuts-get-shorter = Depois do segundo passo, o comando encurta 0,1 mm cada corte seguinte. Isto reduz a carga lateral sobre a ferramenta. Se no ciclo estiver introduzida uma largura de deslocação { $q-recess-offset-width }, é esse o valor em que o corte é encurtado. O material restante é eliminado com um único movimento de ranhurar no fim da operação. Se a deslocação lateral exceder 80% da largura de corte efetiva (largura de corte − 2 × raio da navalha), o comando emite um aviso de erro.
+note-recess-cuts-get-shorter = Depois do segundo passo, o comando encurta 0,1 mm cada corte seguinte. Isto reduz a carga lateral sobre a ferramenta. Se no ciclo tiver sido introduzida uma largura de deslocação { $q-recess-offset-width }, é esse o valor em que o corte é encurtado. O material restante é eliminado com um único movimento de ranhurar no fim da operação. Se a deslocação lateral exceder 80% da largura de corte efetiva (largura de corte − 2 × raio da navalha), o comando emite um aviso de erro.
 title-groove-with-chamfers = Ranhura com chanfres num escalão torneado (programa de exemplo)
 
 # --- notes: threads ---
 note-threads-with-several-starts = O ciclo pode fazer roscas de uma ou de várias entradas.
-note-standard-thread-depth = Se no ciclo não estiver introduzida uma profundidade da rosca, o ciclo utiliza uma profundidade de rosca normalizada.
-note-standard-thread-depth__longitudinal-thread = Se no ciclo não estiver introduzida uma profundidade da rosca, o ciclo utiliza a profundidade da rosca segundo a norma ISO 1502.
+note-standard-thread-depth = Se no ciclo não tiver sido introduzida uma profundidade da rosca, o ciclo utiliza uma profundidade de rosca normalizada.
+note-standard-thread-depth__longitudinal-thread = Se no ciclo não tiver sido introduzida uma profundidade da rosca, o ciclo utiliza a profundidade da rosca segundo a norma ISO 1502.
 note-thread-outside-or-inside = O ciclo pode ser utilizado para maquinação exterior e interior.
 note-extended-thread-scope = Funções ampliadas: pode escolher-se uma rosca longitudinal ou transversal; os parâmetros do tipo de cotagem do cone, do ângulo do cone e do ponto de partida do contorno em X definem diversas roscas cónicas; o percurso de arranque e o percurso de ultrapassagem definem os troços em que o eixo de avanço é acelerado e travado.
-note-overrun-after-contour = Perigo de colisão! Depois do contorno programado, o ciclo { $cycle } continua a deslocar a ferramenta o percurso de ultrapassagem { $q-overrun-path }. Tenha em conta o espaço disponível.
+note-overrun-after-contour = Perigo de colisão! Depois do contorno programado, o ciclo { $cycle } continua a deslocar a ferramenta ao longo do percurso de ultrapassagem { $q-overrun-path }. Tenha em conta o espaço disponível.
 note-clearance-is-starting-path = O comando utiliza a distância de segurança { $q-thread-clearance } como percurso de arranque. Tem de ser suficientemente longa para que os eixos de avanço sejam acelerados até à velocidade necessária.
 note-pitch-is-overrun-path = O comando utiliza o passo de rosca { $q-turned-thread-pitch } como percurso de ultrapassagem. Tem de ser suficientemente longo para que os eixos de avanço sejam travados.
 note-extended-thread-has-paths = O ciclo 832 tem parâmetros para o percurso de arranque e o percurso de ultrapassagem.

@@ -74,6 +74,8 @@ cli-translate-encoding = Kodiranje datoteke, na primer windows-1250 (privzeto: u
 cli-translate-from = Jezik oznak programa; zamenjajo se samo te (privzeto: vsaka definicija v svojem jeziku)
 cli-translate-sources = { $count ->
         [one] Jezik oznak s številom definicij: { $languages }.
+        [two] Jezika oznak s številom definicij: { $languages }.
+        [few] Jeziki oznak s številom definicij: { $languages }.
        *[other] Jeziki oznak s številom definicij: { $languages }.
     }
 cli-fmt = Oblikuje programe na njihovem mestu: številke, stolpci, predznaki

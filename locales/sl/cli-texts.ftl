@@ -35,6 +35,8 @@ cli-texts-accepted = { $language }: { $count ->
        *[other] potrjenih { $count } besedil.
     }
 cli-texts-left = { $language }: nepotrjena so ostala besedila, pri katerih se je angleško besedilo spremenilo, prevod pa ne: { $keys }. Če prevod ustreza tak, kot je, ga potrdite z ukazom »ciklo texts accept --text KEY«.
+cli-texts-moved = { $language }: nepotrjena so ostala besedila, ki imajo zdaj besede drugih besedil: { $keys }. Če prevod ustreza tak, kot je, ga potrdite z ukazom »ciklo texts accept --text KEY«.
+cli-texts-new = { $language }: nepotrjena so ostala nova besedila: { $keys }. Potrdi jih »ciklo texts accept --changed«.
 cli-texts-open =
     { $state ->
         [missing] manjka: { $key } ({ $file })
@@ -45,10 +47,7 @@ cli-texts-open =
         [unaccepted] nepotrjeno: { $key } ({ $file })
        *[same] enako angleškemu: { $key } ({ $file })
     }
-cli-texts-more = { $count ->
-        [one] in še { $count }
-       *[other] in še { $count }
-    }
+cli-texts-more = in še { $count }
 cli-examples-texts =
     ciklo texts status
     ciklo texts status --lang fi --file drilling.ftl --format json

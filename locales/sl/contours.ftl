@@ -8,14 +8,14 @@ until-parts-of-contour-cleared = niso obdelane vse ločene površine konture
 note-contour-element-limit = Pomnilnik za SL-cikel je omejen. V enem SL-ciklu je mogoče programirati največ 16384 konturnih elementov.
 note-sign-of-milling-depth = Predznak globine rezkanja določa smer obdelave. Pri globini 0 krmiljenje cikla ne izvede.
 note-both-axes-after-contour-cycle = Nevarnost kolizije! Po SL-ciklu prvi premik v obdelovalni ravnini programirajte z obema koordinatama, na primer L X+80 Y+0 R0 FMAX.
-note-contour-cycle-properties = Krmiljenje orodje pred vsakim ciklom samodejno pozicionira na varnostno razdaljo. Vsaka ravnina se rezka brez dviganja orodja; otoke orodje obide ob strani. Polmer notranjih vogalov je mogoče programirati: orodje se tam ne ustavi in ne pusti sledi (to velja za skrajno zunanjo pot grobega rezkanja in za stransko fino rezkanje). Pri stranskem finem rezkanju se krmiljenje konturi približa po tangencialnem krožnem loku, prav tako se pri globinskem finem rezkanju po tangencialnem krožnem loku približa obdelovancu (pri osi vretena Z v ravnini Z/X). Kontura se ves čas obdeluje v soteku ali ves čas v protiteku.
+note-contour-cycle-properties = Krmiljenje orodje pred vsakim ciklom samodejno pozicionira na varnostno razdaljo. Vsaka ravnina se rezka brez dviganja orodja; otoke orodje obide ob strani. Polmer notranjih vogalov je mogoče programirati: orodje se tam ne ustavi in ne pusti sledi (to velja za skrajno zunanjo pot grobega rezkanja in za stransko fino rezkanje). Pri stranskem finem rezkanju se orodje konturi približa po tangencialnem krožnem loku, prav tako se pri globinskem finem rezkanju po tangencialnem krožnem loku približa obdelovancu (pri osi vretena Z v ravnini Z/X). Kontura se ves čas obdeluje v soteku ali ves čas v protiteku.
 note-contour-tool-by-name = Orodje lahko vnesete s številko ali z imenom. Za vnos imena pritisnite gumb IME ORODJA; krmiljenje ob izhodu iz polja za vnos samodejno doda narekovaje.
 note-global-def-for-contours = Funkcija GLOBAL DEF za konturno rezkanje vnaprej določi varnostno razdaljo, varno višino, faktor prekrivanja in vrsto rezkanja za cikle 20, 22, 23, 24 in 25.
 
 # --- 14 ---
 cycle-contour = Kontura
     .nc = KONTURA
-    .purpose = Navede vse podprograme, ki se prekrijejo v skupno konturo. Krmiljenje iz teh delnih kontur, ki so žepi ali otoki, izračuna celotno konturo.
+    .purpose = Navede vse podprograme z delnimi konturami, ki skupaj tvorijo celotno konturo. Krmiljenje jo izračuna iz delnih kontur; te so žepi ali otoki.
 step-remember-contour-labels = Krmiljenje si zapomni številke oznak. Naslednji cikli obdelajo konturo, ki jo opisujejo podprogrami.
 note-contour-acts-from-definition = Cikel deluje od svoje definicije v programu naprej.
 note-most-contour-labels = Navesti je mogoče največ 12 podprogramov (delnih kontur).
@@ -24,14 +24,14 @@ note-pocket-and-island-recognized = Krmiljenje prepozna žep, če se orodje prem
 note-contour-without-spindle-axis = Podprogrami ne smejo vsebovati koordinat na osi vretena.
 note-contour-begins-with-both-axes = V prvem stavku podprograma vedno programirajte obe osi.
 note-parameters-within-contour = Če uporabljate Q-parametre, jih izračunajte in priredite samo znotraj posameznega konturnega podprograma.
-note-contours-may-overlap = Žepe in otoke je mogoče prekriti v novo konturo. Prekrivajoči se žep poveča površino žepa ali zmanjša otok.
+note-contours-may-overlap = Žepi in otoki se lahko prekrivajo in tako tvorijo novo konturo. Prekrivajoči se žep poveča površino žepa ali zmanjša otok.
 note-contour-intersections-computed = Presečišča delnih kontur izračuna krmiljenje; ni jih treba programirati.
-note-contour-sum = Površina vsote (obe površini A in B skupaj s skupno): A in B morata biti žepa. Prvi žep na seznamu se mora začeti zunaj drugega.
+note-contour-sum = Površina vsote (obe površini A in B, vključno s prekrivajočim se delom): A in B morata biti žepa. Prvi žep na seznamu se mora začeti zunaj drugega.
 note-contour-difference = Površina razlike (A brez dela, ki ga prekriva B): A mora biti žep, B otok. A se mora začeti zunaj B, B se mora začeti znotraj A.
 note-contour-intersection = Površina preseka (samo del, ki ga prekrivata tako A kot B): A in B morata biti žepa. A se mora začeti znotraj B.
 note-machining-data-in-contour-data = Podatki o obdelavi, kot so globina rezkanja, nadmere in varnostna razdalja, se vnesejo skupaj v ciklu 20.
 note-contour-cycle-or-sel-contour = Cikel ni potreben, če je kontura izbrana s SEL CONTOUR.
-note-contour-for-turning = Tudi stružni cikli, ki obdelujejo konturo, potrebujejo ta cikel: programiran mora biti pred njihovim priklicem in navede številko podprograma.
+note-contour-for-turning = Tudi cikli za struženje, ki obdelujejo konturo, potrebujejo ta cikel: programiran mora biti pred njihovim priklicem in navede številko podprograma.
 
 # --- 20 ---
 cycle-contour-data = Konturni podatki
@@ -69,7 +69,7 @@ step-plunge-to-contour-level = Orodje se spusti na naslednjo globino primika, za
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: navpično s pomikom { $q-contour-plunging-feed }, tudi če je za aktivno orodje definiran kot spuščanja { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: navpično z nihajnim pomikom { $q-reciprocation-feed }
 say-plunge-on-helix-or-in-strokes = sicer po vijačnici pod kotom spuščanja { $mp-plunging-angle } ali, če vijačnica ni mogoča, nihajoče
-step-rough-contour-level = Na tej globini orodje konturo rezka od znotraj navzven s pomikom { $q-roughing-feed }. Okoli otokov rezka po poteh, ki se približujejo konturi žepa:
+step-rough-contour-level = Na tej globini orodje konturo rezka od znotraj navzven s pomikom { $q-roughing-feed }, okoli otokov pa po poteh, ki se približujejo konturi žepa. Pri tem obdela:
 say-rough-what-coarser-tool-left = če je vneseno orodje za predvrtanje { $q-coarse-roughing-tool }, samo tisto, česar to orodje ni moglo obdelati
 say-rough-whole-region = sicer celotno površino
 message-contour-material-left = Orodje ne doseže celotne konture: v vogalih ali na ozkih mestih pusti material.
@@ -77,7 +77,7 @@ note-centre-cutting-or-pilot-drilling = Po potrebi uporabite rezkar s čelnim zo
 note-rough-out-plunging = Način spuščanja določajo parameter { $q-reciprocation-feed } in stolpca { $mp-plunging-angle } in { $mp-cutting-edge-length } v preglednici orodij. Pri { $q-reciprocation-feed } = 0 je spuščanje vedno navpično. Pri { $mp-plunging-angle } = 90° je spuščanje navpično s pomikom { $q-reciprocation-feed }. Pri nihajnem pomiku in { $mp-plunging-angle } od 0,1 do 89,999 poteka spuščanje po vijačnici pod tem kotom. Pri nihajnem pomiku brez vrednosti { $mp-plunging-angle } v preglednici orodij krmiljenje javi napako. Če za vijačnico ni prostora (na primer v utoru), poskusi krmiljenje z nihajočim spuščanjem; dolžina nihanja je { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = Pri faktorju prekrivanja, večjem od 1, lahko pri konturah žepov z ostrimi notranjimi vogali ostane material. V testni grafiki preverite skrajno notranjo pot in po potrebi nekoliko spremenite faktor prekrivanja. Tako se rezi drugače razporedijo, kar pogosto da želeni rezultat.
 note-wear-of-coarse-tool-not-considered = Pri finem posnemanju krmiljenje ne upošteva vrednosti obrabe DR, definirane za orodje za predvrtanje.
-note-fine-roughing-needs-tool-data = Če do območja finega posnemanja ni mogoče priti s strani, se orodje spusti nihajoče. Za to v preglednici orodij definirajte dolžino rezila { $mp-cutting-edge-length } in največji kot spuščanja { $mp-plunging-angle } orodja; sicer lahko krmiljenje javi napako.
+note-fine-roughing-needs-tool-data = Če do območja finega posnemanja ni mogoče priti s strani, se orodje spusti nihajoče. V ta namen v preglednici orodij definirajte dolžino rezila { $mp-cutting-edge-length } in največji kot spuščanja { $mp-plunging-angle } orodja; sicer lahko krmiljenje javi napako.
 
 # --- 23 ---
 cycle-floor-finishing = Globinsko fino rezkanje
@@ -105,7 +105,7 @@ note-start-depends-on-sequence = Začetna točka je odvisna tudi od zaporedja ob
 # --- 25 ---
 cycle-contour-train = Konturni segment
     .nc = KONTURNI SEGMENT
-    .purpose = Skupaj s ciklom 14 obdela odprte in zaprte konture. V primerjavi s pozicionirnimi stavki vzdolž konture krmiljenje obdelavo nadzoruje, ves čas rezka v soteku ali v protiteku, lahko pa rezka tudi izmenično v obe smeri in z nadmerami.
+    .purpose = Skupaj s ciklom 14 obdela odprte in zaprte konture. V nasprotju s pozicionirnimi stavki vzdolž konture krmiljenje obdelavo nadzoruje, ves čas rezka v soteku ali v protiteku, lahko pa rezka tudi izmenično v obe smeri in z nadmerami.
 step-position-over-contour-start = Krmiljenje premakne orodje na varno višino { $q-contour-clearance-height } in nad začetno točko konture.
 step-plunge-beside-contour = Orodje se s pomikom { $q-contour-plunging-feed } spusti na naslednjo globino primika, za { $q-contour-plunging-depth } globlje.
 step-mill-along-contour = Orodje s pomikom { $q-contour-milling-feed } rezka vzdolž konture; pri tem se upošteva nadmera finega rezkanja { $q-side-allowance }:
@@ -170,7 +170,7 @@ note-program-centre-path-of-slot = Programirajte pot središča konture s poprav
 cycle-cylinder-surface-ridge = Plašč valja – rezkanje stojin
     .nc = STOJINA NA PLAŠČU VALJA
     .purpose = Stojino, definirano na odvoju, prenese na plašč valja; njene stene so vzporedne.
-step-position-over-ridge-start = Krmiljenje premakne orodje nad začetno točko obdelave, ki jo izračuna iz širine stojine in premera orodja: ob prvi točki konturnega podprograma, zamaknjeno za polovico širine stojine in za premer orodja. Stran določa popravek polmera: levo od stojine (sotek) ali desno od nje (protitek).
+step-position-over-ridge-start = Krmiljenje premakne orodje nad začetno točko obdelave, ki jo izračuna iz širine stojine in premera orodja: ob prvi točki konturnega podprograma, zamaknjeno za polovico širine stojine in še za premer orodja. Stran določa popravek polmera: levo od stojine (sotek) ali desno od nje (protitek).
 step-approach-ridge-wall = Na tej globini se orodje s pomikom { $q-contour-milling-feed } po tangencialnem krožnem loku premakne h konturi; morebitna nadmera stranskega finega rezkanja { $q-side-allowance } se upošteva.
 step-mill-along-ridge-wall = Orodje s pomikom { $q-contour-milling-feed } rezka vzdolž stene stojine, dokler ta ni v celoti izdelana.
 step-leave-ridge-wall = Orodje se od stene stojine odmakne tangencialno in se vrne na začetno točko obdelave.

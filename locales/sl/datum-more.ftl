@@ -44,8 +44,8 @@ result-side-minor-actual = Dejanska vrednost stranske dolžine na pomožni osi
 result-slot-width-actual = Dejanska vrednost izmerjene širine utora
 result-ridge-width-actual = Dejanska vrednost izmerjene širine stojine
 result-centre-axis-actual = Dejanska vrednost položaja srednje osi
-result-corner-main-actual = Dejanska vrednost roba na glavni osi
-result-corner-minor-actual = Dejanska vrednost roba na pomožni osi
+result-corner-main-actual = Dejanska vrednost vogala na glavni osi
+result-corner-minor-actual = Dejanska vrednost vogala na pomožni osi
 
 # --- 408 and 409 ---
 cycle-datum-slot-centre = Referenčna točka središča utora
@@ -78,11 +78,11 @@ cycle-datum-inside-corner__tnc426-430 =
     .purpose = Z notranje strani izmeri dve premici in njuno presečišče določi kot referenčno točko. Na zahtevo ga krmiljenje zapiše še v preglednico ničelnih točk.
 step-probe-first-point-by-third-point = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }). Smer tipanja krmiljenje določi iz programirane tretje merilne točke.
 step-probe-first-point-by-third-point__tnc426-430 = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }). Smer tipanja krmiljenje določi iz programirane tretje merilne točke.
-step-probe-first-point-by-corner-number = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }). Smer tipanja krmiljenje določi iz številke roba { $q-corner-number }.
-step-probe-first-point-by-corner-number__tnc426-430 = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }). Smer tipanja krmiljenje določi iz številke roba { $q-corner-number }.
-step-retract-and-store-corner = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height }, shrani koordinate izmerjenega roba v parametre rezultatov in izmerjeno referenčno točko obravnava glede na { $q-measured-value-transfer } in { $q-datum-row-number }:
+step-probe-first-point-by-corner-number = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }). Smer tipanja krmiljenje določi iz številke vogala { $q-corner-number }.
+step-probe-first-point-by-corner-number__tnc426-430 = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }). Smer tipanja krmiljenje določi iz številke vogala { $q-corner-number }.
+step-retract-and-store-corner = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height }, shrani koordinate izmerjenega vogala v parametre rezultatov in izmerjeno referenčno točko obravnava glede na { $q-measured-value-transfer } in { $q-datum-row-number }:
 step-retract-and-store-corner__tnc426-430 = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in presečišče izmerjenih premic kot referenčno točko obravnava glede na { $q-datum-row-number }:
 step-carry-out-basic-rotation-on-request = Pri { $q-corner-basic-rotation } = 1 krmiljenje poševni položaj obdelovanca izravna z osnovno rotacijo.
-note-corner-from-first-and-third-point = Položaja merilnih točk 1 in 3 določata rob, na katerem krmiljenje določi referenčno točko. Rob A: točka 1 ima večji X in manjši Y kot točka 3. Rob B: manjši X, manjši Y. Rob C: manjši X, večji Y. Rob D: večji X, večji Y.
+note-corner-from-first-and-third-point = Položaja merilnih točk 1 in 3 določata vogal, v katerem krmiljenje določi referenčno točko. Vogal A: točka 1 ima večji X in manjši Y kot točka 3. Vogal B: manjši X, manjši Y. Vogal C: manjši X, večji Y. Vogal D: večji X, večji Y.
 note-first-line-in-secondary-direction = Krmiljenje prvo premico vedno izmeri v smeri pomožne osi obdelovalne ravnine.
 note-basic-rotation-with-immediate-datum = Osnovno rotacijo naj krmiljenje izvede samo, če se referenčna točka določi takoj, in ne, če se zapiše v preglednico ničelnih točk za poznejšo obdelavo.

@@ -3,11 +3,11 @@
 # --- 416 ---
 cycle-datum-bolt-hole-circle = Referenčna točka središča krožne luknje
     .nc = REF. TOČ. SRED. KROŽ. LUKNJE
-    .purpose = Z merjenjem treh vrtin izračuna središče krožne luknje in ga določi kot referenčno točko. Na zahtevo ga krmiljenje zapiše še v preglednico ničelnih točk ali preglednico prednastavitev.
+    .purpose = Z merjenjem treh vrtin izračuna središče delnega kroga (krožne luknje) in ga določi kot referenčno točko. Na zahtevo ga krmiljenje zapiše še v preglednico ničelnih točk ali preglednico prednastavitev.
 cycle-datum-bolt-hole-circle__tnc426-430 =
-    .purpose = Z merjenjem treh vrtin izračuna središče krožne luknje in ga določi kot referenčno točko. Na zahtevo ga krmiljenje zapiše še v preglednico ničelnih točk.
-title-datum-at-top-and-bolt-hole-circle = Določitev referenčne točke na površini obdelovanca in v središču krožne luknje
-title-top-and-bolt-hole-circle-into-datum-table = Zapis površine obdelovanca in središča krožne luknje v preglednico ničelnih točk
+    .purpose = Z merjenjem treh vrtin izračuna središče delnega kroga (krožne luknje) in ga določi kot referenčno točko. Na zahtevo ga krmiljenje zapiše še v preglednico ničelnih točk.
+title-datum-at-top-and-bolt-hole-circle = Določitev referenčne točke na površini obdelovanca in v središču delnega kroga
+title-top-and-bolt-hole-circle-into-datum-table = Zapis površine obdelovanca in središča delnega kroga v preglednico ničelnih točk
 
 # --- 417 ---
 cycle-datum-probe-axis = Referenčna točka osi tipalnega sistema

@@ -17,6 +17,7 @@ diag-arc-wrong =
        *[centre] začetek je od središča oddaljen { $first }, konec pa { $second }
     }.
 diag-axis-twice = Os { $axis } je v tem stavku navedena dvakrat.
+diag-back-boring-inside = Po ciklu je material debel { $value }, surovec pa sega { $other } pod površino.
 diag-blocks-after-end = Za stavkom END PGM so še drugi stavki.
 diag-blank-wrong =
     { $what ->
@@ -24,7 +25,7 @@ diag-blank-wrong =
         [axis] Tu manjka { $axis }: oglišče surovca ima tri koordinate.
         [first] Pred BLK FORM 0.2 ni BLK FORM 0.1.
         [cylinder] Valju manjka polmer ali premer oziroma dolžina.
-        [second] Za BLK FORM 0.1 ni BLK FORM 0.2.
+        [second] Stavku BLK FORM 0.1 ne sledi BLK FORM 0.2.
         [tool] Pri surovcu ni navedena orodna os.
        *[order] Na osi { $axis } mora biti koordinata drugega oglišča surovca večja od koordinate prvega.
     }
@@ -35,7 +36,7 @@ diag-called-program-in-other-unit = Ta program je v { $own }, klicani program { 
 diag-called-program-missing = Programa { $name } ni ob tem programu, kjer ga krmiljenje išče.
 diag-centre-in-other-plane = Lok in njegovo središče nista v isti ravnini.
 diag-choice-not-offered = { $parameter }={ $value } ni med možnostmi: { $offered }.
-diag-clearance-height-too-low = { $cycle } se dotakne pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
+diag-clearance-height-too-low = { $cycle } tipa pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
 diag-compensation-at-cycle =
     { $cycle } se tu izvede pri aktivnem popravku polmera.
 diag-compensation-left-on = Popravek polmera je tu še aktiven.
@@ -51,6 +52,7 @@ diag-contour-def-wrong =
        *[island] { $found }: prva kontura v CONTOUR DEF mora biti žep, in sicer najgloblji.
     }
 diag-contour-depth-missing = { $contour } nima DEPTH, druge konture pa ga imajo.
+diag-contour-returns = Kontura se vrne v točko { $value }; { $other }, ki je že njeno oglišče.
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } je bila že določena.
@@ -68,15 +70,16 @@ diag-contour-wrong =
         [first] njena prva točka nima obeh koordinat ravnine
         [uncompensated] v njej ni niti RL niti RR
         [many] cikel obdela samo prvo konturo in ne upošteva { $word }
-        [corner] za { $word } ni elementa konture
+        [corner] besedi { $word } ne sledi element konture
         [local] v njej se bere { $word }, ki v njej ne dobi vrednosti
         [same] kontura { $word } je ista
         [islands] po RL in RR so vse otoki, žepa okrog njih pa ni
-        [round] v obeh oseh je daljša od obsega valja
+        [round] po obeh oseh je daljša od obsega valja
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.
 diag-core-hole-too-large = Premer vrtine je { $other }, navoja { $value }: za navoj ne ostane materiala.
+diag-core-hole-too-small = Navoj { $value } se vrta v vrtino { $other }: vrtina je preozka.
 diag-corner-wrong =
     Tega vogala ni mogoče obdelati: { $what ->
         [twice] neposredno pred njim je druga zaokrožitev ali posneti rob
@@ -85,8 +88,13 @@ diag-corner-wrong =
         [alone] za njim ni elementa konture
         [back] premica za njim vodi nazaj po premici pred njim
         [size] njegov polmer ali dolžina ni pozitivna
-       *[long] potrebuje več, kot je dolga krajša premica, { $least }
+       *[long] potrebuje več prostora, kot je dolga krajša premica: { $least }
     }.
+diag-cutting-speed-unusual =
+    { $side ->
+        [above] Rezalna hitrost { $value } m/min je za to orodje s premerom { $other } veliko prevelika.
+       *[below] Rezalna hitrost { $value } m/min je za to orodje s premerom { $other } veliko premajhna.
+    }
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
 diag-cycle-line-zero-missing = Pred vrstico { $line } manjka vrstica { $head }.
 diag-cycle-line-empty = V vrstici { $line } cikla { $cycle } ni ničesar.
@@ -165,6 +173,7 @@ diag-hole-outside-blank =
         [surface] Površina pri { $value } je daleč od surovca.
        *[through] Vrtina sega do { $value }, daleč skozi surovec.
     }
+diag-holes-overlap = Dve vrtini s premerom { $other } sta tu narazen samo { $value }: prekrivata se.
 diag-insert-points-away = Rezalna ploščica ne more rezati v smeri, v katero gre { $cycle }: njena usmerjenost (TO) je { $orientation }, zato je konica obrnjena stran od obdelovanca ali od pomika.
 diag-iso-incomplete =
     Ta stavek je nepopoln: { $what ->
@@ -191,8 +200,9 @@ diag-labels-of-unknown-language =
 diag-languages-mixed = Večina oznak je v enem jeziku ({ $language }); definicije v teh vrsticah so v drugem ({ $others }): { $lines }.
 diag-loop-endless = Ta skok sklene zanko, ki se nikoli ne konča.
 diag-machine-coordinates-compensated = Strojne koordinate (M91, M92) so tu programirane s popravkom polmera.
-diag-machine-coordinates-missing = Drugje se program odmakne na { $value } z M91; tu M91 manjka in višina velja od izhodišča obdelovanca.
+diag-machine-coordinates-missing = Drugje se program odmakne na { $value } z M91; tu M91 manjka in višina velja od referenčne točke obdelovanca.
 diag-main-runs-into-subprogram = Glavni program se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
+diag-measuring-height-above-surface = Merilna višina { $value } je nad obdelovancem, ki se konča pri { $other }.
 diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ $value }, pod dnom pri { $floor }, ki ga tam pusti { $milling }.
 diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vrednost v milimetrih.
 diag-mirror-of-tool-axis = Orodne osi { $axis } ni mogoče zrcaliti.
@@ -224,6 +234,7 @@ diag-no-result =
     }.
 diag-no-table-open = FN 27 in FN 28 potrebujeta preglednico, ki jo je odprl FN 26.
 diag-not-a-program = Ta datoteka ni NC-program.
+diag-nothing-left = Vrtina je tu že široka { $other }: orodje s premerom { $value } ne odvzame ničesar.
 diag-number-does-not-exist = { $name } ne obstaja: največja številka je { $greatest }.
 diag-older-parameter-set = { $cycle } ima parametre starejše različice programske opreme; krmiljenje doda { $parameter }.
 diag-out-of-range =
@@ -248,6 +259,7 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } v ciklu { $cycle } zahteva novejšo različico programske opreme od { $software }, ki jo opisuje priročnik.
 diag-parameter-unassigned =
     { $parameter } se tu bere, vrednosti pa mu ni določilo nič.
+diag-path-twice = Celotna pot od tu naprej je bila s tem orodjem že obdelana pri drugi transformaciji.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } ne more priklicati { $called } z { $value }.
@@ -263,10 +275,11 @@ diag-pattern-wrong =
         [same] { $word } ponovi prejšnji položaj.
        *[diameter] Premer { $word } delnega kroga mora biti večji od 0.
     }
+diag-pilot-hole-too-shallow = Poglobljena začetna točka je pri { $value }, vrtina, ki je tam, pa se konča pri { $other }.
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
 diag-plane-not-positioned =
     { $what ->
-        [cycle] Za tem nagibom noben stavek ne pozicionira rotacijskih osi; ali to stori cikel, je odvisno od stroja.
+        [cycle] Po tem vrtenju ravnine noben stavek ne pozicionira rotacijskih osi; ali to stori cikel, je odvisno od stroja.
        *[plane] STAY rotacijskih osi ne premakne in tudi noben stavek programa jih ne premakne na kote te ravnine.
     }
 diag-plane-not-reset =
@@ -274,7 +287,9 @@ diag-plane-not-reset =
         [zero] { $cycle } tu vse kote nastavi na 0, vrtenja obdelovalne ravnine pa nič ne izklopi.
        *[tilted] Program se tu konča z zavrteno obdelovalno ravnino.
     }
+diag-plunge-too-fast = Orodje tu prodira v material za { $value } na vrtljaj.
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle }, nima pa absolutnih vrednosti za obe koordinati ravnine.
+diag-position-missing = Orodje gre navzdol do { $value }, preden mu je program določil položaj v ravnini.
 diag-position-twice = Točka { $value }; { $other } je bila s to definicijo in tem orodjem že obdelana.
 diag-probe-while-turning = { $cycle } tu tipa, medtem ko se vreteno vrti.
 diag-probed-axis-missing = Tipa se v smeri { $direction }, v položaju pa ni osi { $axis }.
@@ -290,6 +305,12 @@ diag-program-end-missing =
 diag-programs-call-in-circle = Program { $name } neposredno ali prek drugih znova prikliče ta program.
 diag-rapid-into-blank = Orodje se tu v hitrem teku premakne v surovec: gre na Z { $value }, zgornji rob surovca pa je pri { $top }.
 diag-rapid-through-material = Orodje gre tu v hitrem teku skozi do { $value }{"\u00A0"}mm materiala.
+diag-reaming-wrong =
+    { $what ->
+        [none] Tu ni vrtine, ki bi jo bilo mogoče povrtati.
+        [deep] Povrtalo gre do { $value }, vrtina pa samo do { $other }.
+       *[allowance] Vrtina je široka { $other }: za povrtalo { $value } ostane veliko preveč materiala.
+    }
 diag-repeat-count-wrong = Število ponovitev mora biti celo število od 0 do 65534.
 diag-repeat-of-later-label = Oznaka LBL { $label } mora stati pred ponovitvijo, ne za njo.
 diag-repeated-infeed =
@@ -306,10 +327,11 @@ diag-reset-order-wrong =
 diag-retract-missing =
     Orodje je še pri { $value }, v surovcu, ob njem ali tik nad njim, ko { $what ->
         [change] se zamenja
-        [tilt] se ravnina nagne z MOVE
+        [tilt] se ravnina zavrti z MOVE
         [end] se program konča
        *[turn] se rotacijska os premakne v hitrem teku
     }: ni bilo odmaknjeno.
+diag-rotary-axis-jumps = Rotacijska os tu zaniha od { $other } do { $value } in v naslednjem stavku nazaj.
 diag-row-not-in-table =
     { $table ->
         [preset] V preglednici prednastavitev ni vrstice { $row }.
@@ -353,13 +375,15 @@ diag-text-wrong =
         [alone] »{ $found }« v besedilu parametra { $parameter } ni podvojen in ne stoji pred črko.
        *[character] Znak »{ $found }« v { $parameter } ni dovoljen.
     }
+diag-thread-pitch-unusual = Korak { $value } ni standarden za navoj s premerom { $other }.
 diag-tool-axis-missing = Ta priklic orodja nima orodne osi, pa tudi prejšnji je ni navedel.
 diag-tool-axis-other =
     { $what ->
         [pattern] PATTERN DEF deluje samo z orodno osjo { $axis }, tu pa je aktivna druga.
-        [lifted] Ta priklic orodja navaja drugo orodno os kot surovec, orodje pa se odmika samo v osi { $axis }.
+        [lifted] Ta priklic orodja navaja drugo orodno os kot surovec, orodje pa se odmika samo po osi { $axis }.
        *[blank] Surovec ima orodno os { $axis }, nima pa je nobeno orodje programa.
     }
+diag-tool-cuts-sideways = Sveder, navojni sveder ali povrtalo se tu pomika bočno skozi material.
 diag-tool-definition-wrong =
     { $what ->
         [zero] Orodje 0 pomeni, da orodja ni, in ga ni mogoče določiti.
@@ -371,7 +395,7 @@ diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni d
 diag-tool-not-changed = { $cycle } se prikliče z orodjem, ki je že izvedlo { $before }: potrebuje drugo orodje.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
 diag-turning-start-wrong =
-    Stružni cikel se ne začne tam, kjer je orodje: { $what ->
+    Cikel za struženje se ne začne tam, kjer je orodje: { $what ->
         [positive] kontura gre v pozitivno smer Z, stran od obdelovanca
         [z] orodje je v smeri Z za koncem konture
        *[diameter] orodje je za končnim premerom konture
@@ -385,6 +409,7 @@ diag-uncalculable-contour =
         [crossing] kontura seka samo sebe
        *[approach] na konturo tako ni mogoče primakniti
     }.
+diag-value-unlike-others = Vrednost je tu { $value }, na vseh drugih takih mestih pa { $other }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.
@@ -425,6 +450,7 @@ diag-feed-unit =
        *[minute] { $parameter }={ $value } je tu pomik na minuto, ker M136 ni aktiven.
     }
 diag-turning-system-missing = { $cycle } se tu prikliče, od priklica orodja naprej pa { $aligning } ni bil definiran.
+diag-cutting-speed-unlimited = Hitrost rezanja je konstantna, število vrtljajev pa ni omejeno; v vrstici { $line } pride orodje do rotacijske osi.
 diag-two-signs = Pred številom sta dva predznaka; bereta se kot { $right }.
 diag-unknown-cycle =
     { $name ->

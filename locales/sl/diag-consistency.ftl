@@ -18,6 +18,10 @@ diag-spec-odd-condition = Pogoj »{ $name }« pravi, da je { $q } { $found }, mo
 diag-spec-odd-formula = Cikel { $cycle } izračuna »{ $name }« iz { $q }, drugi cikli pa iz { $usual }, ki ga ima tudi ta cikel.
 diag-spec-example-guarded = Natisnjeni primer zavrne preverjanje »{ $code }«.
 diag-spec-unused-parameter = Nič v poteku, preverjanjih ali stavkih cikla { $cycle } ne uporablja parametra { $q }.
+diag-spec-odd-result = { $reason ->
+        [parameter] { $q } je rezultat in hkrati parameter cikla { $cycle }
+       *[not-a-result] Potek cikla { $cycle } nastavi { $q }, ki ni niti njegov rezultat niti parameter
+    }.
 diag-consistency-reference-word = Besedilo { $key } v jeziku { $language } ne pravi absolutno ali inkrementalno, kakor pravijo jeziki { $others }: { $found } namesto { $expected }.
 diag-locale-unused = Besedila { $key } ne uporablja nobena specifikacija in nobeno besedilo.
 diag-spec-example-fails = Primer »{ $name }« na krmiljenju { $control } ne da pričakovanega izida: { $what } bi moralo biti { $expected }, je pa { $found }.

@@ -10,4 +10,4 @@ diag-contour-missing = Ne sledi noben element konture, na katerega bi se orodje 
 diag-rounding-impossible = Za zaokrožitev ali posneti rob { NUMBER($size, maximumFractionDigits: 4) }{"\u00A0"}mm v tem vogalu ni dovolj prostora. Za posneti rob je potrebna premica na obeh straneh.
 diag-rounding-misplaced = RND in CHF potrebujeta neposredno pred seboj in za seboj element v obdelovalni ravnini, kontura pa se z njima ne more začeti.
 diag-tangent-missing = Smer tangente ni znana: v tej točki se mora končati element konture, konec tangencialnega loka pa ne sme ležati naravnost pred njo.
-diag-unsupported-compensation = Izvajalnik tega ne izvaja, ko je aktiven popravek polmera: { $word }
+diag-unsupported-compensation = Pri aktivnem popravku polmera tega ni mogoče simulirati: { $word }

@@ -63,4 +63,5 @@ diag-locale-stale =
        *[other] Angleško besedilo »{ $key }« se je po prevodu v jezik »{ $language }« spremenilo: { $change }.
     }
 diag-locale-unrecorded = Prevod »{ $key }« v jezik »{ $language }« še ni potrjen.
+diag-locale-moved = Prevod »{ $key }« v jezik »{ $language }« ima zdaj besede, ki so bile potrjene za »{ $name }«.
 diag-locale-unknown-argument = »{ $key }« ({ $language }) uporablja argument »{ $name }«, ki ga v angleškem besedilu ni.

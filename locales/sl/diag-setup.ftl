@@ -58,6 +58,7 @@ diag-tool-table-contradicts =
         [locked] Orodje { $tool } je v preglednici orodij blokirano (TL), nadomestno orodje (RT) pa ni navedeno.
         [point] { $value } tu centrira na premer, orodje { $tool } pa v preglednici orodij nima kota konice (T-ANGLE).
         [turning] { $value } ni za orodje { $tool }, ki je v preglednici stružnih orodij tipa { $other } (TYPE).
+        [size] Orodje { $tool } ima v preglednici orodij premer { $other }, njegovo ime pa pove { $value }.
        *[type] { $value } ni za orodje { $tool }, ki je v preglednici orodij tipa { $other } (TYP).
     }
 diag-translate-encoding = Datoteka je zapisana v { $encoding }: v njem ima enake bajte in vse črke novih oznak.
@@ -75,7 +76,7 @@ diag-contour-crossed =
 diag-error-branch-entered =
     { $what ->
         [turned] Skok čez zaustavitev se izvede, kadar { $parameter } javlja napako.
-       *[entered] Potek pride v to vejo tudi brez skoka in se ustavi: pred njo programa ne konča ne M2 ne M30.
+       *[entered] Izvajanje pride v to vejo tudi brez skoka in se ustavi: pred njo programa ne konča ne M2 ne M30.
     }
 diag-finishing-before-roughing =
     { $what ->
@@ -87,7 +88,7 @@ diag-loop-runs-once = Ta skok nazaj se nikoli ne izvede: števec v nobenem preho
 diag-parameter-unused =
     { $parameter } tukaj dobi vrednost, nič pa je ne prebere.
 diag-probing-direction-wrong =
-    { $cycle } tipa rob v osi { $axis } s smerjo { $value }: obdelovanec je na strani, s katere pride tipalo.
+    { $cycle } tipa rob na osi { $axis } s smerjo { $value }: obdelovanec je na strani, s katere pride tipalni sistem.
 diag-same-datum-twice =
     { $what ->
         [loop] Zanka šteje, vendar v vsakem prehodu aktivira vrstico { $row }: vsakič se obdela isto.
@@ -100,7 +101,7 @@ diag-turned-contour-wrong =
         [narrow] Vbod je širok { $value }, orodje { $limit }.
         [side] Vbod sega od premera { $limit } do { $value }; drugje isto orodje vbada v drugo smer.
         [dip] Kontura pade na premer { $value }, pod svoj prvi premer { $limit }, cikel pa spodrezov ne obdeluje.
-       *[rounding] Za zaobljenje { $value } je premica prekratka; možno je največ { $limit }.
+       *[rounding] Za zaokrožitev { $value } je premica prekratka; možno je največ { $limit }.
     }
 diag-called-program-wants =
     { $name } bere { $parameter }, ki mu pred tem priklicem nič ni dalo vrednosti.

@@ -92,5 +92,7 @@ diag-spec-measure = V ciklu { $cycle } { $reason ->
         [not-a-speed] stoji na mestu števila vrtljajev nekaj drugega
         [not-a-number] stoji na mestu števila brez enote količina z enoto
         [bare-number] se dolžina ali pomik primerja s številom brez enote
+        [same-operands] se izbira med enakima formulama ali se primerjata
+        [never-negative] se jemlje predznak ali velikost parametra, ki ni nikoli negativen
        *[not-an-angle] stoji na mestu kota nekaj, kar ni kot
     }.

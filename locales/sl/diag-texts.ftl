@@ -8,7 +8,10 @@ diag-texts-file-unreadable = Datoteke ni mogoče prebrati: { $reason ->
         [entity] vsebuje neznano entiteto
         [encoding] kodiranje ni UTF-8
         [depth] elementi so pregloboko gnezdeni
-        [columns] v tabeli manjkata stolpca concept in language
+        [columns] v preglednici manjkata stolpca concept in language
+        [empty] datoteka je prazna
+        [quote] tu se začne celica v narekovajih, ki se ne konča
+        [size] je večja od 64 MB
         [xliff] to ni ne XLIFF 1.2 ne XLIFF 2.0
        *[form] od tu naprej je oblika napačna
     }.

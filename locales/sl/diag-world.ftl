@@ -46,7 +46,7 @@ diag-scene-stl-word = Pričakovano je { $wanted ->
     }, najdeno pa »{ $found }«.
 
 diag-solid-not-finite = Ena od mer ni končno pozitivno število.
-diag-solid-too-many = Oblika ima preveč ploskev: iskanje njenih robov bi trajalo predolgo. Izpustite dele, ki se jim ne približa nobeno orodje ali tipalo.
+diag-solid-too-many = Oblika ima preveč ploskev: iskanje njenih robov bi trajalo predolgo. Izpustite dele, ki se jim ne približa nobeno orodje ali tipalni sistem.
 diag-solid-edge-unsupported = Tipalna krogla se lahko dotakne roba, ki ni ne premica ne krog; tega dotika ni mogoče natančno izračunati.
 diag-solid-cusp = Tipalna krogla se lahko dotakne mesta, kjer se ploskvi stikata tangencialno in med njima ni materiala; tega dotika ni mogoče natančno izračunati.
 diag-solid-mesh-cut = Ploskev iz trikotnikov ne more biti del razlike.

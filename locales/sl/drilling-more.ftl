@@ -6,7 +6,7 @@ step-retract-at-retraction-feed = Orodje se z vzvratnim pomikom { $q-retraction-
 # --- 201 ---
 cycle-reaming = Povrtavanje
     .nc = POVRTAVANJE
-    .purpose = Povrta vrtino z enim primikom. Orodje vrtino zapusti z lastnim pomikom.
+    .purpose = Povrta vrtino z enim primikom. Vrtino zapusti s posebej določenim pomikom.
 step-ream-to-depth = Orodje s pomikom { $q-plunging-feed } povrtava do programirane globine { $q-depth }.
 
 # --- 203 ---
@@ -16,7 +16,7 @@ cycle-universal-drilling = Univerzalno vrtanje
 step-drill-to-decreasing-plunging-depth = Orodje s pomikom { $q-plunging-feed } vrta do naslednje globine primika. Če je vnesena vrednost pojemanja { $q-decrement }, se globina primika { $q-plunging-depth } z vsakim primikom zmanjša zanjo.
 step-break-chip-or-retract = Med dvema primikoma se orodje premakne nazaj:
 say-break-chip-by-retraction = pri lomu ostružkov za odmik { $q-chip-breaking-retraction }, in sicer tolikokrat, kot pred umikom iz vrtine zahteva { $q-chip-breaks-before-retraction }
-say-retract-and-return-at-rapid = brez loma ostružkov s pomikom { $q-retraction-feed } na varnostno razdaljo, kjer miruje čas { $q-dwell-at-top }, če je ta vnesen; od tam v hitrem teku (FMAX) na varnostno razdaljo nad doseženo globino
+say-retract-and-return-at-rapid = brez loma ostružkov s pomikom { $q-retraction-feed } na varnostno razdaljo, kjer miruje za čas { $q-dwell-at-top }, če je ta vnesen; od tam v hitrem teku (FMAX) na varnostno razdaljo nad doseženo globino
 
 # --- 240 ---
 cycle-centring = Centriranje
@@ -32,7 +32,7 @@ guard-point-angle-missing = Za centriranje do premera v preglednici orodij defin
 guard-depth-zero__centring = Izbrana globina ali izbrani premer je 0, zato krmiljenje cikla ne izvede.
 guard-depth-positive__centring = Izbrana globina ali izbrani premer ima pozitivno vrednost. Vnesite negativno vrednost ali dovolite pozitivno s strojnim parametrom { $mp-display-depth-err }.
 note-sign-of-depth-or-diameter = Smer obdelave določa predznak premera { $q-centring-diameter } ali globine { $q-depth }, odvisno od tega, kaj je izbrano. Pri premeru ali globini 0 krmiljenje cikla ne izvede.
-note-positive-diameter-or-depth-reverses = Nevarnost kolizije! Pri pozitivnem premeru ali pozitivni globini krmiljenje predpoložaj izračuna v nasprotno smer: orodje se v hitrem teku po orodni osi premakne pod površino obdelovanca, in sicer za varnostno razdaljo.
+note-positive-diameter-or-depth-reverses = Nevarnost kolizije! Pri pozitivnem premeru ali pozitivni globini krmiljenje obrne izračun predpozicioniranja: orodje se v hitrem teku po orodni osi premakne pod površino obdelovanca, in sicer za varnostno razdaljo.
 
 # --- 202 ---
 cycle-boring = Izstruževanje
@@ -58,8 +58,8 @@ cycle-back-boring = Vzvratno grezenje
     .purpose = Izdela grezi na spodnji strani obdelovanca.
 step-orient-and-offset-tool = Krmiljenje orientira vreteno na { $q-spindle-orientation-angle } in zamakne orodje za dimenzijo izsrednika { $q-off-centre-distance } v smeri { $q-disengaging-direction }.
 step-feed-through-bore = Orodje se s predpozicionirnim pomikom { $q-in-and-out-feed } spusti v obstoječo vrtino, dokler ni rezilo na varnostni razdalji { $q-set-up-clearance } pod spodnjim robom obdelovanca.
-step-centre-tool-and-counterbore = Krmiljenje vrne orodje na sredino vrtine, vklopi vreteno in po potrebi hladilo ter ga nato s pomikom { $q-countersinking-feed } premakne na globino { $q-counterbore-depth }.
-step-dwell-and-leave-counterbore = Če je vnesen čas { $q-counterbore-dwell }, orodje toliko časa miruje na dnu grezi. Nato grez zapusti; krmiljenje orientira vreteno in znova zamakne orodje za dimenzijo izsrednika.
+step-centre-tool-and-counterbore = Krmiljenje vrne orodje na sredino vrtine, vklopi vreteno in po potrebi hladilo ter orodje nato s pomikom { $q-countersinking-feed } premakne na globino { $q-counterbore-depth }.
+step-dwell-and-leave-counterbore = Če je vnesen čas { $q-counterbore-dwell }, se orodje toliko časa zadrži na dnu grezi. Nato grez zapusti; krmiljenje orientira vreteno in znova zamakne orodje za dimenzijo izsrednika.
 step-feed-out-of-bore = Orodje se s predpozicionirnim pomikom { $q-in-and-out-feed } premakne na varnostno razdaljo { $q-set-up-clearance } nad površino obdelovanca.
 note-back-boring-bars-only = Cikel deluje samo z vrtalnimi drogovi za vzvratno grezenje.
 note-sign-of-counterbore-depth = Predznak globine { $q-counterbore-depth } določa smer obdelave. Pozor: pri pozitivnem predznaku poteka grezenje v pozitivni smeri osi vretena.
@@ -86,7 +86,7 @@ note-plunging-angle-limits-infeed = Da preprečite prevelike primike, v stolpec 
 # --- 241 ---
 cycle-single-lip-drilling = Enoutorno vrtanje
     .nc = ENOUTORNO VRTANJE
-    .purpose = Vrta z enoutornim globinskim svedrom, tudi z začetno točko pod površino obdelovanca; za uvlek in izvlek ima lastno število vrtljajev in lastno smer vrtenja, za hladilo pa M-funkcije.
+    .purpose = Vrta z enoutornim globinskim svedrom, tudi z začetno točko pod površino obdelovanca; za uvlek in izvlek se posebej določita število vrtljajev in smer vrtenja, hladilo pa vklopita in izklopita M-funkciji.
 step-feed-in-and-switch-on = Krmiljenje premakne orodje s predpozicionirnim pomikom { $q-pre-positioning-feed } na varnostno razdaljo nad globljo začetno točko { $q-deepened-starting-point } in tam z M3 vklopi število vrtljajev za vrtanje { $q-drilling-speed }, s funkcijo { $q-coolant-on-function } pa hladilo. Pri uvleku se vreteno vrti v smeri urnega kazalca ali v nasprotni smeri s številom vrtljajev { $q-speed-in-and-out } ali pa miruje, kot določa { $q-rotation-in-and-out }.
 step-drill-in-one-infeed = Orodje s pomikom { $q-plunging-feed } vrta do globine { $q-depth }.
 step-switch-off-coolant-and-reset-speed = Krmiljenje s funkcijo { $q-coolant-off-function } izklopi hladilo in število vrtljajev ponastavi na vrednost { $q-speed-in-and-out } za izvlek.

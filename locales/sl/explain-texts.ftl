@@ -11,7 +11,7 @@ explain-texts-no-language =
 explain-texts-file-unreadable =
     Datoteka je v celoti zavrnjena in nič se ne spremeni. Berejo se XLIFF 1.2, XLIFF 2.0 in PO ter izrazi v obliki TBX ali CSV, v kodiranju UTF-8. Če ene od več datotek ni mogoče prebrati, se ne prevzame nobena. Tipi dokumentov in lastne entitete so zavrnjeni, ker lahko prinesejo druge datoteke ali rastejo brez konca; iz istega razloga je zavrnjeno pregloboko gnezdenje elementov. Preverite navedeno mesto ali besedila znova izvozite in jih v prevajalskem orodju shranite v isti obliki.
 explain-texts-unit-unknown =
-    Oznaka enote je ključ besedila, vendar nobeno besedilo jezika nima tega ključa. Po izvozu je bil preimenovan ali odstranjen ali pa je bila oznaka v datoteki spremenjena. Besedila znova izvozite; pomnilnik prevodov najde dokončan prevod po besedah.
+    Oznaka enote je ključ besedila, vendar nobeno besedilo jezika nima tega ključa. Po izvozu je bil preimenovan ali odstranjen ali pa je bila oznaka v datoteki spremenjena. Besedila znova izvozite; pomnilnik prevodov najde dokončan prevod po besedah. Nov izraz slovarja se najprej zapiše v locales/en/glossary.ftl; nato je mogoče uvoziti njegove prevode.
 explain-texts-unit-twice =
     Enoti z isto oznako lahko povesta različno in nič ne pove, katera je prava. Nobena ni prevzeta. Odstranite vse razen ene.
 explain-texts-unit-source-changed =

@@ -4,6 +4,7 @@ figure-turning-roughing = Grobo obdelovanje
 figure-turning-finishing = Fino obdelovanje
 figure-turning-inside = Notranja stran
 figure-turning-system = Koordinatni sistem
+figure-turning-reversed-tool = Obrnjeno orodje
 figure-turning-smoothing = Glajenje konture
 figure-turning-start-element = Element na začetku
 figure-turning-end-element = Element na koncu

@@ -46,21 +46,21 @@ figure-probe-axis = Referenčna točka na osi tipalnega sistema
 
 figure-heights = Varne višine
 
-figure-corner-a = Rob A
+figure-corner-a = Vogal A
 
-figure-corner-b = Rob B
+figure-corner-b = Vogal B
 
-figure-corner-c = Rob C
+figure-corner-c = Vogal C
 
-figure-corner-d = Rob D
+figure-corner-d = Vogal D
 
-figure-corner-1 = Rob 1
+figure-corner-1 = Vogal 1
 
-figure-corner-2 = Rob 2
+figure-corner-2 = Vogal 2
 
-figure-corner-3 = Rob 3
+figure-corner-3 = Vogal 3
 
-figure-corner-4 = Rob 4
+figure-corner-4 = Vogal 4
 
 figure-front = Čelno grezenje
 
@@ -137,7 +137,7 @@ figure-traverse-direction = Smer premika
 figure-straight-or-circle = Premočrtno ali po krožnici
 figure-program = Program od zgoraj
 figure-program-turned = Program: polovica dela v prerezu
-figure-program-recess = Program: vrez
+figure-program-recess = Program: utor
 figure-program-side = Program s strani
 figure-program-across = Program v smeri rotacijske osi
 figure-program-tilted = Zavrtena ravnina programa

@@ -22,8 +22,8 @@ note-kinematics-memory-file = Krmiljenje shranjene podatke hrani v datoteki TNC:
 note-kinematics-memory-file-by-hand = Shranjenih podatkov v datoteki TNC:\table\DATA450.KD ne spreminjajte ročno: nizi podatkov se lahko poškodujejo in postanejo neuporabni.
 note-kinematics-memory-code-number = V načinu shranjevanja krmiljenje vedno shrani tudi številko ključa, ki je bila nazadnje vnesena pod MOD; določite lahko poljubno številko ključa. Pomnilniško mesto je nato mogoče prepisati samo z vnosom te številke.
 note-overwritten-without-question = Če je bila kinematika shranjena brez številke ključa, krmiljenje njeno pomnilniško mesto pri naslednjem shranjevanju prepiše brez vprašanja.
-note-kinematics-memory-log-contents = Po ciklu 450 krmiljenje izdela protokol (TCHPR450.TXT). Vsebuje datum in čas, pot NC-programa, način (0=shranjevanje/1=obnovitev/2=stanje pomnilnika/3=izbris), oznako aktivne kinematike in vneseno oznako niza podatkov. Način 0 doda vse vnose osi in transformacij shranjene kinematične verige, način 1 vse vnose transformacij pred obnovitvijo in po njej, način 2 seznam shranjenih nizov podatkov, način 3 seznam izbrisanih nizov.
-note-kinematics-memory-log-contents__itnc530 = Po ciklu 450 krmiljenje izdela protokol (TCHPR450.TXT). Vsebuje datum in čas, pot NC-programa, način (0=shranjevanje/1=obnovitev/2=stanje pomnilnika), številko pomnilniškega mesta (od 0 do 9), številko vrstice kinematike v preglednici kinematike in številko ključa, če je bila vnesena neposredno pred ciklom 450. Način 0 doda vse vnose osi in transformacij shranjene kinematične verige, način 1 vse vnose transformacij pred obnovitvijo in po njej, način 2 na zaslonu in v protokolu seznam trenutnega stanja pomnilnika s pomnilniškim mestom, številkami ključa, številko kinematike in datumom shranjevanja.
+note-kinematics-memory-log-contents = Po ciklu 450 krmiljenje ustvari protokol (TCHPR450.TXT). Vsebuje datum in čas, pot NC-programa, način (0=shranjevanje/1=obnovitev/2=stanje pomnilnika/3=izbris), oznako aktivne kinematike in vneseno oznako niza podatkov. Način 0 doda vse vnose osi in transformacij shranjene kinematične verige, način 1 vse vnose transformacij pred obnovitvijo in po njej, način 2 seznam shranjenih nizov podatkov, način 3 seznam izbrisanih nizov.
+note-kinematics-memory-log-contents__itnc530 = Po ciklu 450 krmiljenje ustvari protokol (TCHPR450.TXT). Vsebuje datum in čas, pot NC-programa, način (0=shranjevanje/1=obnovitev/2=stanje pomnilnika), številko pomnilniškega mesta (od 0 do 9), številko vrstice kinematike v preglednici kinematike in številko ključa, če je bila vnesena neposredno pred ciklom 450. Način 0 doda vse vnose osi in transformacij shranjene kinematične verige, način 1 vse vnose transformacij pred obnovitvijo in po njej, način 2 na zaslonu in v protokolu seznam trenutnega stanja pomnilnika s pomnilniškim mestom, številkami ključa, številko kinematike in datumom shranjevanja.
 title-save-active-kinematics = Shranjevanje aktivne kinematike
 title-restore-saved-kinematics = Obnovitev nizov podatkov
 title-show-saved-kinematics = Prikaz vseh shranjenih nizov podatkov
@@ -42,7 +42,7 @@ group-measure-and-compensate = Meritev in izravnava
 step-clamp-calibration-sphere = Vpnite umeritveno kroglo.
 step-measure-reference-head = Referenčno glavo v celoti izmerite s ciklom 451; cikel 451 naj prednastavitev določi v središču krogle.
 step-insert-second-head = Vstavite drugo glavo.
-step-measure-second-head = Menjalno glavo izmerite s ciklom { $cycle } do mesta za menjavo glave.
+step-measure-second-head = S ciklom { $cycle } izmerite menjalno glavo do vmesnika za menjavo glave.
 step-match-further-heads = Nadaljnje menjalne glave uskladite z referenčno glavo s ciklom { $cycle }.
 step-set-preset-in-sphere = Določite prednastavitev v umeritveni krogli.
 step-set-preset-on-workpiece = Določite prednastavitev na obdelovancu in začnite obdelavo.

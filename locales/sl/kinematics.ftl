@@ -14,7 +14,7 @@ parameter-sphere-radius = Točen polmer umeritvene krogle
 parameter-retraction-height = Višina odmika
     .label = VIŠINA ODMIKA
     .help = Določa, ali in na katero višino se { -probe(case: "nominative") } umakne, preden se rotacijska os pozicionira.
-choice-no-retraction = brez premika na višino odmika: krmiljenje se na naslednji merilni položaj premakne po osi, ki se meri, na prvega pa v vrstnem redu A, B, C; za Hirthove osi ni dovoljeno
+choice-no-retraction = brez premika na višino odmika: krmiljenje tipalni sistem na naslednji merilni položaj premakne po osi, ki se meri, na prvega pa v vrstnem redu A, B, C; za Hirthove osi ni dovoljeno
 choice-retraction = višina odmika v nezavrtenem koordinatnem sistemu obdelovanca, na katero krmiljenje premakne os vretena, preden pozicionira rotacijsko os; v { -working-plane(case: "locative") } premakne { -probe(case: "accusative") } na ničelno točko; tipalni nadzor v tem načinu ni aktiven, zato hitrost pozicioniranja določite v { $q-kinematics-positioning-feed }
 parameter-kinematics-positioning-feed = Pomik za predpozicioniranje
     .label = POMIK PRI PREDPOZ.
@@ -84,7 +84,8 @@ choice-sphere-preset-none = prednastavitev se ne postavi v središče krogle sam
 choice-sphere-preset-before = prednastavitev se pred meritvijo samodejno postavi v središče krogle: pred začetkom cikla { -probe(case: "accusative") } ročno predpozicionirajte nad { -calibration-sphere(case: "accusative") }
 choice-sphere-preset-after = prednastavitev se po meritvi samodejno postavi v središče krogle: ročno jo določite pred začetkom cikla
 choice-sphere-preset-before-and-after = prednastavitev se postavi v središče krogle pred meritvijo in po njej: pred začetkom cikla { -probe(case: "accusative") } ročno predpozicionirajte nad { -calibration-sphere(case: "accusative") }
-parameter-backlash-angle = Zračnost - območje kota
+parameter-backlash-angle = Zračnost – območje kota
+    .prompt = Zračnost - območje kota?
     .label = ZRAČNOST - OBMOČJE KOTA
     .help = Kot, za katerega rotacijske osi naredijo dodatni premik na drugo stran, da se izmeri njihova zračnost. Biti mora precej večji od dejanske zračnosti. Pri vrednosti 0 se zračnost ne izmeri.
 parameter-backlash-angle__itnc530 =
@@ -98,23 +99,23 @@ cycle-measure-kinematics = Merjenje kinematike
 step-clamp-sphere = Umeritveno kroglo vpnite tako, da ne more priti do kolizije.
 step-set-datum-in-sphere = V ročnem načinu določite referenčno točko v središču krogle. Pri { $q-sphere-preset } = 1 ali { $q-sphere-preset } = 3 namesto tega { -probe(case: "accusative") } ročno premaknite v { -working-plane(case: "locative") } na sredino { -calibration-sphere(case: "genitive") }, po { -probe-axis(case: "locative") } pa nadnjo.
 step-start-calibration-program = Izberite način programskega teka in zaženite program za umerjanje.
-step-set-preset-before-measuring = Krmiljenje določi prednastavitev:
-say-preset-into-sphere-before = pri { $q-sphere-preset } = 1 ali 3 v središču krogle, pred meritvijo
+step-set-preset-before-measuring = { $q-sphere-preset } določa, katera prednastavitev velja za meritev:
+say-preset-into-sphere-before = pri { $q-sphere-preset } = 1 ali 3 jo krmiljenje pred meritvijo določi v središču krogle
 say-preset-set-by-hand = sicer uporabi ročno določeno referenčno točko
 step-move-to-measuring-positions = Tipalni sistem se premakne na merilne položaje:
 say-move-without-retraction = pri { $q-retraction-height } = 0 brez odmika, po osi, ki se meri; na prvi merilni položaj v vrstnem redu A, B, C
 say-move-over-retraction-height = sicer se najprej os vretena premakne na višino odmika { $q-retraction-height }, { -probe(case: "nominative") } pa v { -working-plane(case: "locative") } na ničelno točko
-step-measure-rotary-axes = Krmiljenje samodejno zaporedoma izmeri vse rotacijske osi z določeno natančnostjo. Referenčna meritev poteka pri 0°.
-step-measure-backlash = Krmiljenje izmeri zračnost:
-say-backlash-from-two-measurements = s kotom { $q-backlash-angle } z dvema meritvama za vsako rotacijsko os
-say-no-backlash-measurement = pri { $q-backlash-angle } = 0 je ne izmeri
+step-measure-rotary-axes = Krmiljenje samodejno zaporedoma izmeri vse rotacijske osi s programirano natančnostjo. Referenčna meritev poteka pri 0°.
+step-measure-backlash = { $q-backlash-angle } določa, ali krmiljenje izmeri zračnost rotacijskih osi:
+say-backlash-from-two-measurements = če je v { $q-backlash-angle } vnesen kot, zračnost določi tako, da vsako rotacijsko os izmeri dvakrat
+say-no-backlash-measurement = pri { $q-backlash-angle } = 0 zračnosti ne izmeri
 step-adapt-kinematics = Krmiljenje meritev ovrednoti, kot določa način { $q-kinematics-mode }:
-say-report-possible-optimization = preverjanje: iz izmerjenih položajev določi statično natančnost transformacije pri vrtenju, v protokol zapiše, kaj bi lahko doseglo optimiranje položajev, in ničesar ne prilagodi
-say-optimize-axis-positions = optimiranje položaja: določi statično natančnost transformacije pri vrtenju, skuša položaj rotacijskih osi v kinematičnem modelu spremeniti tako, da se natančnost izboljša, in samodejno prilagodi strojne podatke
-say-optimize-angles-then-positions = optimiranje položaja in kota: določi statično natančnost transformacije pri vrtenju, skuša najprej s kompenzacijo optimirati kotni položaj rotacijskih osi (možnost 52, KinematicsComp) in, če to uspe, v drugem nizu meritev optimira položaj
+say-report-possible-optimization = preverjanje: iz izmerjenih položajev določi statično natančnost vrtenja, v protokol zapiše, kaj bi lahko doseglo optimiranje položajev, in ničesar ne prilagodi
+say-optimize-axis-positions = optimiranje položaja: določi statično natančnost vrtenja, skuša položaj rotacijskih osi v kinematičnem modelu spremeniti tako, da se natančnost izboljša, in samodejno prilagodi strojne podatke
+say-optimize-angles-then-positions = optimiranje položaja in kota: določi statično natančnost vrtenja, skuša najprej s kompenzacijo optimirati kotni položaj rotacijskih osi (možnost 52, KinematicsComp) in, če to uspe, v drugem nizu meritev optimira položaj
 step-store-scatter-and-offsets = Krmiljenje shrani izmerjene vrednosti v parametre rezultatov.
-step-set-preset-after-measuring = Po meritvi krmiljenje določi prednastavitev:
-say-preset-into-sphere-after = pri { $q-sphere-preset } = 2 ali 3 v središču krogle
+step-set-preset-after-measuring = { $q-sphere-preset } določa, ali krmiljenje po meritvi določi prednastavitev:
+say-preset-into-sphere-after = pri { $q-sphere-preset } = 2 ali 3 jo krmiljenje določi v središču krogle
 say-no-preset-after = sicer je ne določi
 step-write-kinematics-log = Krmiljenje ustvari protokol (TCHPR{ $cycle }.TXT).
 result-scatter-measured-a = Izmerjeno standardno odstopanje osi A (−1, če os ni bila izmerjena)
@@ -152,7 +153,7 @@ note-hirth-needs-retraction-height = Brez programske možnosti 2 (M128, FUNCTION
 note-number-of-measuring-points = Da prihranite čas, izvedite najprej grobo optimiranje z 1 ali 2 merilnima točkama, nato pa fino s srednjim številom točk (približno 4). Več točk običajno ne da boljših rezultatov. Točke enakomerno porazdelite po območju vrtenja: os z območjem od 0° do 360° je najbolje izmeriti s 3 točkami pri 90°, 180° in 270°. Za preverjanje natančnosti lahko v načinu preverjanja vnesete več točk.
 note-where-to-place-the-sphere = Kroglo lahko pritrdite na katero koli dostopno mesto mize stroja, tudi na vpenjala ali obdelovance. Na strojih z okroglo ali vrtljivo mizo naj bo čim dlje od središča vrtenja, na strojih z velikimi premiki pa čim bliže mestu poznejše obdelave.
 note-accuracy-of-kinematics = Geometrijske napake in napake pozicioniranja stroja vplivajo na izmerjene vrednosti in s tem na optimiranje rotacijske osi; preostala napaka je vedno prisotna. Brez takih napak bi bilo vrednosti v določenem času mogoče ponoviti na kateri koli točki stroja. Čim večje so te napake, tem bolj so rezultati razpršeni, če se krogla meri na različnih mestih. Pri hkratnem premikanju več rotacijskih osi se napake prekrivajo in v najneugodnejšem primeru seštejejo.
-note-scatter-meaning = Razpršitev v protokolu je merilo natančnosti statičnega vrtenja stroja. Upoštevati je treba tudi polmer merilnega kroga ter število in položaj merilnih točk. Z eno samo merilno točko razpršitve ni mogoče izračunati; vrednost je tedaj prostorska napaka te točke.
+note-scatter-meaning = Razpršitev v protokolu je merilo statične natančnosti vrtenja stroja. Upoštevati je treba tudi polmer merilnega kroga ter število in položaj merilnih točk. Z eno samo merilno točko razpršitve ni mogoče izračunati; vrednost je tedaj prostorska napaka te točke.
 note-track-for-kinematics = Če ima stroj krmiljeno vreteno, aktivirajte usmeritev pod kotom ({ $mp-track }). To na splošno izboljša natančnost merjenja s 3D-tipalnim sistemom.
 note-unclamp-rotary-axes = Po potrebi med merjenjem izklopite blokado rotacijskih osi. Sicer so lahko rezultati napačni. Upoštevajte priročnik za stroj.
 note-calibration-rough = Grobo optimiranje ob prvem zagonu po vnosu približnih mer: 1 ali 2 merilni točki, kotni korak rotacijskih osi približno 90°.

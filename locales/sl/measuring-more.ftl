@@ -7,7 +7,7 @@ say-part-needs-rework = potrebna je dodatna obdelava (Q181 = 1), če je katera o
 # --- 422 ---
 cycle-measure-stud = Meritev zunaj kroga
     .nc = MERITEV ZUNAJ KROGA
-    .purpose = Izmeri središče in premer krožnega čepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti in odstopanja shrani v parametre.
+    .purpose = Izmeri središče in premer krožnega čepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
 say-part-is-scrap__measure-stud = izvržek (Q182 = 1), če je čep manjši od { $q-stud-least-diameter } ali če njegovo središče odstopa za več kot { $q-centre-tolerance-main } ali { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-stud = potrebna je dodatna obdelava (Q181 = 1), če je čep večji od { $q-stud-greatest-diameter }
 note-smallest-stepping-angle__measure-stud = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna dimenzije čepa. Najmanjši vnos: 5°.
@@ -16,11 +16,11 @@ note-smallest-stepping-angle__measure-stud = Čim manjši je kotni korak { $q-pr
 cycle-measure-rectangular-pocket = Meritev znotraj pravokotnika
     .nc = MERITEV ZNOTR. PRAVOKOT.
     .nc-aliases = MERITEV ZNOT. PRAVOKOT. | MERITEV ZNOTRAJ PRAVOKOTNIKA
-    .purpose = Izmeri središče, dolžino in širino pravokotnega žepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti in odstopanja shrani v parametre.
+    .purpose = Izmeri središče, dolžino in širino pravokotnega žepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
 cycle-measure-rectangular-stud = Meritev zunaj pravokotnika
     .nc = MERITEV ZUN. PRAVOKOT.
     .nc-aliases = MERITEV ZUNAJ PRAVOKOTNIKA
-    .purpose = Izmeri središče, dolžino in širino pravokotnega čepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti in odstopanja shrani v parametre.
+    .purpose = Izmeri središče, dolžino in širino pravokotnega čepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
 say-part-is-scrap__measure-rectangular-pocket = izvržek (Q182 = 1), če je katera od stranic daljša od { $q-first-side-greatest-length } oziroma { $q-second-side-greatest-length } ali če središče odstopa za več kot { $q-centre-tolerance-main } ali { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-rectangular-pocket = potrebna je dodatna obdelava (Q181 = 1), če je katera od stranic krajša od { $q-first-side-least-length } oziroma { $q-second-side-least-length }
 say-part-is-scrap__measure-rectangular-stud = izvržek (Q182 = 1), če je katera od stranic krajša od { $q-first-side-least-length } oziroma { $q-second-side-least-length } ali če središče odstopa za več kot { $q-centre-tolerance-main } ali { $q-centre-tolerance-minor }
@@ -33,17 +33,17 @@ title-measure-rectangular-pocket-with-log = Merjenje pravokotnega žepa in zapis
 # --- 425, 426 ---
 cycle-measure-slot-width = Meritev notranje širine
     .nc = MERITEV NOTRANJE ŠIRINE
-    .purpose = Izmeri položaj in širino utora (žepa). Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti in odstopanje shrani v parameter.
+    .purpose = Izmeri položaj in širino utora (žepa). Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanje shrani v parameter.
 cycle-measure-ridge-width = Meritev zunaj stojine
     .nc = MERJENJE MOST ZUNAJ
     .nc-aliases = MERITEV ZUNAJ STOJINE
-    .purpose = Izmeri položaj in širino stojine. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti in odstopanje shrani v parameter.
+    .purpose = Izmeri položaj in širino stojine. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanje shrani v parameter.
 step-probe-first-in-positive-direction = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }), vedno v pozitivni smeri programirane osi.
 step-probe-first-in-positive-direction__tnc426-430 = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }), vedno v pozitivni smeri programirane osi.
 step-probe-first-in-negative-direction = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }), vedno v negativni smeri programirane osi.
 step-probe-first-in-negative-direction__tnc426-430 = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }), vedno v negativni smeri programirane osi.
 step-probe-second-side-of-slot = Tipalni sistem izvede drugo tipanje, kot določa { $q-second-measurement-offset }:
-step-probe-second-side-of-slot__tnc640 = Tipalni sistem izvede drugo tipanje, kot določa { $q-second-measurement-offset }. Pri veliki želeni dolžini ga krmiljenje na drugo tipalno točko premakne v hitrem teku:
+step-probe-second-side-of-slot__tnc640 = Pri veliki želeni dolžini krmiljenje tipalni sistem na drugo tipalno točko premakne v hitrem teku. Tipalni sistem izvede drugo tipanje, kot določa { $q-second-measurement-offset }:
 say-offset-second-measurement = če { $q-second-measurement-offset } ni 0, krmiljenje tipalni sistem vzporedno z osjo premakne za ta zamik na naslednjo tipalno točko in tam izvede tipanje
 say-offset-second-measurement__tnc640 = če { $q-second-measurement-offset } ni 0, krmiljenje tipalni sistem premakne za ta zamik na naslednjo tipalno točko, pri { $q-traverse-to-clearance-height } = 1 na varni višini { $q-clearance-height }, in tam izvede tipanje
 say-measure-in-opposite-direction = pri { $q-second-measurement-offset } = 0 širino izmeri neposredno v nasprotni smeri
@@ -60,7 +60,7 @@ result-measured-length-deviation = Odstopanje izmerjene dolžine
 cycle-measure-coordinate = Merjenje koordinate
     .nc = MERJENJE KOORDINATE
     .nc-aliases = MERITEV KOORDINATE
-    .purpose = Izmeri koordinato na izbrani osi in vrednost shrani v parameter. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti in odstopanje shrani v parametre.
+    .purpose = Izmeri koordinato na izbrani osi in vrednost shrani v parameter. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
 step-position-against-traverse-direction = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) in s pozicionirno logiko na programirano tipalno točko. Pri tem ga zamakne za varnostno razdaljo v smeri, nasprotni smeri premika { $q-traverse-direction }.
 step-position-against-traverse-direction__tnc426-430 = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) in s pozicionirno logiko na programirano tipalno točko. Pri tem ga zamakne za varnostno razdaljo v smeri, nasprotni smeri premika { $q-traverse-direction }.
 step-probe-coordinate = Krmiljenje v obdelovalni ravnini pozicionira tipalni sistem na programirano tipalno točko in tam izmeri dejansko vrednost na izbrani osi.
@@ -69,22 +69,22 @@ say-part-is-scrap__measure-coordinate = izvržek (Q182 = 1), če je izmerjena ko
 say-part-needs-rework__measure-coordinate = potrebna je dodatna obdelava (Q181 = 1), če je izmerjena koordinata večja od { $q-greatest-dimension }
 say-correct-tool-length = če { $q-monitored-tool } ni 0, pri { $q-measuring-axis } = 3 popravi dolžino orodja v stolpcu DL preglednice orodij; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
 say-correct-tool-radius__measure-coordinate = če { $q-monitored-tool } ni 0, pri { $q-measuring-axis } = 1 ali 2 popravi vrednost delta polmera v stolpcu DR preglednice orodij, in sicer v smeri, ki izhaja iz { $q-traverse-direction }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
-note-coordinate-is-outside-dimension = Krmiljenje predvideva, da se meri zunanja mera (čep). Pravilno stanje meritve je mogoče doseči z ustrezno izbiro največje in najmanjše mere skupaj s smerjo tipanja.
+note-coordinate-is-outside-dimension = Krmiljenje predvideva, da se meri zunanja mera (čep). V drugih primerih je pravilno stanje meritve mogoče doseči z ustrezno izbiro največje in najmanjše mere skupaj s smerjo tipanja.
 note-coordinate-corrects-radius-or-length = Če je merilna os katera od osi obdelovalne ravnine ({ $q-measuring-axis } = 1 ali 2), krmiljenje popravi polmer orodja; smer popravka izhaja iz smeri premika { $q-traverse-direction }. Če je merilna os os tipalnega sistema ({ $q-measuring-axis } = 3), popravi dolžino orodja.
 
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Merjenje krožne luknje
     .nc = MERJENJE KROŽNE LUKNJE
     .nc-aliases = MERITEV KROŽNE LUKNJE
-    .purpose = Z merjenjem treh vrtin izmeri središče in premer krožne luknje. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti in odstopanje shrani v parametre.
+    .purpose = Z merjenjem treh vrtin izmeri središče in premer delnega kroga (krožne luknje). Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
 step-measure-centre-of-hole = Tipalni sistem se premakne na merilno višino { $q-measuring-height } in s štirimi tipanji določi središče vrtine.
 step-travel-to-next-hole = Tipalni sistem se vrne na varno višino { $q-clearance-height } in se pozicionira na vneseno središče naslednje vrtine.
 until-three-holes-measured = niso določena središča vseh treh vrtin
 say-part-is-scrap__measure-bolt-hole-circle = izvržek (Q182 = 1), če je premer večji od { $q-greatest-dimension } ali manjši od { $q-least-dimension } ali če središče odstopa za več kot { $q-centre-tolerance-main } ali { $q-centre-tolerance-minor }
 say-monitor-tool-breakage = če { $q-monitored-tool } ni 0, odstopanje primerja s toleranco loma RBREAK; če je odstopanje večje, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L). Orodja ne popravi
 note-only-breakage-monitoring = Ta cikel nadzoruje samo lom orodja; orodja ne popravi.
-result-bolt-circle-diameter-actual = Dejanski premer krožne luknje
-result-bolt-circle-diameter-deviation = Odstopanje premera krožne luknje
+result-bolt-circle-diameter-actual = Dejanski premer delnega kroga
+result-bolt-circle-diameter-deviation = Odstopanje premera delnega kroga
 
 # --- 420 ---
 cycle-measure-angle = Merjenje kota
@@ -94,7 +94,7 @@ cycle-measure-angle = Merjenje kota
 say-travel-to-point-at-clearance-height = pri { $q-traverse-to-clearance-height } = 1 na varni višini { $q-clearance-height }
 say-travel-to-point-at-measuring-height = pri { $q-traverse-to-clearance-height } = 0 na merilni višini { $q-measuring-height }
 step-retract-and-store-angle = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in izmerjeni kot shrani v parameter rezultata.
-note-angle-about-a-or-b = Če je merilna os os tipalnega sistema ({ $q-measuring-axis } = 3): za merjenje kota okoli osi A v { $q-first-point-main } in { $q-second-point-main } vnesite isto vrednost; za merjenje kota okoli osi B tam vnesite različni vrednosti.
+note-angle-about-a-or-b = Če je merilna os kar os tipalnega sistema ({ $q-measuring-axis } = 3), za merjenje kota okoli osi A v { $q-first-point-main } in { $q-second-point-main } vnesite isto vrednost, za merjenje kota okoli osi B pa različni vrednosti.
 note-results-shown-in-help-graphic = Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov; osvetljeni parameter rezultata pripada izbranemu parametru za vnos.
 note-results-shown-in-help-graphic__tnc426-430 = Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov.
 result-measured-angle = Izmerjeni kot glede na glavno os obdelovalne ravnine
@@ -122,13 +122,13 @@ result-projection-angle-b__tnc426-430 = Kot osi B
 result-spatial-angle-a = Prostorski kot A
 result-spatial-angle-b = Prostorski kot B
 result-spatial-angle-c = Prostorski kot C
-result-first-value-in-probe-axis = Merilna vrednost na osi tipalnega sistema (prva meritev)
-result-first-value-in-probe-axis__tnc320 = Merilna vrednost na osi tipalnega sistema
-result-second-value-in-probe-axis = Merilna vrednost na osi tipalnega sistema (druga meritev)
-result-third-value-in-probe-axis = Merilna vrednost na osi tipalnega sistema (tretja meritev)
+result-first-value-in-probe-axis = Izmerjena vrednost na osi tipalnega sistema (prva meritev)
+result-first-value-in-probe-axis__tnc320 = Izmerjena vrednost na osi tipalnega sistema
+result-second-value-in-probe-axis = Izmerjena vrednost na osi tipalnega sistema (druga meritev)
+result-third-value-in-probe-axis = Izmerjena vrednost na osi tipalnega sistema (tretja meritev)
 
 # --- 1 ---
-cycle-polar-reference-plane = Referenčna ravnina - polarna
+cycle-polar-reference-plane = Referenčna ravnina – polarna
     .nc = REF. POLARNA RAVNINA
     .nc-aliases = REFERENČNA POLARNA RAVNINA
     .purpose = Izmeri poljuben položaj obdelovanca v poljubni smeri tipanja, ki jo določa kot.
@@ -136,7 +136,7 @@ step-probe-at-polar-angle = Tipalni sistem izvede tipanje s pomikom pri tipanju 
 step-probe-at-polar-angle__tnc426-430 = Tipalni sistem izvede tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }). Pri tem krmiljenje glede na kot tipanja hkrati premika dve osi. Smer tipanja je v ciklu definirana s polarnim kotom.
 step-return-and-store-trigger-position = Ko je položaj izmerjen, se tipalni sistem vrne na začetno točko tipanja. Krmiljenje koordinate položaja, na katerem je bil tipalni sistem ob stikalnem signalu, shrani v parametre od Q115 do Q119.
 step-return-and-store-trigger-position__tnc426-430 = Ko je položaj izmerjen, se tipalni sistem vrne na začetno točko tipanja. Krmiljenje koordinate središča tipalne krogle ob dotiku z obdelovancem shrani v parametre od Q115 do Q119.
-note-probing-plane-by-axis = Tipalna os, definirana v ciklu, določa tipalno ravnino: tipalna os X: ravnina X/Y; Y: ravnina Y/Z; Z: ravnina Z/X.
+note-probing-plane-by-axis = Tipalna os, definirana v ciklu, določa tipalno ravnino: X določa ravnino X/Y, Y ravnino Y/Z, Z ravnino Z/X.
 note-trigger-position-of-ball-centre = Parametri od Q115 do Q119 vsebujejo koordinate središča tipalne krogle ob dotiku z obdelovancem.
 
 # --- 3 ---

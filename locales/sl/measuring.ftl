@@ -4,7 +4,7 @@
 cycle-measure-hole = Merjenje vrtine
     .nc = MERITEV VRTINE
     .nc-aliases = MERJENJE VRTINE
-    .purpose = Izmeri središče in premer vrtine (krožnega žepa). Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti in odstopanja shrani v parametre.
+    .purpose = Izmeri središče in premer vrtine (krožnega žepa). Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
 step-retract-and-store-results = Krmiljenje premakne { -probe(case: "accusative") } nazaj na { -clearance-height(case: "accusative") } { $q-clearance-height } ter dejanske vrednosti in odstopanja od želenih vrednosti shrani v parametre rezultatov.
 step-set-measuring-status = Krmiljenje določi stanje meritve:
 say-hole-is-scrap = izvržek (Q182 = 1), če je vrtina večja od { $q-hole-greatest-diameter } ali če njeno središče odstopa za več kot { $q-centre-tolerance-main } ali { $q-centre-tolerance-minor }
@@ -15,9 +15,9 @@ say-log-to-file = pri { $q-measuring-log } = 1 protokol shrani v datoteko TCHPR{
 say-log-on-screen = pri { $q-measuring-log } = 2 prekine programski tek in prikaže protokol na zaslonu; program se nadaljuje z NC-zagonom
 say-no-log = sicer protokola ne ustvari
 message-measuring-log-on-screen = Merilni protokol je na zaslonu. Nadaljujte z NC-zagonom.
-step-monitor-tool = Krmiljenje nadzoruje orodje { $q-monitored-tool }:
+step-monitor-tool = Krmiljenje nadzoruje orodje, kot določa { $q-monitored-tool }:
 say-correct-tool-radius = če { $q-monitored-tool } ni 0, odstopanje polmera prišteje vrednosti delta polmera v stolpcu DR { -tool-table(case: "genitive") }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
-say-no-tool-monitoring = pri { $q-monitored-tool } = 0 se ne nadzoruje nobeno orodje
+say-no-tool-monitoring = pri { $q-monitored-tool } = 0 orodja ne nadzoruje
 step-stop-on-tolerance-error = Krmiljenje se na prekoračeno toleranco odzove, kot določa { $q-stop-on-tolerance-error }:
 say-stop-with-tolerance-error = pri { $q-stop-on-tolerance-error } = 1 prekine programski tek in prikaže sporočilo o napaki
 say-stop-with-tolerance-error__probing-3d = pri { $q-tolerance-error-reaction } = 1 prekine programski tek in prikaže sporočilo o napaki
@@ -28,11 +28,11 @@ result-diameter-deviation = Odstopanje premera
 result-status-good = 1: meritve so v mejah tolerance
 result-status-rework = 1: potrebna je dodatna obdelava
 result-status-scrap = 1: izvržek
-note-measuring-log-contents = Merilni protokol vsebuje datum, čas in merilni program, želene vrednosti, mejne vrednosti, dejanske vrednosti, odstopanja in ostale merilne rezultate (izmerjena višina).
+note-measuring-log-contents = Merilni protokol vsebuje datum, čas in merilni program, želene vrednosti, mejne vrednosti, dejanske vrednosti, odstopanja in ostale merilne rezultate (merilno višino).
 note-measuring-log-contents__tnc426-430 = Merilni protokol vsebuje datum, čas in merilni program, želene vrednosti, mejne vrednosti, dejanske vrednosti in odstopanja.
 note-measuring-log-in-tnc-directory = Krmiljenje shrani merilni protokol kot datoteko ASCII, privzeto v imenik TNC:\.
 note-measuring-log-in-program-directory = Krmiljenje shrani merilni protokol kot datoteko ASCII, privzeto v imenik, iz katerega se izvaja merilni program. Protokol lahko po podatkovnem vmesniku pošljete tudi na tiskalnik ali v računalnik: funkcijo Print v meniju vmesnika nastavite na RS232:\.
-note-measuring-log-transfer = Za prenos merilnega protokola po podatkovnem vmesniku uporabite programsko opremo za prenos podatkov TNCremo družbe HEIDENHAIN.
+note-measuring-log-transfer = Za prenos merilnega protokola po podatkovnem vmesniku uporabite programsko opremo za prenos podatkov TNCremo podjetja HEIDENHAIN.
 note-measuring-log-datum = Vse izmerjene vrednosti v datoteki s protokolom se nanašajo na referenčno točko, ki je bila aktivna ob izvajanju cikla.
 note-measuring-log-manual-datum = Če ni aktiven zamik ničelne točke, se vse izmerjene vrednosti v datoteki s protokolom nanašajo na referenčno točko, določeno v ročnem načinu.
 note-status-also-without-limits = Krmiljenje določi stanje meritve tudi, če tolerance ali mejne vrednosti niso vnesene.
@@ -102,10 +102,10 @@ note-tcpm-considered = Pri tipanju se upošteva aktivna funkcija TCPM. S TCPM je
 note-track-with-controlled-spindle = Če ima stroj krmiljeno vreteno, v preglednici tipalnega sistema (stolpec { $mp-track }) aktivirajte usmeritev pod kotom. To na splošno izboljša natančnost merjenja s 3D-tipalnim sistemom.
 note-coordinates-in-input-system = Vse koordinate cikla se nanašajo na vnosni koordinatni sistem.
 note-results-in-parameters = Krmiljenje zapiše izmerjene vrednosti v parametre rezultatov.
-note-status-independent-of-reaction = Stanje obdelovanca dobro, dodatna obdelava ali izvržek v Q183 se določi neodvisno od { $q-tolerance-error-reaction }.
+note-status-independent-of-reaction = Stanje obdelovanca v Q183 (dobro, dodatna obdelava ali izvržek) se določi neodvisno od { $q-tolerance-error-reaction }.
 note-normal-from-cad = Normalni vektor ({ $q-surface-normal-main }, { $q-surface-normal-minor }, { $q-surface-normal-tool }) je pravokoten na zamišljeno ravnino, v kateri ležijo želene koordinate, in je usmerjen stran od površine. Najbolje ga je prevzeti iz sistema CAD ali CAM.
 note-normal-does-not-set-path = Normalni vektor ne določa poti tipanja.
 note-tolerance-grammar = "0.4-0.1": območje sega od želene koordinate −0,1 do želene koordinate +0,4. "0.4": od želene koordinate do +0,4. "-0.1": od −0,1 do želene koordinate. " ", "0" in "0.1+0.1": toleranca se ne upošteva.
 note-tilting-angles-compared = Glede na strojni parameter chkTiltingAxes (št. 204600) krmiljenje med tipanjem preveri, ali se položaji rotacijskih osi ujemajo s koti vrtenja (3D ROT). Če se ne ujemajo, prikaže sporočilo o napaki.
-note-adapt-nc-programs = NC-programi v primerih so predlogi. Pred uporabo stroju prilagodite orodja, rezalne vrednosti, pomike, varno višino ali varne položaje, položaje stroja (na primer z M91) in poti v priklicih programov. Programe, ki so odvisni od kinematike, prilagodite kinematiki stroja pred prvim preskusom.
-note-simulate-nc-programs = NC-program pred izvedbo preskusite v simulaciji. Programski test pokaže, ali ga je mogoče uporabiti z razpoložljivimi programskimi možnostmi, aktivno kinematiko stroja in trenutno konfiguracijo stroja.
+note-adapt-nc-programs = NC-programi v primerih so predlogi. Pred uporabo stroju prilagodite orodja, rezalne vrednosti, pomike, varno višino ali varne položaje, položaje stroja (na primer z M91) in poti v priklicih programov. Programe, ki so odvisni od kinematike, prilagodite kinematiki stroja pred prvim preizkusom.
+note-simulate-nc-programs = NC-program pred izvedbo preizkusite v simulaciji. Programski test pokaže, ali ga je mogoče uporabiti z razpoložljivimi programskimi možnostmi, aktivno kinematiko stroja in trenutno konfiguracijo stroja.

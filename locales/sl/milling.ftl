@@ -9,7 +9,7 @@ note-finishing-only-rapid-to-first-depth = Nevarnost kolizije! Če cikel prikli�
 cycle-circular-pocket = Krožni žep
     .nc = KROŽNI ŽEP
     .purpose = V celoti izdela krožni žep: grobo rezkanje, globinsko fino rezkanje in stransko fino rezkanje. Mogoče je tudi samo grobo rezkanje, samo globinsko in stransko fino rezkanje, samo globinsko fino rezkanje ali samo stransko fino rezkanje.
-guard-plunging-angle-not-vertical = Navpično spuščanje zahteva v preglednici orodij kot spuščanja { $mp-plunging-angle }, enak 0 ali 90.
+guard-plunging-angle-not-vertical = Za navpično spuščanje mora biti v preglednici orodij vnesen kot spuščanja { $mp-plunging-angle }, ki je 0 ali 90.
 note-position-at-pocket-centre = Orodje pozicionirajte na začetno točko (središče kroga) v obdelovalni ravnini s popravkom polmera R0.
 
 # --- 253 ---
@@ -31,7 +31,7 @@ say-back-to-slot-centre = { $q-slot-position } = 0: krmiljenje orodje v obdelova
 say-stays-in-working-plane = sicer: krmiljenje orodja v obdelovalni ravnini ne pozicionira
 note-position-at-slot-start = Orodje pozicionirajte na začetno točko v obdelovalni ravnini s popravkom polmera R0. Upoštevajte položaj utora { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Orodje pozicionirajte na začetno točko v obdelovalni ravnini s popravkom polmera R0. Upoštevajte referenco za položaj utora { $q-slot-position-reference }.
-note-slot-end-position = Na koncu cikla krmiljenje orodje v obdelovalni ravnini vrne v središče utora; po drugi osi obdelovalne ravnine ga ne pozicionira. Če je definiran položaj utora { $q-slot-position }, ki ni 0, krmiljenje orodje samo po orodni osi pozicionira na 2. varnostno razdaljo. Pred ponovnim priklicem cikla orodje vrnite na začetni položaj ali pred priklicem programirajte absolutne premike.
+note-slot-end-position = Na koncu cikla krmiljenje orodje v obdelovalni ravnini vrne v središče utora. Izjema: če je definiran položaj utora { $q-slot-position }, ki ni 0, ga samo po orodni osi pozicionira na 2. varnostno razdaljo. Pred ponovnim priklicem cikla orodje vrnite na začetni položaj ali pred priklicem programirajte absolutne premike.
 note-wide-slot-is-cleared = Če je utor širši od dvakratnega premera orodja, ga krmiljenje ustrezno grobo rezka od znotraj navzven. Tako je mogoče tudi z majhnimi orodji rezkati poljubno široke utore.
 
 # --- 254 ---
@@ -45,7 +45,7 @@ step-end-of-circular-slot = Kje orodje stoji na koncu cikla, je odvisno od refer
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: krmiljenje orodje v obdelovalni ravnini vrne na začetno točko (središče delnega kroga)
 condition-slot-at-entered-centre = položaj utora izhaja iz vnesenega središča delnega kroga ({ $q-slot-position-reference } = 0)
 note-circular-slot-end-position = Na koncu cikla krmiljenje orodje v obdelovalni ravnini vrne na začetno točko (središče delnega kroga). Izjema: če je definiran položaj utora { $q-slot-position-reference }, ki ni 0, orodje samo po orodni osi pozicionira na 2. varnostno razdaljo. V tem primeru po priklicu cikla vedno programirajte absolutne premike.
-note-circular-slot-with-pattern = Če cikel 254 (okrogli utor) povežete s ciklom 221, položaj utora 0 ni dovoljen.
+note-circular-slot-with-pattern = Če cikel 254 (okrogli utor) povežete s ciklom 221, za položaj utora ni dovoljena vrednost 0.
 
 # --- 256 ---
 cycle-rectangular-stud = Pravokotni čep
@@ -75,9 +75,9 @@ step-mill-spiral-around-stud = Orodje se nato konturi čepa tangencialno pribli�
 step-keep-spiral-to-finished-diameter = Če z enim obhodom končni premer ni dosežen, krmiljenje nadaljuje primik po spirali, dokler ga ne doseže; pri tem upošteva premer surovca, končni premer in dovoljeni stranski primik.
 step-leave-stud-on-spiral = Krmiljenje orodje po spirali odmakne od konture.
 step-next-infeed-near-departure = Če je potrebnih več primikov, se naslednji izvede na točki, ki je najbliže odmiku.
-step-retract-and-return-to-stud-centre = Na koncu cikla krmiljenje orodje po spiralnem odmiku po orodni osi pozicionira na 2. varnostno razdaljo { $q-second-set-up-clearance } (na varnostno razdaljo, če ta ni vnesena) in nato v središče čepa.
+step-retract-and-return-to-stud-centre = Na koncu cikla, po spiralnem odmiku, krmiljenje orodje na orodni osi pozicionira na 2. varnostno razdaljo { $q-second-set-up-clearance } (na varnostno razdaljo, če ta ni vnesena) in nato v središče čepa.
 note-position-at-stud-centre = Orodje pozicionirajte na začetno točko (središče čepa) v obdelovalni ravnini s popravkom polmera R0.
-note-circular-stud-end-height = Nevarnost kolizije! Na koncu krmiljenje vrne orodje na varnostno razdaljo ali, če je vnesena, na 2. varnostno razdaljo. Končni položaj orodja po ciklu se lahko zato razlikuje od začetnega položaja.
+note-circular-stud-end-height = Nevarnost kolizije! Na koncu krmiljenje vrne orodje na varnostno razdaljo ali, če je vnesena, na 2. varnostno razdaljo. Po orodni osi se lahko zato končni položaj orodja po ciklu razlikuje od začetnega.
 
 # --- 221 ---
 cycle-line-pattern = Točkovni vzorec na premicah
@@ -135,7 +135,7 @@ step-mill-face-line = Orodje s programiranim pomikom { $q-milling-feed } rezka d
 say-line-ends-outside-surface = { $q-face-milling-strategy } = 0: zunaj ploskve; krmiljenje jo izračuna iz programirane začetne točke, dolžine in stranske varnostne razdalje { $q-side-clearance } ter polmera orodja
 say-line-ends-inside-surface = { $q-face-milling-strategy } = 1: znotraj ploskve; krmiljenje jo izračuna iz programirane začetne točke in dolžine ter polmera orodja
 say-line-ends-outside-surface-by-lines = { $q-face-milling-strategy } = 2: zunaj ploskve; krmiljenje jo izračuna iz programirane začetne točke, dolžine in stranske varnostne razdalje { $q-side-clearance } ter polmera orodja
-step-step-over-on-face = Krmiljenje prečno premakne orodje na začetno točko naslednje vrstice. Zamik izračuna iz programirane širine { $q-second-side-length }, polmera orodja in največjega faktorja prekrivanja poti { $q-max-path-overlap }:
+step-step-over-on-face = Krmiljenje zamik izračuna iz programirane širine { $q-second-side-length }, polmera orodja in največjega faktorja prekrivanja poti { $q-max-path-overlap } ter orodje prečno premakne na začetno točko naslednje vrstice:
 say-step-over-outside = { $q-face-milling-strategy } = 0: s pomikom pri predpozicioniranju { $q-pre-positioning-feed }
 say-step-over-inside = { $q-face-milling-strategy } = 1: znotraj obdelovanca, s pomikom pri rezkanju { $q-milling-feed }
 say-retract-and-return-to-next-line = { $q-face-milling-strategy } = 2: orodje se po osi vretena premakne na varnostno razdaljo { $q-set-up-clearance } nad trenutno globino primika in s pomikom pri predpozicioniranju { $q-pre-positioning-feed } neposredno nazaj na začetno točko naslednje vrstice

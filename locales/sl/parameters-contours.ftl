@@ -3,7 +3,7 @@
 # --- contour and its data ---
 parameter-contour-labels = Številke oznak za konturo
     .word = OZN. KONTURE
-    .help = Številke vseh podprogramov, katerih konture se prekrijejo v skupno konturo. Vsako številko potrdite s tipko ENT in vnos končajte s tipko END. Vnesti je mogoče največ 12 številk podprogramov od 1 do 254.
+    .help = Številke vseh podprogramov, katerih konture skupaj tvorijo celotno konturo. Vsako številko potrdite s tipko ENT in vnos končajte s tipko END. Vnesti je mogoče največ 12 številk podprogramov od 1 do 254.
     .label-aliases = OZNAKA KONTURE
 parameter-milling-depth = Globina rezkanja
     .label = GLOB. REZKANJA
@@ -21,7 +21,7 @@ parameter-contour-clearance-height = Varna višina
 parameter-inside-corner-rounding-radius = Notranji zaokroževalni polmer
     .label = ZAKROŽEVALNI POLMER
     .help = Polmer, s katerim se zaokrožijo notranji vogali. Vrednost se nanaša na pot središča orodja in omogoča bolj tekoče premike med konturnimi elementi. To ni polmer, ki bi ga krmiljenje med programirane elemente vstavilo kot samostojen konturni element.
-parameter-contour-direction = Smer vrtenja?
+parameter-contour-direction = Smer vrtenja
     .label = SMER VRTENJA
     .help = Smer obdelave žepov.
     .prompt = Smer vrtenja?
@@ -49,7 +49,8 @@ parameter-reciprocation-feed = Nihajni pomik
 parameter-contour-retraction-feed = Vzvratni pomik
     .label = VZVRATNI POMIK
     .help = Hitrost premikanja orodja pri umiku po obdelavi. Pri vrednosti 0 krmiljenje umakne orodje s pomikom { $q-roughing-feed }.
-parameter-contour-retraction-feed__rough-out = Vzratni pomik
+parameter-contour-retraction-feed__rough-out = Vzvratni pomik
+    .prompt = Vzratni pomik?
 parameter-rough-out-tool = Številka/ime izvrtalnega svedra
     .label = IZVRTALNI SVEDER
     .help = Številka ali ime orodja, ki bo konturo grobo rezkalo.
@@ -82,7 +83,7 @@ parameter-cylinder-set-up-clearance = Varnostna razdalja
 parameter-cylinder-radius = Polmer valja
     .label = POLMER
     .help = Polmer valja, na katerem se obdeluje kontura.
-parameter-development-dimension-type = Vrsta dimenzioniranja? Stopinja = 0 MM/PALEC = 1
+parameter-development-dimension-type = Vrsta dimenzioniranja (0 = stopinje, 1 = mm ali palci)
     .label = NAČ. DIMENZIONIRANJA
     .help = Določa, ali so koordinate rotacijske osi v podprogramu programirane v stopinjah ali v milimetrih (palcih).
     .prompt = Vrsta dimenzioniranja? Stopinja = 0 MM/PALEC = 1

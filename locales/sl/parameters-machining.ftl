@@ -174,7 +174,7 @@ parameter-pattern-clearance-mode = Premik na varno višino
     .label = PREMIK NA VARNO VIŠINO
     .label-aliases = PREMIK NA VARNOSTNO VIŠINO
     .help = Določa, na kateri višini se orodje premika med obdelavami.
-parameter-pattern-traverse-type = Način premika? Premočrtno=0/krožno=1
+parameter-pattern-traverse-type = Način premika (0 = premočrtno, 1 = krožno)
     .label = NAČIN PREMIKA
     .help = Določa, po kakšni poti se orodje premika med obdelavami.
     .prompt = Način premika? Premočrtno=0/krožno=1

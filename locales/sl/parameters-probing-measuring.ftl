@@ -112,11 +112,11 @@ parameter-least-dimension__measure-coordinate =
 
 # --- 430 ---
 parameter-probing-centre-main__measure-bolt-hole-circle =
-    .help = Središče krožne luknje (želena vrednost) na glavni osi obdelovalne ravnine.
+    .help = Središče delnega kroga (želena vrednost) na glavni osi obdelovalne ravnine.
 parameter-probing-centre-minor__measure-bolt-hole-circle =
-    .help = Središče krožne luknje (želena vrednost) na pomožni osi obdelovalne ravnine.
+    .help = Središče delnega kroga (želena vrednost) na pomožni osi obdelovalne ravnine.
 parameter-probing-nominal-diameter__measure-bolt-hole-circle =
-    .help = Premer krožne luknje.
+    .help = Premer delnega kroga.
 parameter-first-hole-angle = Kot 1. vrtine
     .label = KOT 1. VRTINE
     .help = Kot središča prve vrtine v obdelovalni ravnini, v polarnih koordinatah.
@@ -127,15 +127,15 @@ parameter-third-hole-angle = Kot 3. vrtine
     .label = KOT 3. VRTINE
     .help = Kot središča tretje vrtine v obdelovalni ravnini, v polarnih koordinatah.
 parameter-greatest-dimension__measure-bolt-hole-circle =
-    .help = Največji dovoljeni premer krožne luknje.
+    .help = Največji dovoljeni premer delnega kroga.
 parameter-least-dimension__measure-bolt-hole-circle =
-    .help = Najmanjši dovoljeni premer krožne luknje.
+    .help = Najmanjši dovoljeni premer delnega kroga.
 parameter-monitored-tool__measure-bolt-hole-circle =
-    .help = Določa, ali krmiljenje nadzoruje lom orodja. Številka ali ime orodja.
+    .help = Številka ali ime orodja, če naj krmiljenje nadzoruje njegov lom.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc320 =
-    .help = Določa, ali krmiljenje nadzoruje lom orodja. Številka orodja.
+    .help = Številka orodja, če naj krmiljenje nadzoruje njegov lom.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc426-430 =
-    .help = Določa, ali krmiljenje nadzoruje lom orodja. Številka orodja.
+    .help = Številka orodja, če naj krmiljenje nadzoruje njegov lom.
 
 # --- 420, 431 ---
 parameter-first-point-tool = 1. merilna točka 3. osi
@@ -152,19 +152,19 @@ parameter-measuring-axis__measure-angle =
 
 # --- 416 ---
 parameter-probing-centre-main__datum-bolt-hole-circle =
-    .help = Središče krožne luknje (želena vrednost) na glavni osi obdelovalne ravnine.
+    .help = Središče delnega kroga (želena vrednost) na glavni osi obdelovalne ravnine.
 parameter-probing-centre-minor__datum-bolt-hole-circle =
-    .help = Središče krožne luknje (želena vrednost) na pomožni osi obdelovalne ravnine.
+    .help = Središče delnega kroga (želena vrednost) na pomožni osi obdelovalne ravnine.
 parameter-probing-nominal-diameter__datum-bolt-hole-circle =
-    .help = Približni premer krožne luknje. Čim manjši je premer vrtin, tem natančneje ga je treba vnesti.
+    .help = Približni premer delnega kroga. Čim manjši je premer vrtin, tem natančneje ga je treba vnesti.
 parameter-datum-row-number__datum-bolt-hole-circle =
-    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shranijo koordinate središča krožne luknje. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v središču krožne luknje.
+    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shranijo koordinate središča delnega kroga. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v središču delnega kroga.
 parameter-datum-row-number__datum-bolt-hole-circle__tnc426-430 =
-    .help = Številka v preglednici ničelnih točk, pod katero se shranijo koordinate središča krožne luknje. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v središču krožne luknje.
+    .help = Številka v preglednici ničelnih točk, pod katero se shranijo koordinate središča delnega kroga. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v središču delnega kroga.
 parameter-new-datum-main__datum-bolt-hole-circle =
-    .help = Koordinata na glavni osi, na katero se postavi izmerjeno središče krožne luknje. Osnovna nastavitev: 0.
+    .help = Koordinata na glavni osi, na katero se postavi izmerjeno središče delnega kroga. Osnovna nastavitev: 0.
 parameter-new-datum-minor__datum-bolt-hole-circle =
-    .help = Koordinata na pomožni osi, na katero se postavi izmerjeno središče krožne luknje. Osnovna nastavitev: 0.
+    .help = Koordinata na pomožni osi, na katero se postavi izmerjeno središče delnega kroga. Osnovna nastavitev: 0.
 parameter-probing-clearance__datum-bolt-hole-circle =
     .help = Dodatna razdalja med merilno točko in tipalno kroglo. Prišteje se vrednosti { $mp-set-up } in deluje samo pri tipanju referenčne točke na osi tipalnega sistema.
 
@@ -225,7 +225,7 @@ parameter-measuring-feed = Merilni pomik
     .help = Pomik, s katerim se tipalni sistem premika med meritvijo (mm/min).
 parameter-greatest-retraction-path = Najdaljša pot odmika
     .help = Pot v nasprotni smeri tipanja po odklonu tipalne glave. Krmiljenje umakne tipalni sistem največ do začetne točke, zato do kolizije ne more priti.
-parameter-probing-reference-system = Referenčni sistem? (0=IST/1=REF)
+parameter-probing-reference-system = Referenčni sistem (0 = IST, 1 = REF)
     .prompt = Referenčni sistem? (0=IST/1=REF)
     .word = REFERENČNI SISTEM:
     .help = Določa, ali se smer tipanja in rezultat nanašata na dejanski koordinatni sistem (IST, lahko je zamaknjen ali zasukan) ali na strojni koordinatni sistem (REF).

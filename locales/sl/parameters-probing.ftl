@@ -59,12 +59,12 @@ parameter-number-of-touch-points = Število merilnih točk (4/3)
     .help = Določa, ali se vrtina izmeri s štirimi ali tremi tipanji.
 choice-four-touch-points = štiri merilne točke (običajna nastavitev)
 choice-three-touch-points = tri merilne točke
-parameter-probing-traverse-type = Način premika? Premočrtno=0/krožno=1
+parameter-probing-traverse-type = Način premika (0 = premočrtno, 1 = krožno)
     .label = NAČIN PREMIKA
     .help = Pot, po kateri se { -probe(case: "nominative") } premika med merilnimi točkami, če se premika na { -clearance-height(case: "locative") } ({ $q-traverse-to-clearance-height } = 1).
     .prompt = Način premika? Premočrtno=0/krožno=1
 choice-traverse-straight = premočrtno premikanje med merilnimi točkami
-choice-traverse-on-circle = krožno premikanje po delnem krogu med merilnimi točkami
+choice-traverse-on-circle = krožno premikanje med merilnimi točkami
 
 # --- the datum ---
 parameter-datum-row-number = Številka ničelne točke v preglednici
@@ -146,15 +146,15 @@ choice-stop-on-tolerance-error = prekinitev programskega teka, prikaz sporočila
 parameter-monitored-tool = Orodje za nadzor
     .label = ORODJE
     .label-aliases = ŠTEVILKA ORODJA
-    .help = Določa, ali krmiljenje nadzoruje orodje. Številka ali ime orodja.
+    .help = Številka ali ime orodja, če naj ga krmiljenje nadzoruje.
 parameter-monitored-tool__tnc320 = Številka orodja za nadzor
     .label = ŠTEVILKA ORODJA
     .label-aliases = ORODJE
-    .help = Določa, ali krmiljenje nadzoruje orodje. Številka orodja.
+    .help = Številka orodja, če naj ga krmiljenje nadzoruje.
 parameter-monitored-tool__tnc426-430 = Številka orodja za nadzor
     .label = ŠTEVILKA ORODJA
     .label-aliases = ORODJE
-    .help = Določa, ali krmiljenje nadzoruje orodje. Številka orodja.
+    .help = Številka orodja, če naj ga krmiljenje nadzoruje.
 choice-no-tool-monitoring = brez nadzora
 choice-monitored-tool-number = številka orodja v preglednici orodij TOOL.T
 
@@ -171,15 +171,15 @@ parameter-surface-point-tool = 1. merilna točka 3. osi
     .label = 1. TOČKA 3. OSI
     .prompt = 1. merilna točka 3. osi?
     .help = Želena koordinata { -touch-point(case: "genitive") } na { -probe-axis(case: "locative") }.
-parameter-surface-normal-main = Normala na površino glavne osi
+parameter-surface-normal-main = Normala na površino v smeri glavne osi
     .label = NORMALA GLAVNE OSI
     .prompt = Normala na površino glavne osi?
     .help = Komponenta normale na površino v smeri glavne osi. Normala točke običajno izvira iz sistema CAD/CAM.
-parameter-surface-normal-minor = Normala na površino pomožne osi
+parameter-surface-normal-minor = Normala na površino v smeri pomožne osi
     .label = NORMALA POMOŽNE OSI
     .prompt = Normala na površino pomožne osi?
     .help = Komponenta normale na površino v smeri pomožne osi. Normala točke običajno izvira iz sistema CAD/CAM.
-parameter-surface-normal-tool = Normala na površino orodne osi
+parameter-surface-normal-tool = Normala na površino v smeri orodne osi
     .label = NORMALA ORODNE OSI
     .prompt = Normala na površino orodne osi?
     .help = Komponenta normale na površino v smeri orodne osi. Normala točke običajno izvira iz sistema CAD/CAM.

@@ -49,8 +49,8 @@ note-results-in-active-system = Vse rezultate v parametrih rezultatov in v datot
 note-results-in-active-system__tnc320 = Vse rezultate v parametrih rezultatov in v datoteki s protokolom krmiljenje navaja v aktivnem koordinatnem sistemu, ki je lahko zamaknjen in/ali zasukan.
 note-results-in-active-system__tnc426-430 = Vse rezultate v parametrih rezultatov in v datoteki s protokolom krmiljenje navaja v aktivnem koordinatnem sistemu, ki je lahko zamaknjen.
 note-results-in-q-parameters = Krmiljenje rezultate meritev shrani v globalno aktivne Q-parametre od Q150 do Q160, ki jih je mogoče uporabiti v nadaljevanju programa.
-note-deviations-in-q-parameters = Krmiljenje rezultate meritev shrani v globalno aktivne Q-parametre od Q150 do Q160, odstopanja od želenih vrednosti pa v Q161 do Q166. Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov; osvetljeni parameter rezultata pripada izbranemu parametru za vnos.
-note-deviations-in-q-parameters__tnc426-430 = Krmiljenje rezultate meritev shrani v globalno aktivne Q-parametre od Q150 do Q160, odstopanja od želenih vrednosti pa v Q161 do Q166. Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov.
+note-deviations-in-q-parameters = Krmiljenje rezultate meritev shrani v globalno aktivne Q-parametre od Q150 do Q160, odstopanja od želenih vrednosti pa v parametre od Q161 do Q166. Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov; osvetljeni parameter rezultata pripada izbranemu parametru za vnos.
+note-deviations-in-q-parameters__tnc426-430 = Krmiljenje rezultate meritev shrani v globalno aktivne Q-parametre od Q150 do Q160, odstopanja od želenih vrednosti pa v parametre od Q161 do Q166. Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov.
 
 # --- results ---
 result-centre-main-actual = Dejanska vrednost središča na glavni osi

@@ -20,14 +20,14 @@ say-rotation-into-rot-menu = pri { $q-basic-rotation-row } = 0 v meni ROT ročne
 # --- 401 and 402 ---
 cycle-rotation-two-holes = Osnovna rotacija z dvema vrtinama
     .nc = ROT 2 VRTIN
-    .purpose = Izmeri središči dveh vrtin in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Krmiljenje kot izravna z osnovno rotacijo ali z vrtenjem okrogle mize.
+    .purpose = Izmeri središči dveh vrtin in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Ta kot krmiljenje izravna z osnovno rotacijo ali z vrtenjem okrogle mize.
 cycle-rotation-two-holes__tnc426-430 =
-    .purpose = Izmeri središči dveh vrtin in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Krmiljenje kot izravna z osnovno rotacijo.
+    .purpose = Izmeri središči dveh vrtin in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Ta kot krmiljenje izravna z osnovno rotacijo.
 cycle-rotation-two-studs = Osnovna rotacija z dvema čepoma
     .nc = ROT 2 ČEPOV
-    .purpose = Izmeri središči dveh čepov in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Krmiljenje kot izravna z osnovno rotacijo ali z vrtenjem okrogle mize.
+    .purpose = Izmeri središči dveh čepov in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Ta kot krmiljenje izravna z osnovno rotacijo ali z vrtenjem okrogle mize.
 cycle-rotation-two-studs__tnc426-430 =
-    .purpose = Izmeri središči dveh čepov in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Krmiljenje kot izravna z osnovno rotacijo.
+    .purpose = Izmeri središči dveh čepov in izračuna kot med glavno osjo obdelovalne ravnine in premico, ki središči povezuje. Ta kot krmiljenje izravna z osnovno rotacijo.
 step-position-at-first-hole = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) in s pozicionirno logiko na programirano središče prve vrtine.
 step-position-at-first-hole__tnc426-430 = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) in s pozicionirno logiko na programirano središče prve vrtine.
 step-measure-first-hole = Tipalni sistem se premakne na merilno višino { $q-measuring-height } in s štirimi tipanji določi središče prve vrtine.
@@ -53,7 +53,7 @@ cycle-rotation-by-rotary-axis = Izravnava osnovne rotacije z rotacijsko osjo
     .purpose = Z merjenjem dveh točk, ki morata ležati na premici, določi poševni položaj obdelovanca. Krmiljenje ga izravna z vrtenjem osi A, B ali C. Obdelovanec je lahko na okrogli mizi vpet kjer koli.
 step-retract-and-turn-rotary-axis = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in zavrti rotacijsko os { $q-compensation-axis } za izračunano vrednost. Kot shrani tudi v parameter rezultata. Na zahtevo po izravnavi nastavi prikaz na 0.
 step-retract-and-turn-rotary-axis__tnc426-430 = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in zavrti rotacijsko os { $q-compensation-axis } za izračunano vrednost.
-note-compensation-may-be-turned-180 = Nevarnost kolizije! Krmiljenje preveri samo, ali so tipalne točke in izravnalna os skupaj smiselne. Izravnalni premiki so zato lahko zasukani za 180°.
+note-compensation-may-be-turned-180 = Nevarnost kolizije! Krmiljenje le okvirno preveri, ali so tipalne točke in izravnalna os skupaj smiselne. Izravnalni premiki so zato lahko zasukani za 180°.
 note-compensation-axis-combinations = Dovoljene kombinacije merilne osi { $q-measuring-axis } in izravnalne osi { $q-compensation-axis }. Os tipalnega sistema Z: 1{"\u00A0"}s 6, 2{"\u00A0"}s 6, 3{"\u00A0"}s 5 ali 4. Os tipalnega sistema Y: 1{"\u00A0"}s 5, 2{"\u00A0"}s 5, 3{"\u00A0"}s 6 ali 4. Os tipalnega sistema X: 1{"\u00A0"}s 4, 2{"\u00A0"}s 4, 3{"\u00A0"}s 5 ali 6.
 note-only-without-tilting = Ta cikel uporabljajte samo, kadar funkcija za vrtenje obdelovalne ravnine ni aktivna.
 
@@ -62,7 +62,7 @@ cycle-set-basic-rotation = Določitev osnovne rotacije
     .nc = OSNOVNA ROTACIJA
     .nc-aliases = NASTAVITEV OSNOVNE ROTACIJE
     .purpose = Med programskim tekom samodejno določi poljubno osnovno rotacijo. Namenjen je predvsem ponastavitvi prej izvedene osnovne rotacije.
-step-set-basic-rotation = Krmiljenje določi osnovno rotacijo s kotom { $q-basic-rotation-angle }.
+step-set-basic-rotation = Krmiljenje nastavi osnovno rotacijo na kot { $q-basic-rotation-angle }.
 note-available-from-nc-software = Na voljo od NC-programske opreme 280 474-xx.
 
 # --- 405 ---

@@ -46,14 +46,14 @@ cycle-tool-radius-old__tnc426-430 =
 step-position-tool-beside-setter = Krmiljenje pozicionira orodje ob tipalno glavo, tako da je njegova čelna ploskev za vrednost { $mp-setter-axis-offset } pod zgornjim robom glave; če je v { -tool-table(case: "locative") } vnesen dodatni zamik dolžine { $mp-setter-offset-length }, pa še za to vrednost nižje.
 step-probe-rotating-tool-radially = Krmiljenje radialno otipa vrteče se orodje.
 step-measure-teeth-radially = Krmiljenje ugotovi polmer:
-say-measure-radii-of-teeth = pri vrednosti { $q-tooth-measurement } = 1 nato z orientacijo vretena izmeri polmere vseh rezil
-say-radius-of-rotating-tool = pri vrednosti { $q-tooth-measurement } = 0 polmer da meritev z vrtečim se orodjem
+say-measure-radii-of-teeth = pri vrednosti { $q-tooth-measurement } = 1 nato s spreminjanjem usmeritve vretena izmeri polmere vseh rezil
+say-radius-of-rotating-tool = pri vrednosti { $q-tooth-measurement } = 0 velja polmer, izmerjen z vrtečim se orodjem
 step-store-tool-radius = Krmiljenje shrani rezultat:
 say-overwrite-tool-radius = pri vrednosti { $q-tool-check } = 0 prepiše polmer orodja { $mp-tool-radius } v TOOL.T in nastavi vrednost delta { $mp-delta-radius } na 0
 say-enter-delta-radius = pri vrednosti { $q-tool-check } = 1 izmerjeni polmer primerja s polmerom orodja { $mp-tool-radius }, odstopanje s predznakom vnese kot vrednost delta { $mp-delta-radius } in v Q116 ter orodje blokira (stanje L), če je presežena toleranca obrabe ali toleranca loma
 result-tool-radius-deviation = Odstopanje polmera orodja
-note-diamond-coated-cylinders = Valjasta orodja z diamantno površino je mogoče izmeriti z mirujočim vretenom. Za to v preglednici orodij število rezil { $mp-teeth } definirajte kot 0 in prilagodite strojni parameter { $mp-tool-measurement-config }. Upoštevajte priročnik za stroj.
-note-diamond-coated-cylinders__itnc530 = Valjasta orodja z diamantno površino je mogoče izmeriti z mirujočim vretenom. Za to v preglednici orodij število rezil { $mp-teeth } definirajte kot 0 in prilagodite strojni parameter { $mp-calibration-behaviour }. Upoštevajte priročnik za stroj.
+note-diamond-coated-cylinders = Valjasta orodja z diamantno površino je mogoče izmeriti z mirujočim vretenom. V ta namen v preglednici orodij število rezil { $mp-teeth } definirajte kot 0 in prilagodite strojni parameter { $mp-tool-measurement-config }. Upoštevajte priročnik za stroj.
+note-diamond-coated-cylinders__itnc530 = Valjasta orodja z diamantno površino je mogoče izmeriti z mirujočim vretenom. V ta namen v preglednici orodij število rezil { $mp-teeth } definirajte kot 0 in prilagodite strojni parameter { $mp-calibration-behaviour }. Upoštevajte priročnik za stroj.
 note-two-ways-to-measure-tool = Orodje je mogoče izmeriti na dva načina: samo med vrtenjem ali najprej med vrtenjem in nato še rezilo za rezilom.
 
 # --- 33 and 483 ---
@@ -67,7 +67,7 @@ cycle-tool-complete-old = Popolno merjenje orodja
     .purpose = Z namiznim tipalnim sistemom izmeri ali preveri dolžino in polmer orodja: z vrtečim se orodjem in po želji nato še rezilo za rezilom. Krmiljenje rezultate shrani v preglednico orodij TOOL.T in jih po koncu cikla samodejno upošteva. Stara oblika cikla 483.
 cycle-tool-complete-old__tnc426-430 =
     .purpose = Z namiznim tipalnim sistemom izmeri ali preveri dolžino in polmer orodja: z vrtečim se orodjem in po želji nato še rezilo za rezilom. Krmiljenje rezultate shrani v preglednico orodij TOOL.T in jih uporabi pri naslednjem priklicu orodja. Stara oblika cikla 483.
-step-measure-radius-first = Krmiljenje izmeri orodje v nespremenljivem zaporedju. Najprej izmeri polmer, tako kot cikla 32 in 482: orodje pozicionira ob tipalno glavo, tako da je njegova čelna ploskev pod zgornjim robom glave, in sicer za vrednosti { $mp-setter-axis-offset } in { $mp-setter-offset-length }, ter radialno otipa vrteče se orodje.
+step-measure-radius-first = Krmiljenje izmeri orodje v nespremenljivem zaporedju. Najprej izmeri polmer, tako kot cikla 32 in 482: orodje pozicionira ob tipalno glavo, tako da je njegova čelna ploskev pod zgornjim robom glave, in sicer za vrednosti { $mp-setter-axis-offset } in { $mp-setter-offset-length }, ter radialno otipa vrteče se orodje:
 step-then-measure-length = Nato izmeri dolžino, tako kot cikla 31 in 481:
 step-store-radius-and-length = Krmiljenje shrani rezultate:
 say-overwrite-radius-and-length = pri vrednosti { $q-tool-check } = 0 prepiše polmer orodja { $mp-tool-radius } in dolžino orodja { $mp-tool-length } v TOOL.T ter nastavi vrednosti delta { $mp-delta-radius } in { $mp-delta-length } na 0
@@ -92,10 +92,10 @@ step-store-tool-probe-calibration = Krmiljenje shrani umeritvene vrednosti in ji
 note-enter-calibration-tool-data = Pred umerjanjem v preglednico orodij TOOL.T vnesite natančni polmer in natančno dolžino umeritvenega orodja.
 note-cylindrical-calibration-tool = Kot umeritveno orodje uporabite natančno valjast element, na primer valjast zatič.
 note-calibration-tool-size = Premer umeritvenega orodja naj bo večji od 15{"\u00A0"}mm, orodje pa naj iz vpenjalne glave sega približno 50{"\u00A0"}mm. Tedaj se pri sili tipanja 1{"\u00A0"}N upogne za 0,1{"\u00A0"}µm.
-note-tool-probe-position-known = Položaj tipalnega sistema v delovnem prostoru stroja mora biti definiran v strojnih parametrih { $mp-setter-centre } > od [0] do [2].
+note-tool-probe-position-known = Položaj tipalnega sistema v delovnem prostoru stroja mora biti definiran v strojnih parametrih od { $mp-setter-centre } > [0] do [2].
 note-tool-probe-position-known__itnc530 = Položaj tipalnega sistema v delovnem prostoru stroja mora biti definiran v strojnih parametrih od { $mp-setter-centre }.0 do { $mp-setter-centre }.2.
 note-tool-probe-position-known__tnc426-430 = Položaj tipalnega sistema v delovnem prostoru stroja mora biti definiran v strojnih parametrih od { $mp-setter-centre }.0 do { $mp-setter-centre }.2.
-note-recalibrate-after-position-data-change = Po spremembi katerega od strojnih parametrov { $mp-setter-centre } > od [0] do [2] znova izvedite umerjanje.
+note-recalibrate-after-position-data-change = Po spremembi katerega od strojnih parametrov od { $mp-setter-centre } > [0] do [2] znova izvedite umerjanje.
 note-recalibrate-after-position-data-change__itnc530 = Po spremembi katerega od strojnih parametrov od { $mp-setter-centre }.0 do { $mp-setter-centre }.2 znova izvedite umerjanje.
 note-recalibrate-after-position-data-change__tnc426-430 = Po spremembi katerega od strojnih parametrov od { $mp-setter-centre }.0 do { $mp-setter-centre }.2 znova izvedite umerjanje.
 note-keep-fixtures-off-tool-probe = Med umerjanjem pazite, da v bližini tipalnega sistema ni vpenjal. Priporočilo: pustite prostor v velikosti dvakratnega premera umeritvenega orodja.

@@ -3,42 +3,42 @@
 # --- 841, 842, 840, 851, 852, 850 ---
 cycle-simple-radial-recess-turning = Preprosto radialno vbodno rezkanje
     .nc = VB. REZK. PREPROSTO R.
-    .purpose = Z vbodnim struženjem v vzdolžni smeri obdela pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Z vbodnim struženjem v vzdolžni smeri obdela pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo.
 cycle-extended-radial-recess-turning = Razširjeno radialno vbodno rezkanje
     .nc = RAZŠIRJENO RADIALNO STRUŽENJE
-    .purpose = Z vbodnim struženjem v vzdolžni smeri obdela utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
+    .purpose = Z vbodnim struženjem v vzdolžni smeri obdela utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
 cycle-radial-contour-recess-turning = Radialno vbodno rezkanje konture
     .nc = VB. REZK. KONT, RAD.
-    .purpose = Z vbodnim struženjem v vzdolžni smeri obdela utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Z vbodnim struženjem v vzdolžni smeri obdela utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo.
 cycle-simple-axial-recess-turning = Preprosto aksialno vbodno rezkanje
     .nc = VB. REZK. PREPR., AKS.
-    .purpose = Z vbodnim struženjem v prečni smeri (na čelni površini) obdela pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Z vbodnim struženjem v prečni smeri (na čelni površini) obdela pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo.
 cycle-extended-axial-recess-turning = Razširjeno aksialno vbodno rezkanje
     .nc = VB. REZK. RAZŠIRJENO AKSIALNO
-    .purpose = Z vbodnim struženjem v prečni smeri obdela utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
+    .purpose = Z vbodnim struženjem v prečni smeri obdela utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
 cycle-axial-contour-recess-turning = Aksialno vbodno rezkanje kontur
     .nc = VB. REZK. KONT, AKS.
-    .purpose = Z vbodnim struženjem v prečni smeri obdela utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Z vbodnim struženjem v prečni smeri obdela utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo.
 
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Radialno struženje
     .nc = RADIALNO STRUŽENJE
-    .purpose = Radialno struži pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Radialno struži pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo.
 cycle-extended-radial-recessing = Razširjeno radialno struženje
     .nc = RAZŠIRJENO RADIALNO STRUŽENJE
-    .purpose = Radialno struži utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
+    .purpose = Radialno struži utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
 cycle-radial-contour-recessing = Radialno struženje konture
     .nc = RADIALNO STRUŽENJE KONTURE
-    .purpose = Radialno struži utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Radialno struži utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo.
 cycle-axial-recessing = Aksialno struženje
     .nc = AKSIALNO STRUŽENJE
-    .purpose = Aksialno (na čelni površini) struži pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Aksialno (na čelni površini) struži pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo.
 cycle-extended-axial-recessing = Razširjeno aksialno struženje
     .nc = RAZŠIRJENO AKSIALNO STRUŽENJE
-    .purpose = Aksialno (na čelni površini) struži utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
+    .purpose = Aksialno (na čelni površini) struži utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
 cycle-axial-contour-recessing = Aksialno struženje konture
     .nc = AKSIALNO STRUŽENJE KONTURE
-    .purpose = Aksialno (na čelni površini) struži utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Aksialno (na čelni površini) struži utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni s koordinatno osjo.
 
 # --- 831, 832, 830 ---
 cycle-longitudinal-thread = Vzdolžni navoj
@@ -70,7 +70,7 @@ say-infeed-at-both-sides = { $q-recess-direction } = 0 (obe smeri): primik se iz
 step-recess-to-next-depth = Orodje izvede vbod do naslednje globine primika.
 until-groove-depth-reached = ni dosežena globina utora
 step-recess-at-both-walls = Krmiljenje orodje znova pozicionira na varnostno razdaljo in na vsaki stranski steni izvede en vbod.
-step-infeed-parallel-to-axis = Krmiljenje v hitrem teku izvede primik, vzporeden z osjo. Stranski primik je 0,8-kratna širina rezila.
+step-infeed-parallel-to-axis = Krmiljenje v hitrem teku izvede primik, vzporeden s koordinatno osjo. Stranski primik je 0,8-kratna širina rezila.
 step-recess-radially = Krmiljenje območje med začetnim položajem in končno točko obdela v radialni smeri s pomikom { $q-turning-roughing-feed }.
 step-recess-axially = Krmiljenje območje med začetnim položajem in končno točko obdela v aksialni smeri s pomikom { $q-turning-roughing-feed }.
 until-groove-width-reached = ni dosežena širina utora
@@ -102,7 +102,7 @@ step-lift-off-thread = Krmiljenje v hitrem teku dvigne orodje za varnostno razda
 step-infeed-at-angle = Krmiljenje izvede primik. Primiki potekajo pod kotom primika { $q-thread-infeed-angle }.
 until-thread-depth-reached = ni dosežena globina navoja
 step-make-air-cuts = Krmiljenje izvede toliko praznih rezov, kot jih določa { $q-number-of-air-cuts }.
-step-infeed-for-next-start = Za naslednjo stopnjo navoja krmiljenje vrne orodje na prvi primik. Rez se začne pri kotu vretena, ki je zamaknjen za razmik stopenj.
+step-infeed-for-next-start = Za naslednjo stopnjo navoja krmiljenje vrne orodje na mesto prvega primika. Rez se začne pri kotu vretena, ki je zamaknjen za razmik stopenj.
 until-all-thread-starts-cut = ni narezanih toliko stopenj navoja, kot jih določa { $q-number-of-thread-starts }
 
 # --- conditions ---
@@ -127,7 +127,7 @@ note-threads-with-several-starts = S ciklom je mogoče izdelati navoje z eno ali
 note-standard-thread-depth = Če v ciklu globina navoja ni vnesena, cikel uporabi standardno globino navoja.
 note-standard-thread-depth__longitudinal-thread = Če v ciklu globina navoja ni vnesena, cikel uporabi globino navoja po standardu ISO 1502.
 note-thread-outside-or-inside = Cikel je mogoče uporabiti za zunanjo in za notranjo obdelavo.
-note-extended-thread-scope = Razširjen obseg funkcij: izbrati je mogoče vzdolžni ali čelni navoj; parametri za vrsto dimenzioniranja stožca, kot stožca in začetno točko konture X določajo različne konične navoje; pot zagona in pot prekoračitve določata razdalji, na katerih os pomika pospešuje in zavira.
+note-extended-thread-scope = Razširjen obseg funkcij: izbrati je mogoče vzdolžni ali čelni navoj; različne konične navoje določajo vrsta dimenzioniranja in kot stožca ter začetna točka konture X; pot zagona in pot prekoračitve določata razdalji, na katerih os pomika pospešuje in zavira.
 note-overrun-after-contour = Nevarnost kolizije! Cikel { $cycle } se po programirani konturi nadaljuje še za pot prekoračitve { $q-overrun-path }. Upoštevajte razpoložljivi prostor.
 note-clearance-is-starting-path = Krmiljenje kot pot zagona uporabi varnostno razdaljo { $q-thread-clearance }. Biti mora dovolj dolga, da osi pomika pospešijo na potrebno hitrost.
 note-pitch-is-overrun-path = Krmiljenje kot pot prekoračitve uporabi korak navoja { $q-turned-thread-pitch }. Biti mora dovolj dolg, da se lahko osi pomika zavrejo.

@@ -1,4 +1,6 @@
 //! What happens to the blank where the tool goes, as `travel` finds it, or an execution shows it, and rules report it.
+use super::toolwords::ToolKind;
+use crate::spec::CycleKey;
 
 /// What an execution of a program shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,4 +73,67 @@ pub enum Incident {
     Below(f64),
     /// A contour or element that the control cannot calculate.
     Incalculable(&'static str),
+    /// A thread in a hole that is too narrow for it.
+    NarrowCore {
+        /// The diameter of the thread.
+        thread: f64,
+        /// That of the hole.
+        hole: f64,
+    },
+    /// Two holes of the same tool that overlap.
+    Overlap {
+        /// How far their centres are apart.
+        distance: f64,
+        /// How wide they are.
+        width: f64,
+    },
+    /// A tool that is narrower than the hole in which it works, and goes no deeper.
+    NothingLeft {
+        /// The diameter of the tool.
+        tool: f64,
+        /// That of the hole.
+        hole: f64,
+    },
+    /// A reamer without a hole, one that goes deeper than its hole, or one that has to take away too much.
+    Reamed {
+        /// Which of these.
+        what: &'static str,
+        /// How deep it goes, or its diameter.
+        value: f64,
+        /// The same of the hole.
+        other: f64,
+    },
+    /// A tool that plunges into material by so much per revolution.
+    FastPlunge(f64),
+    /// A tool that only cuts along its axis goes sideways through material.
+    Sideways,
+    /// The tool goes down to a height before it was positioned in the plane.
+    Unplaced(f64),
+    /// A path that the same tool has gone under another transformation.
+    PathTwice,
+    /// A tool whose name says that it is there for something else.
+    Misused {
+        /// Its number.
+        tool: f64,
+        /// What its name says.
+        kind: ToolKind,
+        /// The cycle with which it cuts.
+        cycle: CycleKey,
+    },
+    /// A tool that has done before what no such tool does.
+    OtherJob {
+        /// The cycle with which it cuts.
+        cycle: CycleKey,
+        /// The one with which it has cut before.
+        before: CycleKey,
+    },
+    /// A deepened starting point below the bottom of the hole that is there.
+    Pilot {
+        /// The height at which it starts.
+        start: f64,
+        /// The bottom of the hole.
+        bottom: f64,
+    },
+    /// A contour that comes back to a corner which it has already.
+    Returns([f64; 2]),
 }

@@ -20,6 +20,7 @@ mod rule;
 mod rules;
 mod speech;
 mod tools;
+mod toolwords;
 mod travel;
 
 pub use against::Against;
@@ -38,6 +39,8 @@ pub use program::{Defined, Definition, Flow, Item, Reading, Unread};
 pub use rule::Rule;
 pub use rules::RULES;
 pub use speech::{Speech, speech};
+pub use tools::COARSE;
+pub use toolwords::{ToolKind, diameter_of, is_reaming};
 
 use std::collections::BTreeSet;
 

@@ -5,6 +5,7 @@
 use std::collections::HashMap;
 
 use super::flow::ToolKey;
+use super::toolwords::ToolKind;
 use super::{Facts, Loaded, ToolName};
 use crate::program::syntax::{Amount, Block, BlockKind, Operand, ToolRef};
 use crate::spec::MM_PER_INCH;
@@ -81,8 +82,21 @@ impl Tools {
     }
 }
 
+/// What a tool is that a block calls: its name in the table or the program, or the comment beside it says so.
+pub(super) fn kind_of_call(facts: &Facts<'_>, block: usize) -> Option<ToolKind> {
+    let block = facts.program.blocks().get(block)?;
+    let BlockKind::ToolCall(call) = &block.kind else { return None };
+    let name = named(facts, call.tool?)?;
+    let listed = facts.project.and_then(|project| project.tool_word(name, "NAME")).and_then(ToolKind::named);
+    let own = match name {
+        ToolName::Name(name) => ToolKind::named(name),
+        ToolName::Number(_) => None,
+    };
+    listed.or(own).or_else(|| ToolKind::named(facts.text(block.comment()?)))
+}
+
 /// The coarse pitches of metric threads by their diameters, mm (ISO 261).
-const COARSE: [(f64, f64); 15] = [
+pub const COARSE: [(f64, f64); 15] = [
     (3.0, 0.5),
     (4.0, 0.7),
     (5.0, 0.8),

@@ -143,7 +143,8 @@ pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
     let pseudo = usage::pseudo(&words);
     let locales = session::interface(pseudo);
     let mut output = Output::new();
-    let asked = usage::interface_language(&words).or_else(|| pseudo.map(|kind| kind.tag().to_owned()));
+    // The pseudo-language is there to be seen, whatever language scripts or aliases ask for.
+    let asked = pseudo.map(|kind| kind.tag().to_owned()).or_else(|| usage::interface_language(&words));
     let environment = ["LC_ALL", "LC_MESSAGES", "LANG"].map(system::variable);
     let environment: Vec<Option<&str>> = environment.iter().map(Option::as_deref).collect();
     let copy = usage::data(&words).and_then(|root| session::interface_of(&root, pseudo));

@@ -9,10 +9,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::jobs::Job;
+use super::neighbours::Neighbours;
 use super::{Failure, execution, program};
 use crate::base::data::Files;
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{self, Against, Called, Callee, Machine, Observed, Project, Rows, ToolName};
+use crate::engine::run::Programs;
 use crate::engine::scene::Scene;
 use crate::program::syntax::Program;
 use crate::program::table::{Table, TableKind};
@@ -505,7 +507,10 @@ impl Project for CheckedProgram<'_> {
                 self.asked.store(true, Ordering::Relaxed);
             }
         };
-        Rehearsal { on, catalogue, files, tools }.observed(program, &beside)
+        let neighbours = Neighbours::new(&self.path, catalogue);
+        // That other files count is known since the calls were looked up.
+        let programs = Some(&neighbours as &dyn Programs);
+        Rehearsal { on, catalogue, files, tools, programs }.observed(program, &beside)
     }
 
     fn knows_rows(&self) -> bool {

@@ -248,7 +248,8 @@ fn the_command_passes_its_own_cases() {
     let ciklo = env!("CARGO_BIN_EXE_ciklo");
     let engine = format!("\"{ciklo}\" conform --serve");
     let output = std::process::Command::new(ciklo)
-        .args(["conform", "--engine", &engine, "--time-limit", "60", "--ui-lang", "en"])
+        .args(["conform", "--control", "itnc530", "--control", "tnc426-430"])
+        .args(["--engine", &engine, "--time-limit", "60", "--ui-lang", "en"])
         .output()
         .unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));

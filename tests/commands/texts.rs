@@ -123,3 +123,18 @@ fn several_files_are_taken_over_together_or_not_at_all() {
     );
     assert_eq!(files[1].1.lines().filter(|line| line.starts_with("cycle-group-")).count(), 2, "both are accepted");
 }
+
+#[test]
+fn a_file_without_anything_in_it_is_refused_and_the_pseudo_language_is_seen_whatever_language_is_asked_for() {
+    let root = copy();
+    let root = root.path();
+    for name in ["nothing.xlf", "nothing.csv"] {
+        put(root, name, "\u{feff} \n");
+        let (code, _, told) = run(root, &["texts", "import", name, "--to", "de"]);
+        assert!(code == 2 && told.contains("texts-file-unreadable") && told.contains("empty"), "{told}");
+    }
+    let plain = run(root, &["--ui-lang", "en", "texts", "--help"]);
+    let pseudo = run(root, &["--ui-lang", "en", "--pseudo", "texts", "--help"]);
+    assert!(plain.1.contains("Usage") && !pseudo.1.contains("Usage"), "{}", pseudo.1);
+    assert_eq!(pseudo.1, run(root, &["--pseudo", "texts", "--help"]).1);
+}

@@ -647,6 +647,51 @@ laws! {
         around_a_hill(bump, how)?;
     }
 
+    /// A second stud beside the one that the stylus meets first: it goes around both where the ball does not fit between
+    /// them, and around the first one only where it does, however narrow the gap.
+    #[test]
+    fn contour_lines_do_not_go_over_a_gap(
+        radius in mm(1.0..4.0), studs in (mm(1.0..7.0), mm(1.0..7.0)), tops in (mm(0.5..6.0), mm(0.5..6.0)), turned in mm(20.0..160.0),
+        gap in prop_oneof![mm(0.02..0.1), mm(0.1..1.5), mm(-0.1..-0.002), mm(-1.5..-0.1)], points in mm(0.3..4.9), analog in any::<bool>(),
+        to_the_right in any::<bool>(),
+    ) {
+        // The ball stays so far from the axis of a stud.
+        let around = |stud: f64, top: f64| stud + (radius.powi(2) - (radius - top).max(0.0).powi(2)).sqrt();
+        let (first, second) = (around(studs.0, tops.0), around(studs.1, tops.1));
+        let far = first + second + gap;
+        let (s, c) = turned.to_radians().sin_cos();
+        let at = [far * c, far * s].map(|at| (at * 1e5).round() / 1e5);
+        // In front of the first stud there is nothing of the second one.
+        prop_assume!(second < at[0].abs() || at[1] - (second.powi(2) - at[0].powi(2)).sqrt() > 0.1 - first);
+        let stud = |radius: f64, top: f64, at: [f64; 2]| Placed { part: Part::Stud { radius, top }, at };
+        let shop = Shop { radius, parts: vec![stud(studs.0, tops.0, [0.0; 2]), stud(studs.1, tops.1, at)] };
+        let (number, sign) = (if analog { 17 } else { 7 }, if to_the_right { '+' } else { '-' });
+        let manner = if analog { "F1000 MIN.L.SPAC: 0" } else { "TRAVEL: 0.1" };
+        let end = if analog { " TOL: 0 DIST: 1" } else { "" };
+        let cycle = format!(
+            "TCH PROBE {number}.0 CONTOUR LINES\nTCH PROBE {number}.1 TIME: 0 X+0 Y-35\nTCH PROBE {number}.2 ORDER: Y+ / X{sign}\n\
+             TCH PROBE {number}.3 {manner} L.SPAC: +0 P.SPAC: {points}{end}\n"
+        );
+        let range = "TCH PROBE 5.0 RANGE\nTCH PROBE 5.1 PGM NAME: DATA\nTCH PROBE 5.2 Z X-60 Y-60 Z+0\nTCH PROBE 5.3 X+60 Y+60 Z+1\nTCH PROBE 5.4 HEIGHT: +40\n";
+        let (file, _) = digitize(&shop, range, &cycle, "")?;
+        let found = loops(&blocks(&file));
+        prop_assert_eq!(found.len(), 1);
+        let mut turns = [0.0; 2];
+        for pair in found[0].windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            prop_assert!(shop.gap(b).abs() < WRITTEN, "{} mm from the studs at {:?}", shop.gap(b), b);
+            prop_assert!(length(minus(b, a)) < points + 3.0 * WRITTEN);
+            between(&shop, a, b)?;
+            for (turned, [x, y]) in turns.iter_mut().zip([[0.0; 2], at]) {
+                let (a, b) = ([a[0] - x, a[1] - y], [b[0] - x, b[1] - y]);
+                *turned += (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).to_degrees();
+            }
+        }
+        let once = if to_the_right { 360.0 } else { -360.0 };
+        let wanted = [once, if gap < 0.0 { once } else { 0.0 }];
+        prop_assert!(turns.iter().zip(wanted).all(|(turned, wanted)| (turned - wanted).abs() < 1e-3), "{:?}", turns);
+    }
+
     #[test]
     fn a_polygon_bounds_the_lines(
         shop in shop(1), angle in mm(-90.0..90.0), spacing in mm(1.5..4.0), points in mm(0.5..1.4),

@@ -91,6 +91,8 @@ fn job() -> impl Strategy<Value = Job> {
         let straight = if turned { 0.4 } else { 0.1 };
         let radius = (round * (width - straight) / 2.0 * 100.0).floor() / 100.0;
         let plain = form == Form::Simple;
+        // On each wall there is room for what is at its two ends.
+        let corner = if elements == (0, 0) { corner } else { corner.min(height - size) };
         let shorter =
             if shorter < 0.3 { 0.0 } else { (shorter * 0.8 * (width - 2.0 * radius) * 100.0).floor() / 100.0 };
         Job {

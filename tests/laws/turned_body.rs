@@ -1,6 +1,8 @@
 //! The body that the engine leaves of a blank, for the laws of turning: what cycles do, followed by the stock.
+use std::fmt::Write as _;
+
 use ciklo::base::diag::Source;
-use ciklo::engine::region::section::Cell;
+use ciklo::engine::region::section::{Cell, Section};
 use ciklo::engine::run::{Engine, Event, FindingKind, NoTexts, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::stock::{Machining, Report};
@@ -28,6 +30,17 @@ impl Ring {
         }
     }
 
+    /// The block that makes it the blank that turning updates, if that is wanted, and the subprogram for it.
+    pub(crate) fn updated(&self, is_wanted: bool) -> (&'static str, String) {
+        if !is_wanted {
+            return ("", String::new());
+        }
+        let ([from, to], [inner, outer]) = (self.z, self.radii.map(|radius| 2.0 * radius));
+        let mut text = format!("LBL 20\nL X{inner:+} Z{from:+}\nL X{outer:+}\n");
+        let _ = write!(text, "L Z{to:+}\nL X{inner:+}\nL Z{from:+}\nLBL 0\n");
+        ("FUNCTION TURNDATA BLANK LBL 20\n", text)
+    }
+
     /// Whether it has a point, by more than a margin.
     pub(crate) fn has(&self, point: DVec2, margin: f64) -> bool {
         let within = |[low, high]: [f64; 2], at: f64| low + margin < at && at < high - margin;
@@ -38,6 +51,8 @@ impl Ring {
 /// What is left of a blank.
 pub(crate) struct Left {
     cells: Vec<Cell>,
+    /// The volume of the blank, mm³.
+    volume: f64,
     report: Report,
 }
 
@@ -62,9 +77,15 @@ pub(crate) fn run(
         events.push(event.clone());
     });
     prop_assert_eq!(outcome.status, Status::Done, "{:?}\n{}", outcome.fault, program);
-    let left = machining.map(|machining| {
+    let left = machining.zip(blank).map(|(machining, Ring { z, radii })| {
         let report = machining.finish().1;
-        Left { cells: report.turned.clone().unwrap_or_default(), report }
+        // Where no insert came into the half plane of the blank, all of it is left.
+        let whole = Section::ring(z, radii);
+        let (volume, cells) = match &report.turned {
+            Some(cells) => (report.blank, cells.clone()),
+            None => (whole.volume(), whole.in_order()),
+        };
+        Left { cells, volume, report }
     });
     Ok((events, left))
 }
@@ -85,8 +106,7 @@ impl Left {
         let found = &self.report.findings;
         let is_known = |kind| !roughed && kind == FindingKind::Rapid;
         prop_assert!(found.iter().all(|found| is_known(found.kind)), "{:?}\n{}", found, program);
-        let rest: f64 = self.cells.iter().map(Cell::volume).sum();
-        let (blank, removed) = (self.report.blank, self.report.removed);
+        let (blank, removed, rest) = (self.volume, self.report.removed, self.volume());
         prop_assert!((blank - removed - rest).abs() < 1e-9 * blank, "{} {} {}\n{}", blank, removed, rest, program);
         Ok(())
     }

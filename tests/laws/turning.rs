@@ -193,19 +193,13 @@ impl Job {
     fn program_of(&self, lengths: &[f64], updated: bool) -> String {
         let (x, z) = self.programmed(DVec2::new(-2.0, self.above));
         let mut text = "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\n".to_owned();
-        if updated {
-            text += "FUNCTION TURNDATA BLANK LBL 20\n";
-        }
+        let (block, subprogram) = self.ring().updated(updated);
+        text += block;
         let _ = writeln!(text, "L X{x:+} Z{z:+} R0 FMAX M303");
         for length in lengths {
             text += &self.call(*length);
         }
-        if updated {
-            let Ring { z, radii } = self.ring();
-            let _ = write!(text, "M30\nLBL 20\nL X{:+} Z{:+}\nL X{:+}\n", 2.0 * radii[0], z[0], 2.0 * radii[1]);
-            let _ = write!(text, "L Z{:+}\nL X{:+}\nL Z{:+}\nLBL 0\n", z[1], 2.0 * radii[0], z[0]);
-        }
-        text
+        text + "M30\n" + &subprogram
     }
 
     fn call(&self, length: f64) -> String {
@@ -518,6 +512,12 @@ laws! {
         let mut job = Job { operation: 1, above: 0.0, ..job };
         if !job.fits() {
             job.edges = None;
+        }
+        // Steps stay at the levels, of which the lowest must not be in front of the blank: that of an element at the
+        // beginning, or of a surface that goes down there.
+        if job.smoothing == 2 {
+            job.elements.0 = 0;
+            job.first = if job.plunges { job.first } else { 0.0 };
         }
         // A flank needs its length; steps that a first call leaves on it are cut at other levels by a second one.
         let first = if job.plunges { job.length } else { (job.length * half * 100.0).round() / 100.0 };

@@ -10,16 +10,14 @@ use ciklo::output::dialog;
 use ciklo::spec::{Catalogue, Cycle, CycleKey, Entries, Field, Keyword, Name, NcExample, OnControl, Shape};
 use proptest::prelude::*;
 
+use crate::built::{Built, built};
+
 struct Data {
     catalogue: Catalogue,
     locales: Locales,
 }
 
 impl Data {
-    fn embedded() -> Self {
-        Self::of(data::embedded())
-    }
-
     /// The small catalogue of `tests/small`, with the texts that do not belong to cycles.
     fn small() -> Self {
         let mut files = Vec::new();
@@ -102,8 +100,8 @@ fn values_that_the_control_would_not_take_are_refused_together() {
 }
 
 fn block_of_640(number: u32, keyword: Keyword, values: &[(&str, &str)]) -> Result<String, Vec<String>> {
-    let data = Data::embedded();
-    let on = data.on("tnc640");
+    let data = built();
+    let on = data.catalogue.on("tnc640").expect("the control");
     let values: Vec<(String, String)> = values.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
     let request = Request { values: &values, ..Request::default() };
     let language = data.locales.language("en").expect("English is there");
@@ -252,7 +250,7 @@ fn prompts_and_names_of_cycles_are_checked_for_length() {
 
 #[test]
 fn labels_of_all_data_can_be_printed() {
-    let data = Data::embedded();
+    let data = built();
     let found = label::check(&data.catalogue, &data.locales);
     let shown: Vec<String> = found.iter().map(|found| format!("{} {:?}", found.code, found.args)).collect();
     assert!(shown.is_empty(), "{shown:#?}");
@@ -267,7 +265,7 @@ fn head(line: &str, key: &str) -> Option<String> {
 
 #[test]
 fn printed_blocks_are_reproduced_byte_for_byte() {
-    let data = Data::embedded();
+    let data = built();
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/printed");
     let mut files = Vec::new();
     if directory.is_dir() {
@@ -279,7 +277,7 @@ fn printed_blocks_are_reproduced_byte_for_byte() {
         let (first, body) = text.split_once('\n').expect("a head and a block");
         let control = head(first, "control").expect("the head names the control");
         let language = head(first, "lang").expect("the head names the language");
-        match reproduce(&data, &control, &language, head(first, "form").as_deref(), body) {
+        match reproduce(data, &control, &language, head(first, "form").as_deref(), body) {
             Reproduced::Exactly | Reproduced::Untranslated => {}
             Reproduced::Not(attempts) => failures.push(format!("{name}:\n{body}--- printed instead:\n{attempts}")),
         }
@@ -290,7 +288,7 @@ fn printed_blocks_are_reproduced_byte_for_byte() {
 /// What a head says to be corrected stands in the errata, under the id in brackets.
 #[test]
 fn corrections_of_printed_blocks_are_recorded() {
-    let data = Data::embedded();
+    let data = built();
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/printed");
     let mut files = Vec::new();
     collect(&directory, &directory, &mut files);
@@ -311,8 +309,8 @@ enum Reproduced {
 }
 
 /// Prints every example of the cycle, and then the block with the values that the manual prints.
-fn reproduce(data: &Data, control: &str, tag: &str, form: Option<&str>, body: &str) -> Reproduced {
-    let on = data.on(control);
+fn reproduce(data: &Built, control: &str, tag: &str, form: Option<&str>, body: &str) -> Reproduced {
+    let on = data.catalogue.on(control).unwrap_or_else(|| panic!("no control {control}"));
     let cycle = on.cycles.values().find(|cycle| {
         let key = cycle.key.to_string();
         body.split_once(&key).is_some_and(|(_, rest)| rest.starts_with([' ', '.']))

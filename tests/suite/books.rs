@@ -3,22 +3,18 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Cursor, Read};
 
-use ciklo::base::data;
-use ciklo::language::locale::Locales;
 use ciklo::output::manual::{Book, Request, Site};
-use ciklo::spec::Catalogue;
 use quick_xml::events::Event;
 use zip::{CompressionMethod, ZipArchive};
 
+use crate::built::built;
+
 fn books(control: &str, languages: &[&str]) -> Vec<Book> {
-    let files = data::embedded();
-    let (catalogue, _) = Catalogue::load(&files);
-    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
     let languages: Vec<String> = languages.iter().map(|&tag| tag.to_owned()).collect();
     let request = Request {
-        catalogue: &catalogue,
-        locales: &locales,
-        files: &files,
+        catalogue: &built().catalogue,
+        locales: &built().locales,
+        files: &built().files,
         controls: &[control.to_owned()],
         languages: &languages,
         base_url: None,

@@ -192,7 +192,8 @@ impl Project for Beside<'_> {
 
     fn observed(&self, program: &Program) -> Vec<Observed> {
         let Against { on, catalogue, .. } = *self.against;
-        Rehearsal { on, catalogue, files: &crate::built::built().files, tools: None }.observed(program, &|_| {})
+        Rehearsal { on, catalogue, files: &crate::built::built().files, tools: None, programs: None }
+            .observed(program, &|_| {})
     }
 
     fn has_row(&self, rows: Rows<'_>, row: f64) -> Option<bool> {

@@ -48,8 +48,25 @@ const ENGINE: &[(&str, &[&str])] = &[
 
 /// The rooms of the checker, folders and files, from the ground up: a room uses only those before it.
 const CHECKER: &[&str] = &[
-    "cycle", "against", "machine", "program", "incident", "flow", "facts", "speech", "tools", "guards", "blank",
-    "contours", "loops", "travel", "rule", "rules", "allow", "config",
+    "cycle",
+    "against",
+    "machine",
+    "program",
+    "toolwords",
+    "incident",
+    "flow",
+    "facts",
+    "speech",
+    "tools",
+    "guards",
+    "blank",
+    "contours",
+    "loops",
+    "travel",
+    "rule",
+    "rules",
+    "allow",
+    "config",
 ];
 
 /// The source files as modules.

@@ -182,7 +182,7 @@ fn names_labels_and_axes_are_read_as_they_are_checked() {
         (memory("Q409=\"AB\""), "text-or-number"),
         (memory("QS409=5"), "text-or-number"),
         (contour("1/2/3"), ""),
-        (contour("0/1"), "parameter-out-of-range"),
+        (contour("0/1"), "word-not-offered"),
         (contour("1/2.5"), "field-unknown"),
         (lines("ORDER: Y- / X-"), "probe-missing"),
         (lines("ORDER: Y- / X"), "field-unknown"),

@@ -2,6 +2,8 @@
 use ciklo::spec::Catalogue;
 use ciklo::tools::exchange::{self, Form, Imported, Why, markdown};
 
+use crate::built::built;
+
 const FORMS: [Form; 3] = [Form::Xliff, Form::Xliff2, Form::Po];
 const ENGLISH: &str = "# A comment.\na = Move to { $depth } at { $feed }.\nb =\n    First line\n    second line\n    .tip = Tip & \"more\"\nholes = { $count ->\n        [one] { $count } hole\n       *[other] { $count } holes\n    }\n-probe = touch probe\nc = The { -probe } waits.\n";
 const FINNISH: &str = "# Kommentti.\na   =  Aja { $depth } { $feed }.\n\nb =\n      Eka rivi\n      toka rivi\n    .tip = Vihje\nholes = { $count ->\n        [one] { $count } reikä\n       *[other] { $count } reikää\n    }\n-probe = { $case ->\n       *[nominative] kosketuspää\n        [genitive] kosketuspään\n    }\nc = { -probe(case: \"nominative\") } odottaa.\n";
@@ -189,17 +191,14 @@ fn what_is_not_final_is_passed_over() {
 
 /// A translation of texts of the shipped data into a language that has none yet.
 fn into_german(texts: &[(&str, &str)]) -> Imported {
-    let files = ciklo::base::data::embedded();
-    let (locales, _) = ciklo::language::locale::Locales::load(files.iter().map(|(path, text)| (path, text)));
-    let units = exchange::units(&locales, &ciklo::language::locale::Meanings::new(), "de").unwrap();
+    let units = exchange::units(&built().locales, &ciklo::language::locale::Meanings::new(), "de").unwrap();
     let received = texts.iter().map(|(id, words)| {
         let unit = units.iter().find(|unit| unit.id == *id).unwrap();
         let target = Some(vec![exchange::Piece::Text((*words).to_owned())]);
         let source = Some(unit.source.clone());
         exchange::Received { id: unit.id.clone(), at: 0, is_final: true, source, target }
     });
-    let (catalogue, _) = Catalogue::load(&files);
-    exchange::import(&catalogue, &files, "de", received.collect()).unwrap()
+    exchange::import(&built().catalogue, &built().files, "de", received.collect()).unwrap()
 }
 
 #[test]
@@ -390,16 +389,14 @@ fn a_page_that_is_new_needs_all_of_its_segments() {
 
 #[test]
 fn all_shipped_texts_come_back_without_a_change() {
-    let files = ciklo::base::data::embedded();
-    let (locales, _) = ciklo::language::locale::Locales::load(files.iter().map(|(path, text)| (path, text)));
-    let (catalogue, _) = Catalogue::load(&files);
-    let meanings = ciklo::language::consistency::meanings(&catalogue);
+    let (files, catalogue, locales) = (&built().files, &built().catalogue, &*built().locales);
+    let meanings = ciklo::language::consistency::meanings(catalogue);
     for (tag, form) in [("fi", Form::Xliff), ("sl", Form::Xliff2), ("it", Form::Po), ("pt", Form::Xliff)] {
-        let units = exchange::units(&locales, &meanings, tag).unwrap();
+        let units = exchange::units(locales, &meanings, tag).unwrap();
         let open = units.iter().filter(|unit| unit.state.is_some()).count();
         let count = units.len() - open;
         let returned = exchange::read(&exchange::write(&units, tag, form)).unwrap();
-        let imported = exchange::import(&catalogue, &files, tag, returned.units).unwrap();
+        let imported = exchange::import(catalogue, files, tag, returned.units).unwrap();
         assert!(imported.refused.is_empty(), "{tag}: {:?}", imported.refused);
         assert_eq!((imported.files.len(), imported.unchanged, imported.passed_over), (0, count, open), "{tag}");
         let segments = units.iter().filter(|unit| unit.key.starts_with("topics/"));
@@ -409,12 +406,10 @@ fn all_shipped_texts_come_back_without_a_change() {
 
 #[test]
 fn memories_have_what_is_accepted_and_termbases_every_language() {
-    let files = ciklo::base::data::embedded();
-    let (locales, _) = ciklo::language::locale::Locales::load(files.iter().map(|(path, text)| (path, text)));
-    let (catalogue, _) = Catalogue::load(&files);
-    let meanings = ciklo::language::consistency::meanings(&catalogue);
+    let (catalogue, locales) = (&built().catalogue, &*built().locales);
+    let meanings = ciklo::language::consistency::meanings(catalogue);
     let tags = ["fi", "pt"].map(str::to_owned);
-    let entries = exchange::entries(&locales, &meanings, &tags).unwrap();
+    let entries = exchange::entries(locales, &meanings, &tags).unwrap();
     let tmx = exchange::tmx(&entries);
     let root = quick_xml::Reader::from_str(&tmx).read_event().is_ok();
     assert!(root && tmx.matches("<tu ").count() == entries.len());
@@ -423,7 +418,7 @@ fn memories_have_what_is_accepted_and_termbases_every_language() {
     let ids: std::collections::BTreeSet<&str> = entries.iter().map(|entry| entry.unit.id.as_str()).collect();
     assert_eq!(ids.len(), entries.len(), "each identifier once");
 
-    let concepts = exchange::concepts(&locales, &tags);
+    let concepts = exchange::concepts(locales, &tags);
     let clearance = concepts.iter().find(|concept| concept.id == "term-set-up-clearance").unwrap();
     let languages: Vec<&str> = clearance.words.iter().map(|words| words.language.as_str()).collect();
     assert_eq!(languages, ["en", "fi", "pt"]);
@@ -645,8 +640,27 @@ fn terms_that_are_not_sound_are_refused_and_the_others_are_taken() {
     let what = |text: &str| exchange::read_terms(text).map(|_| ()).unwrap_err().what;
     assert_eq!(what(&table.replace("language", "tongue")), "columns");
     assert_eq!(what(&table.replace("Depth,", "Depth,,")), "form");
+    let open =
+        exchange::read_terms("term,concept,language\nDepth,term-depth,en\n\"Syvyys,term-depth,fi\n").unwrap_err();
+    assert_eq!((open.what, open.at), ("quote", "term,concept,language\nDepth,term-depth,en\n".len()));
     assert_eq!(what(&base.replacen("<martif", "<!DOCTYPE martif SYSTEM \"a.dtd\">\n<martif", 1)), "document-type");
     assert_eq!(what(&base.replace("Kuinka", "&a;")), "entity");
     let refused = exchange::read_terms(&table.replace("fi,Syöttö,", "fi,Syöttö,,")).unwrap_err();
     assert_eq!(table.get(refused.at..).map(|rest| rest.starts_with("term-feed,fi")), Some(true), "{refused:?}");
+}
+
+#[test]
+fn the_columns_of_a_table_may_be_in_any_order_and_in_quotation_marks() {
+    let files = with_terms(FINNISH_TERMS);
+    let rows =
+        [["language", "term", "concept"], ["en", "Depth", "parameter-depth"], ["fi", "Syvennys", "parameter-depth"]];
+    for (sign, mark) in [(";", "\""), ("\t", "\""), (",", "")] {
+        let table = rows.map(|cells| cells.map(|cell| format!("{mark}{cell}{mark}")).join(sign)).join("\r\n");
+        assert!(exchange::is_terms(&table), "{table}");
+        let imported = import_terms(&files, &table);
+        assert!(imported.refused.is_empty(), "{:?}", imported.refused);
+        assert_eq!(imported.taken, ["parameter-depth"], "{table}");
+    }
+    let po = "# concept, in a comment\nmsgid \"\"\nmsgstr \"\"\n";
+    assert!(!exchange::is_terms(po), "a comment is no head of a table");
 }

@@ -1,10 +1,13 @@
 //! Figures: what they say is measured, and what they show can be read.
+use std::sync::OnceLock;
+
 use ciklo::base::data;
-use ciklo::language::locale::Locales;
 use ciklo::language::text::with_texts;
 use ciklo::output::figure::{self, Medium, Svg};
 use ciklo::spec::{Catalogue, Cycle};
 use ciklo::tools::conform::World;
+
+use crate::built::built;
 
 type Files = Vec<(String, String)>;
 
@@ -18,18 +21,15 @@ fn altered(cycle: u32, from: &str, to: &str) -> Vec<&'static str> {
     *text = text.replacen(from, to, 1);
     let (catalogue, found) = Catalogue::load(&files);
     assert!(found.is_empty(), "{found:?}");
-    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-    let world = World { catalogue: &catalogue, locales: &locales, files: &files };
+    let world = World { catalogue: &catalogue, locales: &built().locales, files: &files };
     let chosen = |own: &Cycle| own.key.number == cycle;
     figure::check(&catalogue, &world, &chosen).into_iter().map(|found| found.code).collect()
 }
 
 /// Every figure of every cycle, in every language, with where it is from.
 fn all() -> Vec<(String, Svg)> {
-    let files: Files = data::embedded();
-    let (catalogue, _) = Catalogue::load(&files);
-    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-    let world = World { catalogue: &catalogue, locales: &locales, files: &files };
+    let (catalogue, locales) = (&built().catalogue, &*built().locales);
+    let world = World { catalogue, locales, files: &built().files };
     let mut drawn = Vec::new();
     for on in catalogue.controls.values() {
         for cycle in on.cycles.values() {
@@ -51,12 +51,18 @@ fn all() -> Vec<(String, Svg)> {
     drawn
 }
 
+/// The same, drawn once for all tests.
+fn drawn() -> &'static [(String, Svg)] {
+    static DRAWN: OnceLock<Vec<(String, Svg)>> = OnceLock::new();
+    DRAWN.get_or_init(all)
+}
+
 #[test]
 fn figures_can_be_read() {
-    let drawn = all();
+    let drawn = drawn();
     assert!(drawn.len() > 100, "{}", drawn.len());
     let mut wrong = Vec::new();
-    for (name, svg) in &drawn {
+    for (name, svg) in drawn {
         for (n, a) in svg.texts.iter().enumerate() {
             let meets = |b: &&[f64; 4]| a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
             if let Some(b) = svg.texts.iter().skip(n + 1).find(meets) {
@@ -87,8 +93,8 @@ fn figures_can_be_read() {
 
 #[test]
 fn a_figure_comes_out_the_same_every_time() {
-    let texts = || all().into_iter().map(|(name, svg)| (name, svg.text)).collect::<Vec<_>>();
-    assert_eq!(texts(), texts());
+    let text = |(name, svg): &'_ (String, Svg)| (name.clone(), svg.text.clone());
+    assert_eq!(drawn().iter().map(text).collect::<Vec<_>>(), all().iter().map(text).collect::<Vec<_>>());
 }
 
 #[test]

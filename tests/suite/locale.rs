@@ -363,6 +363,31 @@ fn an_accepted_translation_is_stale_once_its_source_changes() {
 }
 
 #[test]
+fn a_translation_with_the_words_of_another_text_is_accepted_only_by_name() {
+    let english = "a = Clockwise\nb = Counterclockwise\nc = Stop\nd = Stop\ne = Wait\n";
+    let load_with = |finnish: &str, lock: &str| {
+        load(&[("locales/en/a.ftl", english), ("locales/fi/a.ftl", finnish), ("locales/fi/source.lock", lock)]).0
+    };
+    let none = Meanings::new();
+    let first = load_with("a = Myötäpäivään\nb = Vastapäivään\nc = Seis\nd = Pysähdy\ne = Odota\n", "");
+    let lock = first.accept("fi", &none, Accept::Changed).unwrap().lock;
+    assert!(load_with("a = Myötäpäivään\nb = Vastapäivään\nc = Seis\n", &lock).audit("fi").unwrap().moved.is_empty());
+    // Two change places; `d` says the same as `c` in English, too; `e` is new wording.
+    let second = "a = Vastapäivään\nb = Myötäpäivään\nc = Seis\nd = Seis\ne = Odota hetki\n";
+    let audit = load_with(second, &lock).audit("fi").unwrap();
+    assert_eq!(keys(&audit.moved), ["a", "b"]);
+    assert_eq!(audit.moved[0].argument.as_deref(), Some("b"));
+    assert_eq!(audit.diagnostics().iter().map(|found| found.code).collect::<Vec<_>>(), ["locale-moved"; 2]);
+    let changed = load_with(second, &lock).accept("fi", &none, Accept::Changed).unwrap();
+    assert_eq!(changed.moved, ["a", "b"]);
+    assert_eq!(keys(&load_with(second, &changed.lock).audit("fi").unwrap().moved), ["a", "b"], "nothing is recorded");
+    let named = load_with(second, &changed.lock).accept("fi", &none, Accept::Named(&["a".to_owned(), "b".to_owned()]));
+    let named = named.unwrap();
+    assert!(named.moved.is_empty());
+    assert!(load_with(second, &named.lock).audit("fi").unwrap().diagnostics().is_empty());
+}
+
+#[test]
 fn what_was_stale_is_accepted_only_by_name_or_after_a_change() {
     let load_with = |english: &str, finnish: &str, lock: &str, originals: &str| {
         load(&[

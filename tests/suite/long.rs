@@ -1,12 +1,9 @@
 //! Programs of a size and a shape for which anything that grows with the square of the length would take minutes.
-use std::sync::LazyLock;
-
-use ciklo::base::data;
 use ciklo::base::diag::Source;
 use ciklo::check::{Against, LabelBook, check};
-use ciklo::language::locale::Locales;
 use ciklo::program::syntax::{Block, BlockKind, Program, parse};
-use ciklo::spec::Catalogue;
+
+use crate::built::built;
 
 /// How often things are repeated.
 const MANY: usize = 20_000;
@@ -20,12 +17,6 @@ fn program(body: &str) -> Program {
     program
 }
 
-/// The specifications and the languages, read once for all tests.
-static WORLD: LazyLock<(Catalogue, Locales)> = LazyLock::new(|| {
-    let files = data::embedded();
-    (Catalogue::load(&files).0, Locales::load(files).0)
-});
-
 /// How many findings of a code there are in each of some programs.
 fn count(code: &str, bodies: &[String]) -> Vec<usize> {
     count_on("tnc640", code, bodies)
@@ -33,7 +24,7 @@ fn count(code: &str, bodies: &[String]) -> Vec<usize> {
 
 /// The same on a control.
 fn count_on(control: &str, code: &str, bodies: &[String]) -> Vec<usize> {
-    let (catalogue, locales) = &*WORLD;
+    let (catalogue, locales) = (&built().catalogue, &*built().locales);
     let on = catalogue.on(control).expect("the control");
     let labels = LabelBook::new(on, locales);
     let against = Against { catalogue, on, labels: &labels, language: None, software: None, readers: &[] };

@@ -1,6 +1,7 @@
 //! The manual site: every page of the built data is valid HTML without a dead link, a few pages of a
 //! small catalogue are compared whole, and what is missing stops the build.
 //! `UPDATE=1 cargo test --test suite manual` rewrites the compared pages in `tests/small/site/`.
+use crate::built::{Built, built};
 use crate::html;
 use crate::small as catalogue;
 
@@ -8,7 +9,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
 use std::sync::{Mutex, OnceLock};
 
-use ciklo::base::data::{self, Files};
+use ciklo::base::data::Files;
 use ciklo::base::diag::Diagnostic;
 use ciklo::language::locale::{Locales, Scope};
 use ciklo::language::text::with_texts;
@@ -24,14 +25,17 @@ fn build(files: &Files, languages: &[String]) -> Result<Produced, Vec<Diagnostic
 fn build_at(files: &Files, languages: &[String], base_url: Option<&str>) -> Result<Produced, Vec<Diagnostic>> {
     let (catalogue, _) = Catalogue::load(files);
     let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    build_of(&Request { catalogue: &catalogue, locales: &locales, files, controls: &[], languages, base_url })
+}
+
+fn build_of(request: &Request<'_>) -> Result<Produced, Vec<Diagnostic>> {
     let produced = Mutex::new(Produced::new());
     let sink = |path: &str, bytes: &[u8]| {
         let before = produced.lock().expect("no thread panics").insert(path.to_owned(), bytes.to_vec());
         assert!(before.is_none(), "{path} is written twice");
         Ok(())
     };
-    let request = Request { catalogue: &catalogue, locales: &locales, files, controls: &[], languages, base_url };
-    let built = manual::build(&request, &sink)?;
+    let built = manual::build(request, &sink)?;
     let produced = produced.into_inner().expect("no thread panics");
     assert_eq!(built.files, produced.len());
     assert_eq!(built.pages, produced.keys().filter(|path| path.ends_with(".html")).count());
@@ -39,8 +43,8 @@ fn build_at(files: &Files, languages: &[String], base_url: Option<&str>) -> Resu
 }
 
 /// The languages in which nothing is missing.
-fn complete(files: &Files) -> Vec<String> {
-    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+fn complete() -> Vec<String> {
+    let locales = &built().locales;
     let whole = |tag: &&str| locales.audit(tag).is_ok_and(|audit| audit.missing.is_empty());
     locales.tags().filter(whole).map(str::to_owned).collect()
 }
@@ -52,12 +56,30 @@ fn whole_site() -> &'static Produced {
 }
 
 fn make_whole_site() -> Produced {
-    let files = data::embedded();
-    let languages = complete(&files);
+    let languages = complete();
     assert!(languages.iter().any(|tag| tag == "en"), "the source language is complete");
-    build(&files, &languages).unwrap_or_else(|faults| {
+    let Built { files, catalogue, locales } = built();
+    let request = Request { catalogue, locales, files, controls: &[], languages: &languages, base_url: None };
+    build_of(&request).unwrap_or_else(|faults| {
         let shown: Vec<String> = faults.iter().map(|fault| format!("{} {:?}", fault.code, fault.args)).collect();
         panic!("{shown:#?}")
+    })
+}
+
+/// The pages of that site, read once for all tests that look at them.
+fn whole_pages() -> &'static BTreeMap<&'static str, html::Page> {
+    static PAGES: OnceLock<BTreeMap<&str, html::Page>> = OnceLock::new();
+    PAGES.get_or_init(|| {
+        let all: Vec<(&str, &str)> = pages(whole_site()).collect();
+        let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let read = |part: &[(&'static str, &str)]| -> Vec<(&'static str, html::Page)> {
+            part.iter().map(|(path, text)| (*path, html::read(text))).collect()
+        };
+        std::thread::scope(|scope| {
+            let parts = all.chunks(all.len().div_ceil(threads).max(1));
+            let running: Vec<_> = parts.map(|part| scope.spawn(move || read(part))).collect();
+            running.into_iter().flat_map(|part| part.join().expect("pages can be read")).collect()
+        })
     })
 }
 
@@ -74,9 +96,7 @@ fn pages(site: &Produced) -> impl Iterator<Item = (&str, &str)> {
 
 #[test]
 fn every_page_is_valid_html_in_its_language_with_unique_ids() {
-    let site = whole_site();
-    for (path, text) in pages(site) {
-        let page = html::read(text);
+    for (&path, page) in whole_pages() {
         assert!(page.errors.is_empty(), "{path}: {:?}", page.errors);
         let ids: HashSet<&String> = page.ids.iter().collect();
         assert_eq!(ids.len(), page.ids.len(), "{path}: {:?}", page.ids);
@@ -97,8 +117,8 @@ fn every_page_is_valid_html_in_its_language_with_unique_ids() {
 #[test]
 fn every_link_leads_to_a_file_or_an_id_of_the_site() {
     let site = whole_site();
-    let read: BTreeMap<&str, html::Page> = pages(site).map(|(path, text)| (path, html::read(text))).collect();
-    for (path, page) in &read {
+    let read = whole_pages();
+    for (path, page) in read {
         for link in &page.links {
             let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
             let target = resolve(path, file);
@@ -131,8 +151,8 @@ fn every_page_can_be_reached_from_the_first_one() {
     let mut open = vec!["index.html".to_owned()];
     let mut seen: HashSet<String> = open.iter().cloned().collect();
     while let Some(path) = open.pop() {
-        let Some(bytes) = site.get(&path).filter(|_| path.ends_with(".html")) else { continue };
-        for link in html::read(&String::from_utf8_lossy(bytes)).links {
+        let Some(page) = whole_pages().get(path.as_str()) else { continue };
+        for link in &page.links {
             let target = resolve(&path, link.split('#').next().unwrap_or_default());
             if seen.insert(target.clone()) {
                 open.push(target);
@@ -368,7 +388,7 @@ fn every_place_of_the_search_exists_on_every_control_that_it_names() {
                 let path = format!("{control}/pt/{file}");
                 let ids = read
                     .entry(path.clone())
-                    .or_insert_with(|| html::read(&String::from_utf8_lossy(&site[&path])).ids.into_iter().collect());
+                    .or_insert_with(|| whole_pages()[path.as_str()].ids.iter().cloned().collect());
                 assert!(place.is_empty() || ids.contains(place), "{path}: {place}");
                 looked_at += 1;
             }
@@ -381,9 +401,8 @@ fn every_place_of_the_search_exists_on_every_control_that_it_names() {
 fn a_topic_is_cut_to_its_control_alike_in_all_languages() {
     let site = whole_site();
     let shape = |path: &str| -> Vec<String> {
-        let elements = html::read(&String::from_utf8_lossy(&site[path])).elements;
-        let shown = |name: &String| ["h2", "h3", "p", "li", "tr", "td", "pre"].contains(&name.as_str());
-        elements.into_iter().filter(shown).collect()
+        let shown = |name: &&String| ["h2", "h3", "p", "li", "tr", "td", "pre"].contains(&name.as_str());
+        whole_pages()[path].elements.iter().filter(shown).cloned().collect()
     };
     let topics: Vec<&str> = pages(site).map(|(path, _)| path).filter(|path| path.contains("/en/topic-")).collect();
     assert!(topics.len() > 60, "{}", topics.len());

@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
-use std::sync::LazyLock;
 
 use ciklo::base::data;
 use ciklo::base::demand::{Deferred, OnDemand};
@@ -14,11 +13,7 @@ use ciklo::program::iso::{Codes, to_klartext};
 use ciklo::program::syntax::{Dialect, parse};
 use ciklo::spec::{Catalogue, CycleKey};
 
-/// What comes of reading all files.
-static WHOLE: LazyLock<(Catalogue, Locales)> = LazyLock::new(|| {
-    let files = data::embedded();
-    (Catalogue::load(&files).0, Locales::load(files).0)
-});
+use crate::built::built;
 
 fn on_demand() -> (Catalogue, Locales) {
     let data = data::prepared().expect("the embedded files have no mistakes");
@@ -31,7 +26,7 @@ fn shown(value: &impl std::fmt::Debug) -> String {
 
 #[test]
 fn a_catalogue_read_on_demand_is_the_whole_one() {
-    let (own, whole) = (on_demand().0, &WHOLE.0);
+    let (own, whole) = (on_demand().0, &built().catalogue);
     assert!(own.controls.keys().eq(whole.controls.keys()));
     for (own, whole) in own.controls.values().zip(whole.controls.values()) {
         let id = whole.id();
@@ -64,7 +59,7 @@ fn texts(language: &Language) -> BTreeSet<String> {
 
 #[test]
 fn languages_read_on_demand_are_the_whole_ones() {
-    let (own, whole) = (on_demand().1, &WHOLE.1);
+    let (own, whole) = (on_demand().1, &*built().locales);
     assert!(own.tags().eq(whole.tags()));
     for (own, whole) in own.iter().zip(whole.iter()) {
         let tag = whole.tag();
@@ -108,12 +103,16 @@ fn the_checker_finds_the_same() {
             let is_program = path.extension().is_some_and(|own| own == "h" || own == "i");
             let Some(text) = fs::read_to_string(&path).ok().filter(|_| is_program) else { continue };
             let named = text.split("control:").nth(1).and_then(|rest| rest.split_whitespace().next());
-            let control = named.filter(|id| WHOLE.0.controls.contains_key(*id)).unwrap_or("tnc640");
+            let control = named.filter(|id| built().catalogue.controls.contains_key(*id)).unwrap_or("tnc640");
             // A catalogue of its own for each, so that nothing has been read before.
             let (catalogue, locales) = on_demand();
             let name = path.display().to_string();
             let found = findings(&text, &name, control, (&catalogue, &locales));
-            assert_eq!(shown(&found), shown(&findings(&text, &name, control, (&WHOLE.0, &WHOLE.1))), "{name}");
+            assert_eq!(
+                shown(&found),
+                shown(&findings(&text, &name, control, (&built().catalogue, &built().locales))),
+                "{name}"
+            );
             seen += 1;
         }
     }

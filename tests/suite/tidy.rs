@@ -62,7 +62,10 @@ const LAYERS: &[(&str, &[&str])] = &[
             "engine",
         ],
     ),
-    ("tools::rehearse", &["base::diag", "spec", "program::syntax", "program::table", "check", "engine"]),
+    (
+        "tools::rehearse",
+        &["base::diag", "spec", "program::fields", "program::syntax", "program::table", "check", "engine"],
+    ),
     ("tools::coverage", &["base::diag", "base::expr", "spec", "language::locale", "engine"]),
     (
         "tools::exchange",

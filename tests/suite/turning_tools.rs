@@ -10,14 +10,20 @@ use ciklo::program::syntax;
 use glam::DVec3;
 
 fn run(program: &str, scene: &str) -> (Outcome, Vec<Event>) {
+    run_beside("", program, scene)
+}
+
+/// The same with a program beside it, `RING.H`.
+fn run_beside(ring: &str, program: &str, scene: &str) -> (Outcome, Vec<Event>) {
     let files = ciklo::base::data::embedded();
     let catalogue = &crate::built::built().catalogue;
     let on = catalogue.on("tnc640").expect("a control");
     let scene = Scene::parse(&Source::new("scene.yaml", format!("scene: 1\n{scene}\n")), &files).expect("a scene");
     let program = syntax::parse(&Source::new("TURN.H", program));
+    let ring = syntax::parse(&Source::new("RING.H", ring));
     let mut events = Vec::new();
-    let outcome =
-        Engine::new(&program, on, &scene, &NoTexts).with_catalogue(catalogue).run(&mut |event| events.push(event));
+    let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(catalogue).with_program("RING.H", &ring);
+    let outcome = engine.run(&mut |event| events.push(event));
     (outcome, events)
 }
 
@@ -154,6 +160,41 @@ fn corrections_in_the_program_move_the_tip_up_to_the_next_tool_call() {
     assert!((least - 25.5).abs() < 1e-9, "{least}");
     let refused = "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA CORR-TCS:Z/X DYL:0.1\n";
     assert_eq!(run(refused, scene).0.status, Status::Unsupported);
+}
+
+#[test]
+fn a_blank_is_described_by_a_program_however_it_is_named() {
+    // A cylinder of 60 down to Z-60, of which turning the shoulder of 50 takes one cut of 5 on the radius.
+    let outline = "L X+0 Z+0\nL X+60\nL Z-60\nL X+0\nL Z+0\n";
+    let ring = format!("BEGIN PGM RING MM\n{outline}END PGM RING MM\n");
+    let ways = |blank: &str| {
+        let program = format!(
+            "QS1 = \"RING.H\"\nTOOL CALL 1 Z S500 F200\nFUNCTION MODE TURN\n{blank}\nL X+75 Z+2 R0 FMAX\nCYCL DEF 811\n\
+             Q215=1\nQ460=2\nQ493=50\nQ494=-55\nQ463=5\nQ478=200\nQ483=0\nQ484=0\nQ505=100\nQ506=2\nCYCL CALL\nM30\n\
+             LBL 20\n{outline}LBL 0\n"
+        );
+        let scene = "tools: [{T: 1, L: 80, R: 0}]\nstart: [37.5, 0, 2]";
+        let (outcome, events) = run_beside(&ring, &program, scene);
+        (outcome.fault.map(|fault| fault.code.to_string()), ends(&events))
+    };
+    let levels = |ends: &[(DVec3, DVec3)]| ends.iter().filter(|(to, _)| (to.z + 55.0).abs() < 1e-9).count();
+    let (fault, wanted) = ways("FUNCTION TURNDATA BLANK LBL 20");
+    assert_eq!((fault, levels(&wanted)), (None, 1));
+    assert_eq!(levels(&ways("").1), 3, "from 75 it is 12.5 deep");
+    for blank in [
+        "TURNDATA BLANK RING.H",
+        "TURNDATA BLANK TNC:\\PARTS\\RING.H ; a ring",
+        "TURNDATA BLANK \"RING.H\"",
+        "TURNDATA BLANK QS1",
+        "TURNDATA BLANK FILE RING.H",
+        "TURNDATA BLANK FILE = \"RING.H\"",
+        "TURNDATA BLANK FILE=QS1",
+        "TURNDATABLANK RING.H",
+        "TURNDATABLANK LBL 20",
+    ] {
+        assert_eq!(ways(&format!("FUNCTION {blank}")), (None, wanted.clone()), "{blank}");
+    }
+    assert_eq!(ways("FUNCTION TURNDATA BLANK RINGS.H").0.as_deref(), Some("program-missing"));
 }
 
 #[test]

@@ -231,6 +231,7 @@ fn wrong<'a>(
     {
         found.push((last, "corner", motion.path().name().to_uppercase()));
     }
+    // Of a train of contours on its centre line no manual says what the control does: the engine refuses it, too.
     if wanted.compensated && !compensated && !unread {
         found.push((first, "uncompensated", String::new()));
     }

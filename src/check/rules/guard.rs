@@ -11,7 +11,7 @@ use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::Ready;
 use crate::check::guards::{Written, place};
 use crate::check::tools::Tools;
-use crate::check::{Definition, Facts, Pending, Rule};
+use crate::check::{Defined, Definition, Facts, Pending, Rule};
 use crate::language::text;
 use crate::program::syntax::BlockKind;
 use crate::spec::{Cycle, CycleKey, Keyword, Outcome};
@@ -28,7 +28,8 @@ fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut last: Option<(u32, Written)> = None;
     let calls = facts.run.calls.iter().map(|call| (call.modal.pending, call.modal.loaded));
     // Cycles that act when they are defined find the tool there.
-    let defined = facts.definitions.iter().zip(0..).filter(|(own, _)| own.key.keyword == Keyword::TchProbe);
+    let at_once = |own: &Defined<'_>| own.key.keyword == Keyword::TchProbe || own.calls_last();
+    let defined = facts.definitions.iter().zip(0..).filter(|(own, _)| at_once(own));
     let defined =
         defined.filter_map(|(own, index)| Some((Pending::Definition(index), facts.run.before(own.view.first)?.loaded)));
     // A pattern in a subprogram that several cycles use calls none of them for certain: the tool of the definition counts

@@ -9,6 +9,7 @@ mod arc_too_narrow;
 mod arc_without_tangent;
 mod arc_wrong;
 mod axis_twice;
+mod back_boring_inside;
 mod begin_end_mismatch;
 mod blank_wrong;
 mod block_numbers;
@@ -32,12 +33,16 @@ mod contour_data_missing;
 mod contour_def_wrong;
 mod contour_depth_missing;
 mod contour_not_selected;
+mod contour_returns;
 mod contour_undeclared;
 mod contour_wrong;
 mod coordinate_out_of_place;
 mod coordinate_out_of_range;
 mod core_hole_too_large;
+mod core_hole_too_small;
 mod corner_wrong;
+mod cutting_speed_unlimited;
+mod cutting_speed_unusual;
 mod cutting_without_tool;
 mod cycle_line_empty;
 mod cycle_line_missing;
@@ -69,6 +74,7 @@ mod functions_contradict;
 mod global_def_wrong;
 mod guard;
 mod hole_outside_blank;
+mod holes_overlap;
 mod insert_points_away;
 mod iso_incomplete;
 mod label_duplicate;
@@ -86,6 +92,7 @@ mod machine_limit;
 mod machining_outside_blank;
 mod main_runs_into_subprogram;
 mod meaningless_value;
+mod measuring_height_above_surface;
 mod measuring_height_below_floor;
 mod metric_values_in_inch;
 mod milling_deeper_than_edges;
@@ -98,6 +105,7 @@ mod name_of_another_cycle;
 mod no_result;
 mod no_table_open;
 mod not_a_program;
+mod nothing_left;
 mod number_does_not_exist;
 mod older_parameter_set;
 mod out_of_range;
@@ -105,15 +113,19 @@ mod out_of_usual_range;
 mod parameter_of_later_software;
 mod parameter_unassigned;
 mod parameter_unused;
+mod path_twice;
 mod pattern_combination;
 mod pattern_missing;
 mod pattern_wrong;
+mod pilot_hole_too_shallow;
 mod plane_incomplete;
 mod plane_left_on;
 mod plane_not_positioned;
 mod plane_not_reset;
+mod plunge_too_fast;
 mod pole_missing;
 mod position_after_contour;
+mod position_missing;
 mod position_twice;
 mod preset_row_wrong;
 mod probe_while_turning;
@@ -128,6 +140,7 @@ mod program_not_selected;
 mod programs_call_in_circle;
 mod radius_missing;
 mod rapid_into_blank;
+mod reaming_wrong;
 mod repeat_count_wrong;
 mod repeat_of_later_label;
 mod repeat_without_effect;
@@ -135,6 +148,7 @@ mod repeated_infeed;
 mod reserved_parameter;
 mod reset_order_wrong;
 mod retract_missing;
+mod rotary_axis_jumps;
 mod row_not_in_table;
 mod same_datum_twice;
 mod selected_table_missing;
@@ -154,9 +168,11 @@ mod tcpm_left_on;
 mod tcpm_missing;
 mod text_for_number;
 mod text_wrong;
+mod thread_pitch_unusual;
 mod tool_axis_missing;
 mod tool_axis_other;
 mod tool_called_twice;
+mod tool_cuts_sideways;
 mod tool_definition_wrong;
 mod tool_feed_missing;
 mod tool_missing;
@@ -177,6 +193,7 @@ mod uncalculable_contour;
 mod unknown_cycle;
 mod unknown_parameter;
 mod unreachable;
+mod value_unlike_others;
 mod word_missing;
 mod word_twice;
 mod word_wrong;
@@ -199,6 +216,7 @@ pub const RULES: &[&Rule] = &[
     &arc_without_tangent::RULE,
     &arc_wrong::RULE,
     &axis_twice::RULE,
+    &back_boring_inside::RULE,
     &begin_end_mismatch::RULE,
     &blank_wrong::RULE,
     &block_numbers::RULE,
@@ -222,12 +240,16 @@ pub const RULES: &[&Rule] = &[
     &contour_def_wrong::RULE,
     &contour_depth_missing::RULE,
     &contour_not_selected::RULE,
+    &contour_returns::RULE,
     &contour_undeclared::RULE,
     &contour_wrong::RULE,
     &coordinate_out_of_place::RULE,
     &coordinate_out_of_range::RULE,
     &core_hole_too_large::RULE,
+    &core_hole_too_small::RULE,
     &corner_wrong::RULE,
+    &cutting_speed_unlimited::RULE,
+    &cutting_speed_unusual::RULE,
     &cutting_without_tool::RULE,
     &cycle_line_empty::RULE,
     &cycle_line_missing::RULE,
@@ -259,6 +281,7 @@ pub const RULES: &[&Rule] = &[
     &global_def_wrong::RULE,
     &guard::RULE,
     &hole_outside_blank::RULE,
+    &holes_overlap::RULE,
     &insert_points_away::RULE,
     &iso_incomplete::RULE,
     &label_duplicate::RULE,
@@ -276,6 +299,7 @@ pub const RULES: &[&Rule] = &[
     &machining_outside_blank::RULE,
     &main_runs_into_subprogram::RULE,
     &meaningless_value::RULE,
+    &measuring_height_above_surface::RULE,
     &measuring_height_below_floor::RULE,
     &metric_values_in_inch::RULE,
     &milling_deeper_than_edges::RULE,
@@ -288,6 +312,7 @@ pub const RULES: &[&Rule] = &[
     &no_result::RULE,
     &no_table_open::RULE,
     &not_a_program::RULE,
+    &nothing_left::RULE,
     &number_does_not_exist::RULE,
     &older_parameter_set::RULE,
     &out_of_range::RULE,
@@ -295,15 +320,19 @@ pub const RULES: &[&Rule] = &[
     &parameter_of_later_software::RULE,
     &parameter_unassigned::RULE,
     &parameter_unused::RULE,
+    &path_twice::RULE,
     &pattern_combination::RULE,
     &pattern_missing::RULE,
     &pattern_wrong::RULE,
+    &pilot_hole_too_shallow::RULE,
     &plane_incomplete::RULE,
     &plane_left_on::RULE,
     &plane_not_positioned::RULE,
     &plane_not_reset::RULE,
+    &plunge_too_fast::RULE,
     &pole_missing::RULE,
     &position_after_contour::RULE,
+    &position_missing::RULE,
     &position_twice::RULE,
     &preset_row_wrong::RULE,
     &probe_while_turning::RULE,
@@ -318,6 +347,7 @@ pub const RULES: &[&Rule] = &[
     &programs_call_in_circle::RULE,
     &radius_missing::RULE,
     &rapid_into_blank::RULE,
+    &reaming_wrong::RULE,
     &repeat_count_wrong::RULE,
     &repeat_of_later_label::RULE,
     &repeat_without_effect::RULE,
@@ -325,6 +355,7 @@ pub const RULES: &[&Rule] = &[
     &reserved_parameter::RULE,
     &reset_order_wrong::RULE,
     &retract_missing::RULE,
+    &rotary_axis_jumps::RULE,
     &row_not_in_table::RULE,
     &same_datum_twice::RULE,
     &selected_table_missing::RULE,
@@ -344,9 +375,11 @@ pub const RULES: &[&Rule] = &[
     &tcpm_missing::RULE,
     &text_for_number::RULE,
     &text_wrong::RULE,
+    &thread_pitch_unusual::RULE,
     &tool_axis_missing::RULE,
     &tool_axis_other::RULE,
     &tool_called_twice::RULE,
+    &tool_cuts_sideways::RULE,
     &tool_definition_wrong::RULE,
     &tool_feed_missing::RULE,
     &tool_missing::RULE,
@@ -367,6 +400,7 @@ pub const RULES: &[&Rule] = &[
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,
     &unreachable::RULE,
+    &value_unlike_others::RULE,
     &word_missing::RULE,
     &word_twice::RULE,
     &word_wrong::RULE,

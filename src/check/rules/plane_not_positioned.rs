@@ -37,7 +37,36 @@ fn after_plane(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     });
     if !moved && cuts {
         found.push(rule.at(facts, facts.content(block)).arg("what", "plane"));
+        return;
     }
+    let forgotten = facts.marked().find(|(index, block)| stays(facts, block) && is_forgotten(facts, *index, block));
+    found.extend(forgotten.map(|(_, block)| rule.at(facts, facts.content(block)).arg("what", "plane")));
+}
+
+/// Whether a cycle machines in a plane before an axis turns, though the program turns them after other planes; the axes may
+/// already be there for the same plane.
+fn is_forgotten(facts: &Facts<'_>, index: usize, block: &Block) -> bool {
+    let blocks = facts.program.blocks();
+    let words = |block: &Block| facts.text(facts.content(block)).to_ascii_uppercase();
+    let own = words(block);
+    let before = blocks.get(..index).unwrap_or_default();
+    if before.iter().any(|other| stays(facts, other) && words(other) == own) {
+        return false;
+    }
+    for (at, next) in blocks.iter().enumerate().skip(index + 1) {
+        match &next.kind {
+            BlockKind::Motion(motion) if motion.outline().has_coords() && turns(&motion.words()) => return false,
+            BlockKind::Statement(_) | BlockKind::CallLbl(_) | BlockKind::Lbl(_) | BlockKind::CallPgm(_) => {
+                return false;
+            }
+            BlockKind::Functions(list) if list.iter().any(is_unusual) => return false,
+            _ => {}
+        }
+        if facts.run.calls.iter().any(|call| call.block == at) {
+            return true;
+        }
+    }
+    false
 }
 
 /// Cycles that tilt the plane, with what follows each of them up to the next.
@@ -135,7 +164,7 @@ fn stays(facts: &Facts<'_>, block: &Block) -> bool {
     own.kind == StatementKind::Plane
         && own.words.iter().any(|word| angle(word.value.kind) && !about_axis(word))
         && has(facts, block, "STAY")
-        && !["RESET", "ROT"].iter().any(|word| has(facts, block, word))
+        && !["RESET", "COORD"].iter().any(|word| has(facts, block, word))
 }
 
 fn has(facts: &Facts<'_>, block: &Block, wanted: &str) -> bool {

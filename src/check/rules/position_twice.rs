@@ -1,11 +1,15 @@
 //! A place that a cycle machines a second time, with the same definition and the same tool: another place was meant.
 //!
 //! Only holes, taps and pockets at places that are known, in programs with a box as their blank and without
-//! transformations. Said once a program.
-use crate::base::diag::{Arg, Diagnostic, Severity};
+//! transformations, or at the same coordinates in a row of calls without anything between. Said once a program.
+use std::collections::HashSet;
+
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::incident::Incident;
+use crate::check::program::is_silent;
 use crate::check::travel::incidents;
 use crate::check::{Facts, Rule};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "position-twice", severity: Severity::Warning, run };
 
@@ -14,7 +18,52 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         Incident::Again(place) => Some((*span, *place)),
         _ => None,
     });
-    if let Some((span, [x, y])) = first {
+    if let Some((span, [x, y])) = first.or_else(|| in_a_row(facts)) {
         found.push(rule.at(facts, span).arg("value", Arg::Number(x)).arg("other", Arg::Number(y)));
     }
+}
+
+/// The first block that calls a cycle at the place which one of the blocks directly before it has named for the same call:
+/// this needs no blank.
+fn in_a_row(facts: &Facts<'_>) -> Option<(Span, [f64; 2])> {
+    let mut row: Vec<([f64; 2], usize)> = Vec::new();
+    let calls: HashSet<usize> = facts.run.calls.iter().map(|call| call.block).collect();
+    for (index, block) in facts.marked() {
+        if is_silent(block) {
+            continue;
+        }
+        let place =
+            Some(block).filter(|block| calls.contains(&index) && !block.skip).and_then(|block| place(facts, block));
+        let Some(place) = place else {
+            row.clear();
+            continue;
+        };
+        // Between the blocks of a row there is nothing, not even a plain movement.
+        if row.last().is_some_and(|(_, last)| {
+            let between = facts.program.blocks().get(last + 1..index).unwrap_or_default();
+            !between.iter().all(is_silent)
+        }) {
+            row.clear();
+        }
+        if row.iter().any(|(other, _)| *other == place) {
+            return Some((facts.content(block), place));
+        }
+        row.push((place, index));
+    }
+    None
+}
+
+/// The place that a straight movement names with both coordinates of the plane and nothing else.
+fn place(facts: &Facts<'_>, block: &Block) -> Option<[f64; 2]> {
+    let BlockKind::Motion(motion) = &block.kind else { return None };
+    let words = motion.words();
+    let value = |axis: Axis| {
+        let coord = words.coord(axis).filter(|coord| !coord.incremental)?;
+        match coord.value.amount {
+            Amount::Number(_) => facts.number(&coord.value),
+            _ => None,
+        }
+    };
+    (motion.path() == Path::L && words.coords.len() == 2).then_some(())?;
+    Some([value(Axis::X)?, value(Axis::Y)?])
 }

@@ -16,9 +16,10 @@ pub(super) const RULE: Rule = Rule { code: "retract-missing", severity: Severity
 
 /// The meanings of the values that say at which height a cycle leaves the tool.
 const SURFACE: &str = "surface-coordinate";
+const RADIUS: &str = "cylinder-radius";
 const CLEARANCES: [&str; 2] = ["set-up-clearance", "second-set-up-clearance"];
 /// So far above the surface no rotary axis turns, in millimetres.
-const CLEAR: f64 = 5.0;
+const CLEAR: f64 = 10.0;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut change, mut turn, mut tilt, mut end) = (false, false, false, false);
@@ -62,9 +63,10 @@ fn left_at(facts: &Facts<'_>, index: usize) -> Option<f64> {
             let related = own.as_related_cycle();
             let read = facts.read(&related);
             let value = |meaning: &str| read.item(meaning).and_then(number);
-            let above = value(CLEARANCES[0])?.max(value(CLEARANCES[1])?);
+            let second = if read.item(CLEARANCES[1]).is_some() { value(CLEARANCES[1])? } else { 0.0 };
+            let above = value(CLEARANCES[0])?.max(second);
             let least = if facts.inch { CLEAR / MM_PER_INCH } else { CLEAR };
-            return (above < least).then_some(value(SURFACE)? + above);
+            return (above < least).then_some(value(SURFACE).or_else(|| value(RADIUS))? + above);
         }
         if !stays(facts, at, block) {
             return None;

@@ -1,7 +1,9 @@
-//! Two rotary axes that move together with linear ones at feed while nothing holds the tool tip in its place, in a
+//! Rotary axes, at least two of them, that move with linear ones at feed in several blocks while nothing holds the tool tip in its place, in a
 //! program that switches TCPM off later: switching it on was forgotten.
 //!
 //! Reported once a program. A program that never speaks of M128 or TCPM may calculate the way of the tool itself.
+use std::collections::BTreeSet;
+
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::program::each_function;
 use crate::check::{Aspect, Facts, Rule, Tri};
@@ -19,33 +21,39 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     let mut first = None;
     let mut count = 0;
+    let mut letters = BTreeSet::new();
     for (from, to, modal) in facts.run.stretches() {
         let off = modal.is_some_and(|modal| modal.is(Aspect::Tcpm) == Tri::No && modal.is(Aspect::Tilting) == Tri::No);
         if !off {
             (first, count) = (None, 0);
+            letters.clear();
             continue;
         }
         for block in facts.program.blocks().get(from..to.min(last)).unwrap_or_default() {
-            if moves_all(block) {
+            let turned = turned(block);
+            if !turned.is_empty() {
                 first = first.or(Some(block));
                 count += 1;
+                letters.extend(turned);
             }
-            if let Some(first) = first.filter(|_| count == SEVERAL) {
+            if let Some(first) = first.filter(|_| count >= SEVERAL && letters.len() >= 2) {
                 return found.push(rule.at(facts, facts.content(first)));
             }
         }
     }
 }
 
-/// Whether a block moves two rotary axes and linear ones at feed.
-fn moves_all(block: &Block) -> bool {
-    let BlockKind::Motion(motion) = &block.kind else { return false };
+/// The rotary axes that a block moves at feed together with linear ones.
+fn turned(block: &Block) -> Vec<Axis> {
+    let BlockKind::Motion(motion) = &block.kind else { return Vec::new() };
     if motion.path() != Path::L || motion.outline().is_rapid() || motion.has_functions() {
-        return false;
+        return Vec::new();
     }
     let words = motion.words();
-    let count = |axes: &[Axis]| words.coords.iter().filter(|own| axes.contains(&own.axis)).count();
-    count(&[Axis::A, Axis::B, Axis::C]) >= 2 && count(&[Axis::X, Axis::Y, Axis::Z]) >= 2
+    if !words.coords.iter().any(|own| matches!(own.axis, Axis::X | Axis::Y | Axis::Z)) {
+        return Vec::new();
+    }
+    words.coords.iter().map(|own| own.axis).filter(|own| matches!(own, Axis::A | Axis::B | Axis::C)).collect()
 }
 
 /// Whether a block switches TCPM off.

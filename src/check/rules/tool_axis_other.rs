@@ -5,7 +5,8 @@
 //! than the blank names, so only a program in which no tool has the axis of the blank is reported, and a tool that rapid
 //! movements along one axis alone lift along that of the blank, and never along its own.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::check::cycle::removes_material;
+use crate::check::{Aspect, Defined, Facts, Rule, Tri};
 use crate::program::syntax::{Axis, Block, BlockKind, CallForm, Path};
 
 pub(super) const RULE: Rule = Rule { code: "tool-axis-other", severity: Severity::Warning, run };
@@ -45,16 +46,43 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ => {}
         }
     }
-    let Some(blank) = blank else { return };
-    if let (Some((block, _)), false) = (first, fits) {
+    // Without a blank the first tool says along which axis the workpiece is machined.
+    let usual = first.map(|(_, axis)| axis).filter(|_| blank.is_none());
+    if let Some(usual) = usual {
+        others = called_otherwise(facts, usual);
+    }
+    let Some(blank) = blank.or(usual) else { return };
+    if let (Some((block, _)), false, None) = (first, fits, usual) {
         found.push(rule.at(facts, facts.content(block)).arg("what", "blank").arg("axis", blank.name()));
         return;
     }
     for (index, block, axis) in others {
-        if lifts(facts, index, blank) >= LIFTS && lifts(facts, index, axis) == 0 {
+        // A single one will do where the tool machines.
+        let least = if machines(facts, index) { 1 } else { LIFTS };
+        if lifts(facts, index, blank) >= least && lifts(facts, index, axis) == 0 {
             found.push(rule.at(facts, facts.content(block)).arg("what", "lifted").arg("axis", blank.name()));
         }
     }
+}
+
+/// The tool calls with another axis than the usual one, where that is by far the usual one.
+fn called_otherwise<'f>(facts: &'f Facts<'_>, usual: Axis) -> Vec<(usize, &'f Block, Axis)> {
+    let calls = facts.marked().filter_map(|(index, block)| match &block.kind {
+        BlockKind::ToolCall(own) => Some((index, block, own.axis?)),
+        _ => None,
+    });
+    let (same, others): (Vec<_>, Vec<_>) = calls.partition(|(.., axis)| *axis == usual);
+    if others.len() < same.len() { others } else { Vec::new() }
+}
+
+/// Whether a cycle that removes material is defined for the tool that a block calls.
+fn machines(facts: &Facts<'_>, call: usize) -> bool {
+    let next = facts
+        .marked()
+        .find(|(index, block)| *index > call && matches!(&block.kind, BlockKind::ToolCall(own) if own.tool.is_some()));
+    let end = next.map_or(usize::MAX, |(index, _)| index);
+    let own = facts.definitions.iter().filter(|own| (call..end).contains(&own.view.first));
+    own.filter_map(Defined::related_cycle).any(removes_material)
 }
 
 /// How many rapid movements move the tool that a block calls along an axis and no other.
@@ -67,5 +95,7 @@ fn lifts(facts: &Facts<'_>, call: usize, axis: Axis) -> usize {
             && motion.outline().is_rapid()
             && matches!(motion.words().coords.as_slice(), [only] if only.axis == axis)
     };
-    part.filter(alone).count()
+    // The block that ends the program may lift, too.
+    let mut ended = false;
+    part.take_while(|block| !std::mem::replace(&mut ended, facts.ends(block))).filter(alone).count()
 }

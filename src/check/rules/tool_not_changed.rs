@@ -6,7 +6,9 @@ use std::collections::{HashMap, HashSet};
 
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::removes_material;
+use crate::check::incident::Incident;
 use crate::check::program::with_meaning;
+use crate::check::travel::incidents;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, Tri};
 use crate::spec::{Cycle, Group};
 
@@ -51,6 +53,21 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if before.iter().all(|(other, _)| *other != what) {
             before.push((what, key(own)));
         }
+    }
+    observed(rule, facts, found);
+}
+
+/// What an execution shows: the same tool does another job, be it after a second call.
+fn observed(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if found.iter().any(|own| own.code == rule.code) {
+        return;
+    }
+    let first = incidents(facts).iter().find_map(|(span, own)| match own {
+        Incident::OtherJob { cycle, before } => Some((*span, *cycle, *before)),
+        _ => None,
+    });
+    if let Some((span, cycle, before)) = first {
+        found.push(rule.at(facts, span).arg("cycle", cycle.to_string()).arg("before", before.to_string()));
     }
 }
 

@@ -8,11 +8,13 @@ use std::collections::HashSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::cycle::{probes, removes_material};
+use crate::check::incident::Incident;
 use crate::check::program::{number, with_meaning};
 use crate::check::tools::named;
-use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolName, Tri};
+use crate::check::travel::incidents;
+use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolName, Tri, diameter_of};
 use crate::program::syntax::{BlockKind, Compensates, ToolRef};
-use crate::spec::{Cycle, Group};
+use crate::spec::{Cycle, Group, MM_PER_INCH};
 
 pub(super) const RULE: Rule = Rule { code: "tool-table-contradicts", severity: Severity::Warning, run };
 
@@ -48,6 +50,11 @@ enum Use {
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    by_table(rule, facts, found);
+    observed(rule, facts, found);
+}
+
+fn by_table(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(project) = facts.project else { return };
     turned(rule, facts, project, found);
     if !project.knows_tools() {
@@ -83,6 +90,42 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if !fits(own, kind) && reported.insert(loaded) {
             let finding = rule.at(facts, span).arg("what", "type").arg("tool", shown(facts, tool));
             found.push(finding.arg("value", word).arg("other", kind));
+        }
+    }
+    sizes(rule, facts, project, found);
+}
+
+/// What an execution shows: a tool that cuts with a cycle for which its name does not fit.
+fn observed(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if found.iter().any(|own| own.code == rule.code) {
+        return;
+    }
+    let first = incidents(facts).iter().find_map(|(span, own)| match own {
+        Incident::Misused { tool, kind, cycle } => Some((*span, *tool, *kind, *cycle)),
+        _ => None,
+    });
+    if let Some((span, tool, kind, cycle)) = first {
+        let finding = rule.at(facts, span).arg("what", "type").arg("tool", tool.to_string());
+        found.push(finding.arg("value", cycle.to_string()).arg("other", kind.word()));
+    }
+}
+
+/// Tools whose name gives another diameter than their radius does.
+fn sizes(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<Diagnostic>) {
+    /// So much of the diameter, and so many millimetres, a tool may differ from its name: it is worn, or ground anew.
+    const WORN: (f64, f64) = (0.05, 0.1);
+    let mut reported = HashSet::new();
+    for (_, block) in facts.marked() {
+        let BlockKind::ToolCall(call) = &block.kind else { continue };
+        let Some((tool, name)) = call.tool.and_then(|tool| Some((tool, named(facts, tool)?))) else { continue };
+        let said = project.tool_word(name, "NAME").and_then(diameter_of);
+        let radius = project.tool_value(name, "R").filter(|radius| *radius > 0.0);
+        let Some((said, own)) = said.zip(radius.map(|radius| 2.0 * radius)) else { continue };
+        let near = |said: f64| (said - own).abs() <= WORN.0 * said + WORN.1;
+        // A name may give it in inches.
+        if !near(said) && !near(said * MM_PER_INCH) && reported.insert(shown(facts, tool)) {
+            let finding = rule.at(facts, facts.content(block)).arg("what", "size").arg("tool", shown(facts, tool));
+            found.push(finding.arg("value", Arg::Number(said)).arg("other", Arg::Number(own)));
         }
     }
 }

@@ -67,7 +67,10 @@ impl Walk<'_, '_> {
             Approach::Lt | Approach::Ln | Approach::Ct | Approach::Lct => {
                 self.at = [point.map(|own| own[0]), point.map(|own| own[1]), height];
             }
-            _ => self.at = [None; 3],
+            _ => {
+                let place = self.polar(words);
+                self.at = [place.map(|own| own[0]), place.map(|own| own[1]), height];
+            }
         }
         self.open = true;
     }

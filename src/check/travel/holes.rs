@@ -21,6 +21,7 @@ const SURFACE: &str = "surface-coordinate";
 const DEPTH: &str = "depth";
 const CLEARANCE: &str = "set-up-clearance";
 const THREAD_DEPTH: &str = "thread-depth";
+const DEEPENED: &str = "deepened-starting-point";
 /// The meaning of a value that only cycles for milling have.
 const MILLED: &str = "milling-type";
 /// What the meanings of lengths have in them that do not say how large a pocket is.
@@ -154,7 +155,7 @@ impl Walk<'_, '_> {
                     }
                 }
                 Makes::Tap => self.tap(&read, span, *place),
-                _ => self.hole(&read, *place),
+                _ => self.hole(&read, span, *place),
             }
             if usual && what != Makes::Pocket {
                 self.judge(&read, index, span, *place);
@@ -266,8 +267,9 @@ impl Walk<'_, '_> {
     }
 
     /// Notes a hole that is drilled.
-    fn hole(&mut self, read: &Definition<'_>, place: [f64; 2]) {
+    fn hole(&mut self, read: &Definition<'_>, span: Span, place: [f64; 2]) {
         let value = |meaning: &str| read.item(meaning).and_then(number);
+        self.pilot(read, span, place);
         // Where a value decides that the depth acts, it is not looked at.
         let acts = is_whole(read);
         let bottom = match value(SURFACE).zip(value(DEPTH)) {
@@ -280,6 +282,24 @@ impl Walk<'_, '_> {
             self.holes.made.push((place, bottom));
         } else {
             self.holes.lose();
+        }
+    }
+
+    /// A deepened starting point is in the hole that is there.
+    fn pilot(&mut self, read: &Definition<'_>, span: Span, place: [f64; 2]) {
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        let (Some(deepened), Some(surface)) = (value(DEEPENED).filter(|own| *own > 0.0), value(SURFACE)) else {
+            return;
+        };
+        if self.holes.others || self.holes.made.is_empty() {
+            return;
+        }
+        let start = surface - deepened;
+        let here: Option<Vec<f64>> = self.holes.at(place, SAME * self.unit).collect();
+        let Some(bottom) = here.and_then(|here| here.into_iter().reduce(f64::min)) else { return };
+        if start < bottom - SAME * self.unit {
+            let place = read.item(DEEPENED).map_or(span, |item| item.span);
+            self.found.push((place, Incident::Pilot { start, bottom }));
         }
     }
 

@@ -74,6 +74,8 @@ struct Walk<'f, 'a> {
     pattern: Option<Vec<[f64; 2]>>,
     /// Where the contour goes.
     course: Course,
+    /// The corners of the contour that is machined.
+    corners: Vec<[f64; 2]>,
     found: Vec<(Span, Incident)>,
 }
 
@@ -132,6 +134,7 @@ fn found(facts: &Facts<'_>) -> Vec<(Span, Incident)> {
         holes: Holes::default(),
         pattern: None,
         course: Course::default(),
+        corners: Vec::new(),
         found: Vec::new(),
     };
     let until = another_preset(facts);
@@ -302,8 +305,32 @@ impl Walk<'_, '_> {
             if let Some(incident) = spindle.filter(|_| !outline.has_functions() && self.goes_through(from)) {
                 self.tell(block, incident);
             }
+            self.look_at_corner(from, block, outline.compensates(), modal);
             self.look_at_contour(from, block, &words, modal);
             self.cut(from, &words, modal);
+        }
+    }
+
+    /// The corner of a contour where a movement ends.
+    fn look_at_corner(&mut self, from: [Option<f64>; 3], block: &Block, side: Compensates, modal: &Modal) {
+        let on = modal.is(Aspect::Compensation) == Tri::Yes;
+        let beside = side == Compensates::Beside || (side == Compensates::Unsaid && on);
+        let ([Some(x), Some(y), height], true) = (self.at, beside && is_unmoved(modal)) else {
+            return self.corners.clear();
+        };
+        if height != from[2] || self.corners.len() >= MANY {
+            self.corners.clear();
+        }
+        let same = |own: &[f64; 2]| libm::hypot(own[0] - x, own[1] - y) <= SKIN * self.unit;
+        match self.corners.iter().position(same) {
+            Some(0) => self.corners.truncate(1),
+            // Where it is already it need not go.
+            Some(at) if at + 1 == self.corners.len() => {}
+            Some(_) => {
+                self.tell(block, Incident::Returns([x, y]));
+                self.corners.clear();
+            }
+            None => self.corners.push([x, y]),
         }
     }
 

@@ -105,12 +105,16 @@ fn report(session: &mut Session, tag: &str, accepted: &Accepted) {
     let args = Args::new().text("language", tag).number("count", accepted.taken.len() as f64);
     let line = session.ui.text("cli-texts-accepted", &args);
     session.output.remark(&line);
-    let open: Vec<&str> = accepted.stale.iter().chain(&accepted.unrecorded).map(String::as_str).collect();
-    if !open.is_empty() {
+    let lists = [
+        ("cli-texts-left", &accepted.stale),
+        ("cli-texts-new", &accepted.unrecorded),
+        ("cli-texts-moved", &accepted.moved),
+    ];
+    for (message, open) in lists.into_iter().filter(|(_, open)| !open.is_empty()) {
         let more = if open.len() > SHOWN { ", …" } else { "" };
-        let keys = open.iter().take(SHOWN).copied().collect::<Vec<_>>().join(", ");
+        let keys = open.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>().join(", ");
         let args = Args::new().text("language", tag).number("count", open.len() as f64);
-        let line = session.ui.text("cli-texts-left", &args.text("keys", format!("{keys}{more}")));
+        let line = session.ui.text(message, &args.text("keys", format!("{keys}{more}")));
         session.output.remark(&line);
     }
 }

@@ -110,12 +110,18 @@ impl Work {
 /// What a file has for each language.
 fn read(path: &str, to: Option<&str>, any_state: bool) -> Result<Vec<Part>, Failure> {
     let bytes = system::read(Path::new(path))?;
-    let text = std::str::from_utf8(&bytes).ok().filter(|text| text.len() <= LARGEST);
+    let text = std::str::from_utf8(&bytes).ok();
     let source = Source::new(path, text.unwrap_or_default());
     let unreadable = |at: usize, what: &str| {
         Failure::from(Diagnostic::error("texts-file-unreadable", Place::new(&source, at..at)).arg("reason", what))
     };
+    if bytes.len() > LARGEST {
+        return Err(unreadable(0, "size"));
+    }
     let text = text.ok_or_else(|| unreadable(0, "encoding"))?;
+    if text.trim_start_matches('\u{feff}').trim().is_empty() {
+        return Err(unreadable(0, "empty"));
+    }
     if !exchange::is_terms(text) {
         let returned = exchange::read(text).map_err(|refused| unreadable(refused.at, refused.what))?;
         let tag = language(&to.map(str::to_owned).or(returned.language).unwrap_or_default())?;

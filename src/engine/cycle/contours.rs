@@ -114,8 +114,8 @@ impl<'e> Run<'_, 'e> {
         Ok(contour)
     }
 
-    /// `FUNCTION TURNDATA BLANK LBL 20`: the blank that turning updates from now on, described by a subprogram or a program
-    /// as a closed contour in the half plane; `OFF` ends that.
+    /// `FUNCTION TURNDATA BLANK LBL 20`, `BLANK RING.H`, `BLANK FILE=QS1`: the blank that turning updates from now on,
+    /// described by a subprogram or a program as a closed contour in the half plane; `OFF` ends that.
     pub(crate) fn describe_blank(&mut self, words: &[NamedWord]) -> Done {
         let mut of = None;
         for word in words {
@@ -132,6 +132,8 @@ impl<'e> Run<'_, 'e> {
                     return Ok(());
                 }
                 ("LBL", label) => of = Some(Of::Label(label.into())),
+                // The name follows.
+                ("FILE", "") => {}
                 ("" | "FILE", name) if !name.is_empty() => {
                     of = Some(Of::Program(self.program_named(name)?, name.into()));
                 }

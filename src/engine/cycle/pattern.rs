@@ -131,7 +131,11 @@ impl<'e> Run<'_, 'e> {
         let mut points = Pattern::new();
         for row in table.rows() {
             let number = |column| table.number(row, column).map(Option::unwrap_or_default);
-            let hidden = table.text(row, "FADE")?.trim().to_ascii_uppercase();
+            // Tables of older software have no such column.
+            let hidden = match table.columns().any(|own| own == "FADE") {
+                true => table.text(row, "FADE")?.trim().to_ascii_uppercase(),
+                false => String::new(),
+            };
             if !matches!(hidden.as_str(), "Y" | "YES" | "1") {
                 points.push(self.drives.in_plane(DVec3::new(number("X")?, number("Y")?, number("Z")?)));
             }

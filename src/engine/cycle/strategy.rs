@@ -39,7 +39,11 @@ impl<'e> Run<'_, 'e> {
 
     /// The values of the arguments that are given, in the order of the parameters.
     fn arguments(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<Vec<Option<Value>>, Fault> {
-        call.with.iter().map(|calc| calc.as_ref().map(|calc| self.value(calc, exec)).transpose()).collect()
+        let mut values = Vec::with_capacity(call.with.len());
+        for calc in &call.with {
+            values.push(calc.as_ref().map(|calc| self.value(calc, exec)).transpose()?);
+        }
+        Ok(values)
     }
 
     /// The tool in the units of the program, which may be scaled.

@@ -194,6 +194,9 @@ impl<'d, 'e> Exec<'d, 'e> {
     }
 
     pub(crate) fn value(&self, calc: &Calc, params: &Params) -> Result<Value, Fault> {
+        if let Some(number) = calc.code.slot().and_then(|slot| self.number_in(slot)) {
+            return Ok(Value::Number(number));
+        }
         self.needed(calc)?;
         Ok(calc.code.eval(&View { exec: self, params })?)
     }

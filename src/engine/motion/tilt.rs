@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::base::expr::atan2d;
 use crate::engine::geometry::{Frame, RotaryAxis};
-use crate::engine::machine::{Carried, Machine, RotaryMachineAxis};
+use crate::engine::machine::{Carried, Machine, MachineAxis, RotaryMachineAxis};
 use crate::engine::motion::drives::Drives;
 use crate::engine::motion::moves::Speed;
 use crate::engine::report::ending::Done;
@@ -246,22 +246,37 @@ impl Drives<'_, '_> {
 
     /// Back along the tool, as far as the axes go if it shall be the greatest way.
     pub(crate) fn retract_before_turning(&mut self, back: Back) -> Done {
+        let back = if let Back::By(way) = back { Back::By(way.max(0.0)) } else { back };
         let machine = self.world.kinematics();
         let along = machine.head(self.world.angles).vector(machine.spindle.unit()).normalize();
+        self.retract_along(along, back, Ok(Speed::Rapid))
+    }
+
+    /// The direction of the tool in the machine where it is that of the tool axis for the control, too: of the tilted
+    /// working plane, or of the machine where none is tilted.
+    pub(crate) fn along_tool_axis(&self) -> Option<DVec3> {
+        let system = &self.world.system;
+        let axis = system.plane.tool.unit();
+        let along = self.world.kinematics().head(self.world.angles).vector(axis).normalize();
+        let axis = if system.tilt().is_some() { system.frame().vector(axis).normalize() } else { axis };
+        ((axis - along).length() < STRAIGHT).then_some(along)
+    }
+
+    /// In a direction of the machine, as far as the axes go if it shall be the greatest way.
+    pub(crate) fn retract_along(&mut self, along: DVec3, back: Back, speed: Result<Speed, Fault>) -> Done {
         let here = self.world.machine;
+        let to_limit = |axis: &MachineAxis| {
+            let part = axis.axis.of(along);
+            (if part > 0.0 { axis.max } else { axis.min } - axis.axis.of(here)) / part
+        };
         let way = match back {
             Back::By(way) => way,
-            Back::ToLimit => machine
-                .axes
-                .iter()
-                .filter(|axis| axis.axis.of(along).abs() > STILL)
-                .map(|axis| {
-                    let part = axis.axis.of(along);
-                    (if part > 0.0 { axis.max } else { axis.min } - axis.axis.of(here)) / part
-                })
-                .fold(f64::INFINITY, f64::min),
+            Back::ToLimit => {
+                let moving = self.world.kinematics().axes.iter().filter(|axis| axis.axis.of(along).abs() > STILL);
+                moving.map(to_limit).fold(f64::INFINITY, f64::min).max(0.0)
+            }
         };
-        let to = here + along * way.max(0.0);
-        self.straight_to(self.world.to_program(to), Some(to), Ok(Speed::Rapid))
+        let to = here + along * way;
+        self.straight_to(self.world.to_program(to), Some(to), speed)
     }
 }

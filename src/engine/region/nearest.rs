@@ -125,14 +125,20 @@ impl Nearest {
         loop {
             // The shortest way out of each group of lines that are joined already.
             let mut best: Vec<Option<Bridge>> = vec![None; lines];
-            for (from, _, line) in &self.segments {
+            for (line, run) in &self.runs {
                 let own = group[*line];
-                let limit = best[own].map_or(f64::INFINITY, |best| best.length() - EQUAL);
-                let at = point(from.pos());
-                let Some((near, other)) = self.nearest_among(at, limit, &|line| group[line] != own) else { continue };
-                let bridge = self.shortest(Bridge { lines: [*line, other], ends: [at, near] }, &group);
-                if bridge.length() < limit {
-                    best[own] = Some(bridge);
+                let limit = |best: &[Option<Bridge>]| best[own].map_or(f64::INFINITY, |best| best.length() - EQUAL);
+                let others = |line: usize| group[line] != own;
+                if self.is_far(run, limit(&best), &others) {
+                    continue;
+                }
+                for (from, _, line) in self.segments.get(run.clone()).into_iter().flatten() {
+                    let (limit, at) = (limit(&best), point(from.pos()));
+                    let Some((near, other)) = self.nearest_among(at, limit, &others) else { continue };
+                    let bridge = self.shortest(Bridge { lines: [*line, other], ends: [at, near] }, &group);
+                    if bridge.length() < limit {
+                        best[own] = Some(bridge);
+                    }
                 }
             }
             let before = bridges.len();
@@ -147,6 +153,20 @@ impl Nearest {
                 return bridges;
             }
         }
+    }
+
+    /// Whether none of some lines comes as near to the beginnings of these segments as the limit says.
+    fn is_far(&self, run: &Range<usize>, limit: f64, wanted: &dyn Fn(usize) -> bool) -> bool {
+        if limit.is_infinite() {
+            return false;
+        }
+        let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        for (from, _, _) in self.segments.get(run.clone()).into_iter().flatten() {
+            (low, high) = (low.min(point(from.pos())), high.max(point(from.pos())));
+        }
+        // What is farther from the middle of their box than its corners and the limit is too far from all of them.
+        let reach = low.distance(high) / 2.0;
+        self.nearest_among(low.midpoint(high), limit + reach + EQUAL, wanted).is_none()
     }
 
     /// Step by step from one end to the other a bridge becomes one whose ends see each other.

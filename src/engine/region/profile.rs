@@ -60,6 +60,19 @@ impl Shape {
         }
     }
 
+    /// Whether all of it between two places is not higher than a level, or all of it is; nothing if neither is plain.
+    fn is_below(&self, level: f64, from: f64, to: f64) -> Option<bool> {
+        let (low, high) = match *self {
+            Self::Line { through, slope } => {
+                let ends = [from, to].map(|x| through.y + (x - through.x) * slope);
+                (ends[0].min(ends[1]), ends[0].max(ends[1]))
+            }
+            Self::Arc { centre, radius, upper: true } => (centre.y, centre.y + radius),
+            Self::Arc { centre, radius, upper: false } => (centre.y - radius, centre.y),
+        };
+        (low > level || high <= level).then_some(high <= level)
+    }
+
     fn moved(self, by: DVec2) -> Self {
         match self {
             Self::Line { through, slope } => Self::Line { through: through + by, slope },
@@ -167,6 +180,7 @@ impl Envelope {
         for piece in &mut pieces {
             *piece = Piece { from: piece.from + by.x, to: piece.to + by.x, shape: piece.shape.moved(by) };
         }
+        uncovered(&mut pieces);
         Ok(Self { pieces: highest(&pieces) })
     }
 
@@ -209,6 +223,13 @@ impl Envelope {
                 free(at, begin);
             }
             at = begin;
+            if let Some(is_free) = piece.shape.is_below(level + SAME, begin, end) {
+                if is_free {
+                    free(begin, end);
+                }
+                at = end;
+                continue;
+            }
             for x in piece.shape.meets_line(DVec2::new(0.0, level), 0.0).chain([end]) {
                 if at <= x && x <= end {
                     if piece.shape.height(at.midpoint(x)) <= level + SAME {
@@ -365,7 +386,10 @@ fn straightened(from: DVec2, edges: Vec<Edge>) -> Vec<Edge> {
 fn above(profile: &Way, insert: Insert, by: DVec2, along: f64, pieces: &mut Vec<Piece>) {
     let radius = insert.radius;
     let mut at = profile.start + by;
-    corner(at, insert, along, by.x, pieces);
+    let ends = profile.edges.iter().map(|edge| edge.to().x);
+    let ends = ends.fold([profile.start.x; 2], |[least, most], x| [least.min(x), most.max(x)]);
+    let ends = [ends[0] - along - radius, ends[1] + along + radius];
+    corner(at, insert, (along, by.x), ends, pieces);
     for edge in &profile.edges {
         let end = edge.to() + by;
         match *edge {
@@ -382,11 +406,11 @@ fn above(profile: &Way, insert: Insert, by: DVec2, along: f64, pieces: &mut Vec<
                 let centre = centre + by;
                 // What goes back is covered by what comes forward above it.
                 if end.x >= at.x {
-                    arc(at, end, centre, sweep, insert, pieces);
+                    arc((at, end), (centre, sweep), insert, ends, pieces);
                 }
             }
         }
-        corner(end, insert, along, by.x, pieces);
+        corner(end, insert, (along, by.x), ends, pieces);
         at = end;
     }
 }
@@ -424,7 +448,13 @@ pub fn monotone(way: &Way) -> Way {
 }
 
 /// An arc: beside it is another one, unless the nose does not find room in it.
-fn arc(from: DVec2, to: DVec2, centre: DVec2, sweep: f64, insert: Insert, pieces: &mut Vec<Piece>) {
+fn arc(
+    (from, to): (DVec2, DVec2),
+    (centre, sweep): (DVec2, f64),
+    insert: Insert,
+    ends: [f64; 2],
+    pieces: &mut Vec<Piece>,
+) {
     let (own, upper) = (from.distance(centre), sweep < 0.0);
     let side = if upper { 1.0 } else { -1.0 };
     let radius = own + insert.radius * side;
@@ -436,14 +466,14 @@ fn arc(from: DVec2, to: DVec2, centre: DVec2, sweep: f64, insert: Insert, pieces
         for (normal, direction) in leaning(insert) {
             let touched = centre.x + own * normal.x;
             if (from.x..=to.x).contains(&touched) {
-                pieces.push(ray(centre + normal * radius, direction));
+                pieces.push(ray(centre + normal * radius, direction, ends));
             }
         }
     }
 }
 
 /// A corner of the profile: the nose goes round it, and the edges of the insert lean against it.
-fn corner(at: DVec2, insert: Insert, along: f64, moved: f64, pieces: &mut Vec<Piece>) {
+fn corner(at: DVec2, insert: Insert, (along, moved): (f64, f64), ends: [f64; 2], pieces: &mut Vec<Piece>) {
     let radius = insert.radius;
     if radius > SAME {
         let shape = Shape::Arc { centre: at, radius, upper: true };
@@ -455,7 +485,7 @@ fn corner(at: DVec2, insert: Insert, along: f64, moved: f64, pieces: &mut Vec<Pi
         pieces.push(Piece { from: at.x, to: at.x + 2.0 * along, shape: Shape::Line { through, slope: 0.0 } });
     }
     for (normal, direction) in leaning(insert) {
-        pieces.push(ray(at + normal * radius, direction));
+        pieces.push(ray(at + normal * radius, direction, ends));
     }
 }
 
@@ -474,11 +504,30 @@ fn leaning(insert: Insert) -> impl Iterator<Item = (DVec2, DVec2)> {
     front.into_iter().chain(back)
 }
 
-/// The line down from where an edge touches.
-fn ray(through: DVec2, down: DVec2) -> Piece {
+/// The line down from where an edge touches, beyond the ends of the profile.
+fn ray(through: DVec2, down: DVec2, ends: [f64; 2]) -> Piece {
     let shape = Shape::Line { through, slope: down.y / down.x };
-    let far = through.x + EDGE * down.x;
+    // Parallel ones end at the same place, so that those that are lower are under the others altogether.
+    let far = ends[usize::from(down.x > 0.0)] + EDGE * down.x;
     Piece { from: through.x.min(far), to: through.x.max(far), shape }
+}
+
+/// The same without lines that are lower all along than a parallel one.
+fn uncovered(pieces: &mut Vec<Piece>) {
+    let line = |piece: &Piece| match piece.shape {
+        Shape::Line { through, slope } => Some((*piece, through, slope)),
+        Shape::Arc { .. } => None,
+    };
+    let lines: Vec<(Piece, DVec2, f64)> = pieces.iter().filter_map(line).collect();
+    pieces.retain(|piece| {
+        let Some((_, through, slope)) = line(piece) else { return true };
+        // A steep line is as far under another one as it is beside it.
+        let margin = SAME * (1.0 + slope.abs());
+        !lines.iter().any(|(other, _, steep)| {
+            let is_wider = other.from <= piece.from && piece.to <= other.to;
+            *steep == slope && is_wider && other.shape.height(through.x) > through.y + margin
+        })
+    });
 }
 
 /// The highest of the pieces at every place.

@@ -11,6 +11,7 @@ use crate::engine::geometry::RotaryAxis;
 use crate::engine::motion::axis::linear;
 use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::Speed;
+use crate::engine::motion::tilt::Back;
 use crate::engine::params::Content;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -395,11 +396,10 @@ impl<'e> Run<'_, 'e> {
         self.drives.world.turn(angles);
     }
 
-    /// `M140 MB50`, `M140 MB50 F750`, `M140 MB MAX`: away from the workpiece, by a length or to the end of the tool
-    /// axis, at rapid traverse where no feed is written. Only where the tool is along an axis of the machine.
+    /// `M140 MB50`, `M140 MB50 F750`, `M140 MB MAX`: away from the workpiece, by a length or to the end of the axes, at
+    /// rapid traverse where no feed is written. In a tilted working plane along its tool axis. Only where the tool is
+    /// along the tool axis that the control reckons with.
     fn retract(&mut self, function: &MFunction) -> Done {
-        let leans = self.drives.world.system.is_on_workpiece() || self.drives.world.head.is_some();
-        let leans = leans || self.drives.world.parallels.drive();
         let length = function.with.map(|with| self.slice(with).to_ascii_uppercase());
         let written = length.as_deref().and_then(|with| with.trim().strip_prefix("MB")).map(str::trim);
         let (length, feed) = match written.and_then(|written| written.split_once('F')) {
@@ -410,22 +410,16 @@ impl<'e> Run<'_, 'e> {
             Some(feed) => Speed::of_feed(self.written_number(feed)? * self.drives.unit()),
             None => Ok(Speed::Rapid),
         };
-        let tool = self.drives.world.system.plane.tool;
-        let (Some(length), false, false) = (length, leans, self.contour.is_under_way()) else {
+        let along = self.drives.along_tool_axis().filter(|_| !self.drives.world.parallels.drive());
+        let (Some(length), Some(along), false) = (length, along, self.contour.is_under_way()) else {
             return Err(self.no_function(function).into());
         };
-        let now = tool.of(self.drives.world.machine);
-        let to = if length == "MAX" {
-            let axes = &self.drives.world.scene.machine.axes;
-            axes.iter().find(|axis| axis.axis == tool).map_or(now, |axis| axis.max.max(now))
-        } else {
-            match length.replace(',', ".").parse::<f64>() {
-                Ok(length) => now + length * self.drives.unit(),
-                Err(_) => return Err(self.no_function(function).into()),
-            }
+        let back = match length.replace(',', ".").parse::<f64>() {
+            _ if length == "MAX" => Back::ToLimit,
+            Ok(length) => Back::By(length * self.drives.unit()),
+            Err(_) => return Err(self.no_function(function).into()),
         };
-        let end = tool.with(self.drives.world.machine, to);
-        self.drives.turn_and_go(&[], self.drives.world.to_program(end), Some(end), speed, None)
+        self.drives.retract_along(along, back, speed)
     }
 
     /// M functions that act at the end of their block, and the call of the last cycle.

@@ -408,7 +408,7 @@ impl<'e> Run<'_, 'e> {
             (_, ValueKind::Text(inner)) if is_textual(param) => Ok(FieldValue::Text(self.slice(inner).into())),
             _ if is_textual(param) => match spec::refusal(param, value) {
                 None => Ok(FieldValue::Text(value.into())),
-                Some(_) => Err(out_of_range().arg("value", value)),
+                Some(_) => Err(Fault::program("word-not-offered").arg("word", value)),
             },
             (Shape::Q, ValueKind::Q { q, .. }) => Ok(FieldValue::Q(q)),
             (Shape::Position | Shape::AxisCoordinate, _) => {

@@ -1,7 +1,6 @@
 //! Every strategy that the engine has: one line each.
 //!
-//! Plans are compiled by this list, and executed through it. Invariant: a name that is neither here nor in
-//! [`PENDING`](super::pending::PENDING) is a mistake.
+//! Plans are compiled by this list, and executed through it. Invariant: a name that is not here is a mistake.
 use glam::DVec3;
 
 use super::action::{Action, Control};

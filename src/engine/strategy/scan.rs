@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::action::{Control, Course, Felt};
 use super::digitized::{Range, SAME};
-use crate::base::expr::sind;
+use crate::base::expr::{cosd, sind};
 use crate::engine::geometry::RotaryAxis;
 use crate::engine::report::fault::{Class, Fault};
 
@@ -18,6 +18,8 @@ const EXACT: f64 = 1e-11;
 const SEARCHES: usize = 120;
 /// A surface that turns by more than this between two points, degrees, has an inside corner between them.
 const CORNER: f64 = 10.0;
+/// A notch whose walls are at a smaller angle, degrees, has no inside corner.
+const NOTCH: f64 = 60.0;
 /// A direction this near to another one, as a cosine, is that one.
 const STEEP: f64 = 0.999;
 /// A ball that is farther from a surface, mm, does not touch it.
@@ -28,6 +30,17 @@ const LEAST: f64 = 1e-3;
 const MOST: usize = 400_000;
 /// A ball is moved off a surface so far before it is felt whether its way is free, mm.
 const OFF: f64 = 1e-4;
+/// A line that comes back to a place of its own, but not to its first one, is gone through again so often, each time
+/// with half the step.
+const FINER: i32 = 6;
+/// Such a place is looked for from so many points of a line.
+const RETURNS: usize = 16;
+/// Gaps and notches that are narrower, mm, are gone over; each time less.
+const NARROW: f64 = 0.01;
+/// The least step out of a notch that was gone over, mm.
+const TINY: f64 = LEAST / 16.0;
+/// Between two places where a surface turns by less than this, degrees, it goes on without a gap.
+const SMOOTH: f64 = 20.0;
 /// The way around a part at one place, degrees.
 const AROUND: f64 = 355.0;
 
@@ -313,6 +326,14 @@ fn meeting(a: DVec2, out_of_a: DVec2, b: DVec2, out_of_b: DVec2) -> Option<DVec2
     (cross.abs() > SAME && way.is_finite()).then(|| a + along * way)
 }
 
+/// How a line around a part has ended.
+enum Line {
+    /// At its first place.
+    Closed(Vec<Sample>),
+    /// There, at a place where it has been before, without the first one.
+    Missed(DVec3),
+}
+
 /// A part that is followed around at one height.
 pub(super) struct Level<'c> {
     pub control: &'c dyn Control,
@@ -339,7 +360,7 @@ impl Level<'_> {
         let control = self.control;
         let start = now.at + now.away * spacing;
         let free = !control.touches(control.axes(start), 0.0)?
-            && feel(control, now.at + now.away * OFF.min(spacing), start)?.is_none();
+            && feel(control, now.at + now.away * OFF.min(spacing / 2.0), start)?.is_none();
         if !free {
             return Ok(None);
         }
@@ -350,29 +371,47 @@ impl Level<'_> {
 
     /// All places from the first one around the part and back to it, at most that far from each other.
     pub(super) fn trace(&self, first: Sample, spacing: f64) -> Result<Vec<Sample>, Fault> {
+        // With a finer step the stylus follows what it went past.
+        let (mut step, mut narrow) = (spacing, NARROW);
+        for finer in 0.. {
+            match self.trace_once(first, step, narrow)? {
+                Line::Closed(all) => return Ok(all),
+                Line::Missed(at) if finer == FINER => return Err(lost(self.control, at)),
+                Line::Missed(_) => (step, narrow) = ((step / 2.0).max(LEAST), (narrow / 2.0).max(LEAST)),
+            }
+        }
+        Err(too_long())
+    }
+
+    /// The same with that step, over gaps that are so narrow.
+    fn trace_once(&self, first: Sample, spacing: f64, narrow: f64) -> Result<Line, Fault> {
         let mut all = vec![first];
-        let mut has_left = false;
+        let (mut has_left, mut has_crossed) = (false, false);
+        // A place to which the stylus may return instead of the first one, farther on whenever the way has doubled.
+        let mut known = 0;
         while all.len() < MOST {
             let Some(now) = all.last().copied() else { break };
             let back = (now.at - first.at).length();
             if has_left && back <= self.accuracy {
-                return Ok(all);
+                return Ok(Line::Closed(all));
             }
             has_left |= back > self.accuracy.max(spacing);
             let near = all.len() > 2 && back <= spacing + SAME;
             if near && self.is_next(&now, &first, back)? {
                 all.extend(self.inside_corner(&now, &first, spacing)?);
                 all.push(first);
-                return Ok(all);
+                return Ok(Line::Closed(all));
             }
-            let mut step = spacing;
-            let next = loop {
-                match self.next(&now, step)? {
-                    Some(next) => break next,
-                    None if step > LEAST => step /= 2.0,
-                    None => return Err(lost(self.control, now.at)),
-                }
-            };
+            if self.has_returned(&all, known, spacing)? {
+                return Ok(Line::Missed(now.at));
+            }
+            if all.len() >= 2 * known.max(RETURNS) {
+                known = all.len() - 1;
+            }
+            // Not past the first place.
+            let step = if near && has_left { spacing.min(back / 2.0) } else { spacing };
+            let (next, crossed) = self.follow(&now, step, narrow, has_crossed)?;
+            has_crossed = crossed;
             let axes = self.control.axes(next.at);
             if (self.range.least - axes).max_element() > SAME || (axes - self.range.greatest).max_element() > SAME {
                 return Err(beyond(self.control, next.at));
@@ -380,6 +419,51 @@ impl Level<'_> {
             all.push(self.inside_corner(&now, &next, spacing)?.unwrap_or(next));
         }
         Err(too_long())
+    }
+
+    /// Whether a place before the last ones, not the first, comes next again.
+    fn has_returned(&self, all: &[Sample], known: usize, spacing: f64) -> Result<bool, Fault> {
+        let (Some(now), Some(place)) = (all.last(), all.get(known)) else { return Ok(false) };
+        let distance = (now.at - place.at).length();
+        if known == 0 || known + 3 > all.len() || distance > spacing {
+            return Ok(false);
+        }
+        self.is_next(now, place, distance)
+    }
+
+    /// The next place at that distance, or nearer where there is another wall before it is reached along this one; on the
+    /// other side of a narrow notch where the ball has no room for a step. With `has_crossed` it has come from there and
+    /// goes out again; whether it still does comes back.
+    fn follow(&self, now: &Sample, spacing: f64, narrow: f64, has_crossed: bool) -> Result<(Sample, bool), Fault> {
+        let least = if has_crossed { TINY } else { narrow.min(spacing) };
+        let mut step = spacing;
+        loop {
+            match self.next(now, step)? {
+                Some(next) if step <= narrow || self.is_joined(now, &next, step, narrow)? => {
+                    return Ok((next, has_crossed && step < 2.0 * narrow));
+                }
+                None if step <= least => break,
+                _ => step = (step / 2.0).max(least),
+            }
+        }
+        let off = |way: f64| now.at + now.away * way;
+        let felt = if has_crossed { None } else { feel(self.control, off(OFF.min(step / 2.0)), off(step))? };
+        let across = felt.as_ref().and_then(Self::sample).filter(|across| across.away.dot(now.away) < 0.0);
+        across.map(|across| (across, true)).ok_or_else(|| lost(self.control, now.at))
+    }
+
+    /// Whether the stylus stays in contact on the way to a place at that distance, and does not go over a gap.
+    fn is_joined(&self, from: &Sample, to: &Sample, distance: f64, narrow: f64) -> Result<bool, Fault> {
+        let way = (to.at - from.at).normalize_or_zero();
+        let leans = way.dot(from.away).abs().max(way.dot(to.away).abs());
+        if distance <= narrow || (from.away.dot(to.away) > cosd(SMOOTH) && leans < sind(SMOOTH)) {
+            return Ok(true);
+        }
+        let half = distance / 2.0;
+        let Some(middle) = self.next(from, half)? else { return Ok(false) };
+        let rest = (to.at - middle.at).length();
+        let comes = self.next(&middle, rest)?.is_some_and(|next| (next.at - to.at).length() < TOUCHES);
+        Ok(comes && self.is_joined(from, &middle, half, narrow)? && self.is_joined(&middle, to, rest, narrow)?)
     }
 
     /// Whether the first place comes next.
@@ -394,7 +478,8 @@ impl Level<'_> {
     fn inside_corner(&self, a: &Sample, b: &Sample, spacing: f64) -> Result<Option<Sample>, Fault> {
         let (first, second) = (a.away.truncate(), b.away.truncate());
         // On a way with the material on the right, the normal turns to the left in an inside corner.
-        if first.perp_dot(second) * -self.sign() < sind(CORNER) {
+        // In the tip of a notch nothing says in which direction the ball comes out.
+        if first.perp_dot(second) * -self.sign() < sind(CORNER) || first.dot(second) < -cosd(NOTCH) {
             return Ok(None);
         }
         let corner = meeting(a.at.truncate(), first, b.at.truncate(), second);

@@ -269,6 +269,11 @@ impl OverContours for LiftOffTurnedContour {
     }
 }
 
+/// Whether the way back to where cuts begin is in the open. Along a surface the tool does not go at rapid traverse.
+fn is_free(turned: &Turned, here: DVec2) -> bool {
+    turned.cuts(here.y - TOUCHING).first().is_some_and(|cut| turned.is_open(*cut) && here.x <= cut[1] + NEAR)
+}
+
 impl OverContours for ReturnToStartOfCut {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let turned = turned(contours)?;
@@ -276,10 +281,7 @@ impl OverContours for ReturnToStartOfCut {
         if turned.material.is_some() && here.x <= to.x + SPARE {
             return Ok(());
         }
-        // Along a surface the tool does not go at rapid traverse.
-        let free =
-            turned.cuts(here.y - TOUCHING).first().is_some_and(|cut| turned.is_open(*cut) && here.x <= cut[1] + NEAR);
-        let height = if free { here.y } else { turned.over().max(here.y) };
+        let height = if is_free(turned, here) { here.y } else { turned.over().max(here.y) };
         turned.line(pen, DVec2::new(here.x, height), RAPID);
         turned.line(pen, DVec2::new(to.x, height), RAPID);
         Ok(())
@@ -325,7 +327,9 @@ impl OverContours for ReturnToTurningStart {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let turned = turned(contours)?;
         let (here, to) = (turned.here(pen), turned.start);
-        let over = here.y.max(to.y);
+        // What an insert leaves that leans back from a wall is above it there.
+        let back = turned.leans_back && is_free(turned, here);
+        let over = if back { here.y } else { here.y.max(to.y) };
         turned.line(pen, DVec2::new(here.x, over), RAPID);
         turned.line(pen, DVec2::new(to.x, over), RAPID);
         turned.line(pen, to, RAPID);

@@ -26,9 +26,11 @@ const MOST_PASSES: f64 = 10_000.0;
 const SPARE: f64 = 1e-9;
 /// What is shorter, mm, is no way.
 const NOTHING: f64 = 1e-9;
-/// Depths of a metric thread in pitches: 17/24 and 5/8 of the height of the sharp triangle (ISO 68-1, ISO 1502).
-const OUTSIDE_DEPTH: f64 = 0.613_434_5;
-const INSIDE_DEPTH: f64 = 0.541_265_9;
+/// The height of an equilateral triangle in sides, and depths of a metric thread in pitches: 17/24 and 5/8 of it
+/// (ISO 68-1, ISO 1502).
+const SHARP: f64 = 0.866_025_403_784_438_6;
+const OUTSIDE_DEPTH: f64 = SHARP * 17.0 / 24.0;
+const INSIDE_DEPTH: f64 = SHARP * 5.0 / 8.0;
 
 strategy! {
     /// A thread on a line: longitudinal, on a face or on a cone.

@@ -1,11 +1,12 @@
 //! Recording which translations are good for the source texts of today.
 //!
 //! Invariant: a text whose source has changed is recorded only if it is named, or if the translation itself was changed
-//! since it was last recorded. Nothing is written: the fresh files are texts.
+//! since it was last recorded; one that has got the words of another text, only if it is named. Nothing is written: the fresh files are texts.
 use std::collections::BTreeSet;
 
 use super::audit::{self, Meanings, counterpart, digest, texts, topic_key};
 use super::lock::{Originals, Recorded};
+use super::moved::moved;
 use super::{LocaleError, Locales, SOURCE_LANGUAGE};
 
 /// Which translations are accepted.
@@ -42,9 +43,19 @@ pub struct Accepted {
     pub stale: Vec<String>,
     /// The keys of texts that remain without a record, in order.
     pub unrecorded: Vec<String>,
+    /// The keys of texts that have got the words of another one and keep their record, in order.
+    pub moved: Vec<String>,
 }
 
 impl Accepted {
+    /// Whether a text keeps its record because it has the words of another one.
+    fn keep(&mut self, key: &str, recorded: Option<&Recorded>, which: Accept) -> bool {
+        let Some(then) = recorded.filter(|_| !which.names(key)) else { return false };
+        self.moved.push(key.to_owned());
+        self.lock += &then.line(key);
+        true
+    }
+
     fn decide(&mut self, key: &str, recorded: Option<&Recorded>, now: Recorded, which: Accept) {
         let record = match recorded {
             None if which.names(key) || matches!(which, Accept::Changed) => {
@@ -81,8 +92,12 @@ impl Locales {
         let (source, translation) = (self.language(SOURCE_LANGUAGE)?, self.language(tag)?);
         let mut accepted = Accepted::default();
         let recorded = |key: &str| translation.lock.as_ref().and_then(|lock| lock.0.get(key));
+        let moved = moved(source, translation);
         for text in texts(translation) {
             if let Some(original) = counterpart(source, &text).and_then(|form| source.pattern(form)) {
+                if moved.contains_key(&text.key) && accepted.keep(&text.key, recorded(&text.key), which) {
+                    continue;
+                }
                 let now = Recorded {
                     text: audit::hash(original),
                     meaning: meanings.get(text.id).copied(),

@@ -2,9 +2,9 @@
 //!
 //! Each translation has a file `source.lock` with a line a text: `id[.attribute] text [meaning] =translation`: a number
 //! for the words of the source text which it translates, one for what the specifications mean by it, and one for the
-//! translation that was accepted (`accept`). A
-//! mended slip of the pen leaves the first as it is: words count by their consonants. A variant counts as a translation
-//! of whatever the source language says in the same scope. Invariant: nothing is changed.
+//! translation that was accepted (`accept`). A mended slip of the pen leaves the first as it is: words of more than three
+//! letters count by their consonants. A variant counts as a translation of whatever the source language says in the same
+//! scope. Invariant: nothing is changed.
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
@@ -12,6 +12,7 @@ use fluent_syntax::ast::{self, Pattern};
 
 use super::language::{Form, Key, Language, Scope};
 use super::lock::Recorded;
+use super::moved::moved;
 use super::pattern::{self, Node, visit};
 use super::{LocaleError, Locales, SOURCE_LANGUAGE};
 use crate::base::diag::{Diagnostic, Place, Source, Span};
@@ -30,7 +31,7 @@ pub struct Finding {
     pub key: String,
     /// The text in question; where it is missing, that of the source language.
     pub place: Option<Place>,
-    /// An argument, where the finding is about one.
+    /// An argument, or the key of another text, where the finding is about one.
     pub argument: Option<String>,
     /// What changed in the source text since it was translated, where that is known: `“earlier” → “now”`.
     pub change: Option<String>,
@@ -81,6 +82,8 @@ pub struct Audit {
     pub stale: Vec<Finding>,
     /// Translations that were never accepted.
     pub unrecorded: Vec<Finding>,
+    /// Translations that have got the words of another text since they were accepted.
+    pub moved: Vec<Finding>,
     /// Texts with the words of the source language, which no list allows.
     pub same: Vec<Finding>,
     /// Arguments that a translation uses and its source does not.
@@ -98,6 +101,7 @@ impl Audit {
         self.append(&mut all, &self.orphans, "locale-orphan", warn);
         self.append(&mut all, &self.stale, "locale-stale", warn);
         self.append(&mut all, &self.unrecorded, "locale-unrecorded", warn);
+        self.append(&mut all, &self.moved, "locale-moved", warn);
         self.append(&mut all, &self.same, "locale-same-as-source", warn);
         all
     }
@@ -191,8 +195,8 @@ pub(super) fn digest(text: &str) -> u32 {
     hash.0
 }
 
-/// A number for what a text says: arguments, numbers and code words as they are, other words by the set of
-/// their consonants, so that a doubled letter, a turned pair or a wrong vowel changes nothing.
+/// A number for what a text says: arguments, numbers, code words and short words (`no`, `not`, `on`) as they are, other
+/// words by the set of their consonants, so that a doubled letter, a turned pair or a wrong vowel changes nothing.
 pub(super) fn signature(text: &str) -> u32 {
     let mut hash = Fnv::default();
     for word in text.split(|c: char| !(c.is_alphanumeric() || matches!(c, '$' | '-' | '_'))) {
@@ -200,10 +204,12 @@ pub(super) fn signature(text: &str) -> u32 {
         let exact = word.starts_with('$')
             || word.chars().any(|c| c.is_ascii_digit() || c == '_')
             || (word.chars().count() > 1 && !word.chars().any(char::is_lowercase));
+        let lower = word.to_lowercase();
         let sign: String = if exact {
             word.to_owned()
+        } else if SHORT.contains(&lower.chars().count()) && !ARTICLES.contains(&lower.as_str()) {
+            lower
         } else {
-            let lower = word.to_lowercase();
             let consonants: BTreeSet<char> =
                 lower.chars().filter(|c| c.is_alphabetic() && !VOWELS.contains(*c)).collect();
             consonants.into_iter().collect()
@@ -215,6 +221,10 @@ pub(super) fn signature(text: &str) -> u32 {
     hash.0
 }
 
+/// How many letters the short words have.
+const SHORT: std::ops::RangeInclusive<usize> = 2..=3;
+/// Short words that say nothing.
+const ARTICLES: [&str; 2] = ["an", "the"];
 /// Vowels of the source language.
 const VOWELS: &str = "aeiouy";
 
@@ -342,7 +352,11 @@ impl Locales {
                 audit.missing.push(finding(source, &text.key, text.form, None));
             }
         }
+        let moved = moved(source, translation);
         for text in texts(translation) {
+            if let Some(other) = moved.get(&text.key) {
+                audit.moved.push(finding(translation, &text.key, text.form, Some(other)));
+            }
             let original = counterpart(source, &text).and_then(|form| source.pattern(form));
             match original {
                 Some(original) => compare(&mut audit, (source, original), (translation, meanings), &text),

@@ -17,6 +17,7 @@ mod index;
 mod language;
 mod load;
 mod lock;
+mod moved;
 mod number;
 mod pattern;
 pub mod render;

@@ -168,6 +168,8 @@ impl Maker<'_, '_, '_> {
             text: self.html(&guard.text),
             switched_off: guard
                 .switched_off_by
+                // Not where the text names it already.
+                .filter(|datum| !guard.text.contains(datum))
                 .map(|datum| self.text.general("page-switched-off-by", &Args::new().text("datum", datum)).into_owned()),
         };
         self.text.guards().into_iter().map(check).collect()

@@ -178,6 +178,9 @@ const FUNCTIONS: [&[u8]; 30] = [
     b"TURNDATA",
 ];
 
+const BLANK: Vocabulary = &[("BLANK", Takes::Nothing)];
+const FILE: Vocabulary = &[("FILE", Takes::Nothing)];
+
 fn statement(kind: StatementKind, start: usize, end: usize, words: Vec<NamedWord>) -> BlockKind {
     BlockKind::Statement(Box::new(Statement { kind, head: Span::new(start, end), words }))
 }
@@ -189,9 +192,13 @@ pub(super) fn opt_statement(cursor: &mut Cursor<'_>, first: &[u8], start: usize)
         b"FUNCTION" => function(cursor, start),
         // Recesses and undercuts of contours that are turned begin with their own word.
         b"ADP" | b"AFC" | b"FILE" | b"FIXTURE" | b"GRV" | b"MONITORING" | b"OPEN" | b"POLARKIN" | b"PRESET"
-        | b"SECTION" | b"TABDATA" | b"TURNDATA" | b"UDC" => {
+        | b"SECTION" | b"TABDATA" | b"UDC" => {
             let head = cursor.at;
             words::free(cursor).map(|words| statement(StatementKind::Function, start, head, words))
+        }
+        b"TURNDATA" => {
+            let head = cursor.at;
+            turning_data(cursor, false).map(|words| statement(StatementKind::Function, start, head, words))
         }
         b"TRANS" => transformation(cursor, start),
         b"PATTERN" => pattern(cursor, start),
@@ -237,8 +244,24 @@ fn function(cursor: &mut Cursor<'_>, start: usize) -> Read<BlockKind> {
         return Err(cursor.expected("function"));
     }
     let head = cursor.at;
-    let words = words::free(cursor)?;
+    let words = match what.as_bytes() {
+        b"TURNDATA" => turning_data(cursor, false)?,
+        b"TURNDATABLANK" => turning_data(cursor, true)?,
+        _ => words::free(cursor)?,
+    };
     Ok(statement(StatementKind::Function, start, head, words))
+}
+
+/// Words of `FUNCTION TURNDATA`; the file that describes a blank may be named without quotation marks.
+fn turning_data(cursor: &mut Cursor<'_>, is_blank: bool) -> Read<Vec<NamedWord>> {
+    let mut found: Vec<NamedWord> = words::opt_named(cursor, &[BLANK])?.into_iter().collect();
+    if is_blank || !found.is_empty() {
+        found.extend(words::opt_named(cursor, &[FILE])?);
+        let _ = cursor.opt_mark(b'=');
+        found.extend(words::opt_file(cursor));
+    }
+    found.extend(words::free(cursor)?);
+    Ok(found)
 }
 
 fn transformation(cursor: &mut Cursor<'_>, start: usize) -> Read<BlockKind> {

@@ -128,6 +128,14 @@ fn printed(cursor: &mut Cursor<'_>) -> Span {
     Span::new(start, start + rest.iter().position(ends).unwrap_or(rest.len()))
 }
 
+/// The name of a file without quotation marks, if one is here: it has an extension or a folder.
+pub(super) fn opt_file(cursor: &mut Cursor<'_>) -> Option<NamedWord> {
+    let span = printed(cursor);
+    let written = cursor.text.get(span.start..span.end).unwrap_or_default();
+    let is_file = written.contains(['.', '\\', '/']);
+    is_file.then(|| nameless(word_value(cursor, span)))
+}
+
 fn word_value(cursor: &mut Cursor<'_>, span: Span) -> Value {
     cursor.at = span.end;
     Value { span, kind: ValueKind::Word }

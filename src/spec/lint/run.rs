@@ -7,7 +7,8 @@ use super::super::decode::{Entries, Formula, Name};
 use super::super::form::{Fragment, Guard};
 use super::super::run_form::{Action, Argument, Case, ConditionUse, Item};
 use super::super::vocabulary::Verb;
-use crate::base::diag::Diagnostic;
+use crate::base::diag::{Diagnostic, Place};
+use crate::base::expr::QRef;
 
 pub(super) fn run(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) {
     let mut steps = Vec::new();
@@ -34,6 +35,7 @@ pub(super) fn run(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) {
         }
     }
     guards(&cycle.file.guards, on, found);
+    results(cycle, found);
     for fragment in on.fragments.values() {
         let mut used = BTreeSet::new();
         cases(&fragment.choose, &fragment.conditions, &mut used, found);
@@ -119,6 +121,33 @@ fn guards(guards: &[Guard], on: &OnControl, found: &mut Vec<Diagnostic>) {
         if let Some(name) = &guard.r#use {
             fragment_exists(name, on, found);
         }
+    }
+}
+
+/// A result has a number that no parameter of the cycle has, and a run sets results and parameters only.
+fn results(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
+    let report = |place: &Place, q: QRef, reason: &'static str| {
+        let diagnostic = Diagnostic::error("spec-odd-result", place.clone()).arg("reason", reason);
+        diagnostic.arg("q", q.to_string()).arg("cycle", cycle.key.to_string())
+    };
+    for result in &cycle.file.results {
+        if let Some(q) = result.q.filter(|q| cycle.param(*q).is_some()) {
+            found.push(report(&result.is.place, q, "parameter"));
+        }
+    }
+    let fields: Vec<QRef> = cycle.params.iter().filter_map(|param| param.field.as_ref()?.stands_for).collect();
+    let results = || cycle.file.results.iter().filter_map(|result| result.q);
+    let is_known = |q: QRef| cycle.param(q).is_some() || fields.contains(&q) || results().any(|own| own == q);
+    for item in &cycle.file.run {
+        walk(item, &mut |item| {
+            let in_cases = item.choose.iter().flat_map(|case| &case.actions);
+            for action in item.body.actions.iter().chain(&item.then).chain(in_cases) {
+                let (Verb::Set, Argument::Many(entries)) = (action.verb, &action.argument) else { continue };
+                let set = entries.0.iter().filter_map(|(name, _)| Some((name, QRef::parse(name.as_str())?)));
+                found
+                    .extend(set.filter(|(_, q)| !is_known(*q)).map(|(name, q)| report(&name.place, q, "not-a-result")));
+            }
+        });
     }
 }
 

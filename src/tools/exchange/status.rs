@@ -37,13 +37,13 @@ pub struct Count {
     pub missing: usize,
     /// Those whose source has changed since they were accepted.
     pub stale: usize,
-    /// Those that were never accepted.
+    /// Those that were never accepted, or have got the words of another text since.
     pub unaccepted: usize,
     /// Those with the words of the source.
     pub same_as_source: usize,
     /// Labels, names and prompts that are longer than a control takes.
     pub over_long: usize,
-    /// Words of the source texts that are missing or stale.
+    /// Words of the source texts that are missing or stale, or that the translation has as they are.
     pub words_to_do: usize,
 }
 
@@ -55,7 +55,7 @@ impl Count {
             State::Unaccepted => self.unaccepted += 1,
             State::SameAsSource => self.same_as_source += 1,
         }
-        if matches!(state, State::Missing | State::Stale) {
+        if state != State::Unaccepted {
             self.words_to_do += words;
         }
     }
@@ -122,12 +122,19 @@ pub fn status(
         files.entry(of(text)).or_default().texts += 1;
     }
     let mut open = Vec::new();
+    // What is stale is read anew, whatever else is said of it.
+    let stale: BTreeSet<&str> = audit.stale.iter().map(|finding| finding.key.as_str()).collect();
+    let besides = |all: &[Finding]| -> Vec<Finding> {
+        all.iter().filter(|finding| !stale.contains(finding.key.as_str())).cloned().collect()
+    };
+    let (moved, same) = (besides(&audit.moved), besides(&audit.same));
     let lists = [
         (State::Missing, &audit.missing),
         (State::Missing, &lacking),
         (State::Stale, &audit.stale),
         (State::Unaccepted, &audit.unrecorded),
-        (State::SameAsSource, &audit.same),
+        (State::Unaccepted, &moved),
+        (State::SameAsSource, &same),
     ];
     for (state, findings) in lists {
         for finding in findings.iter().filter(|finding| !finding.key.starts_with('-')) {

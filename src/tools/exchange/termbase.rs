@@ -20,8 +20,9 @@ const ROOTS: [&str; 2] = ["martif", "tbx"];
 const ENTRIES: [&str; 2] = ["termEntry", "conceptEntry"];
 const LANGUAGES: [&str; 2] = ["langSet", "langSec"];
 const TERMS: [&str; 3] = ["tig", "ntig", "termSec"];
-/// What the first line of a table begins with.
-const FIRST: &str = "concept";
+/// The columns that say which word of which language a row of a table has.
+const CONCEPT: &str = "concept";
+const LANGUAGE: &str = "language";
 
 /// A concept in a language, as a file has it.
 #[derive(Clone, Debug)]
@@ -37,8 +38,17 @@ pub struct Row {
 /// Whether a file is one with terms, and not one with units.
 pub fn is_terms(text: &str) -> bool {
     let begin = text.trim_start_matches('\u{feff}').trim_start();
-    let is_head = |rest: &str| rest.starts_with([',', ';', '\t']);
-    root(begin).map_or_else(|| begin.strip_prefix(FIRST).is_some_and(is_head), |name| ROOTS.contains(&name))
+    root(begin).map_or_else(|| separator(begin).is_some(), |name| ROOTS.contains(&name))
+}
+
+/// What separates the columns, if the first line is the head of a table with concepts.
+fn separator(begin: &str) -> Option<u8> {
+    let head = begin.lines().next().unwrap_or_default();
+    let is_concept = |cell: &str| cell.trim().trim_matches('"') == CONCEPT;
+    [',', ';', '\t']
+        .into_iter()
+        .find(|sign| head.contains(*sign) && head.split(*sign).any(is_concept))
+        .map(|sign| sign as u8)
 }
 
 /// The name of the first element, if this is XML.
@@ -147,10 +157,30 @@ fn list(text: &str) -> Vec<String> {
     text.split(BETWEEN.trim()).map(line).filter(|word| !word.is_empty()).collect()
 }
 
+/// Where a cell in quotation marks begins that does not end.
+fn unclosed(table: &str, separator: u8) -> Option<usize> {
+    let mut opened = None;
+    // Whether a quotation mark here would begin a cell.
+    let mut is_start = true;
+    for (at, byte) in table.bytes().enumerate() {
+        match (byte, opened) {
+            (b'"', None) if is_start => opened = Some(at),
+            // A doubled one closes and opens again.
+            (b'"', Some(_)) => opened = None,
+            _ => {}
+        }
+        is_start = byte == separator || matches!(byte, b'\n' | b'\r' | b'"');
+    }
+    opened
+}
+
 fn of_table(text: &str) -> Result<Vec<Row>, Unreadable> {
-    let begin = text.find(FIRST).unwrap_or_default();
-    let separator = text.get(begin + FIRST.len()..).and_then(|rest| rest.bytes().next()).unwrap_or(b',');
-    let table = text.get(begin..).unwrap_or_default();
+    let table = text.trim_start_matches('\u{feff}').trim_start();
+    let begin = text.len() - table.len();
+    let separator = separator(table).unwrap_or(b',');
+    if let Some(at) = unclosed(table, separator) {
+        return Err(Unreadable { at: begin + at, what: "quote" });
+    }
     // A row may be said to begin before the end of the line above it.
     let place = |at: u64| {
         let at = usize::try_from(at).map_or(table.len(), |at| at.min(table.len()));
@@ -164,7 +194,7 @@ fn of_table(text: &str) -> Result<Vec<Row>, Unreadable> {
     };
     let head = reader.headers().map_err(|error| refused(&error))?.clone();
     let column = |name: &str| head.iter().position(|own| own.trim() == name);
-    let (Some(concept), Some(language)) = (column(FIRST), column("language")) else {
+    let (Some(concept), Some(language)) = (column(CONCEPT), column(LANGUAGE)) else {
         return Err(Unreadable { at: begin, what: "columns" });
     };
     let columns = ["term", "label", "forms", "forbidden", "definition"].map(column);

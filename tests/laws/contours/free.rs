@@ -386,7 +386,7 @@ impl Text {
 pub(super) struct Ran {
     pub(super) code: String,
     line: Option<usize>,
-    elements: Vec<Real>,
+    pub(super) elements: Vec<Real>,
 }
 
 pub(super) fn run(program: &str) -> Ran {

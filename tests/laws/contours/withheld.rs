@@ -69,7 +69,7 @@ fn text(reals: &[Real], given: &[Vec<Words>]) -> Text {
 }
 
 laws! {
-    #![proptest_config(config(10))]
+    #![proptest_config(config(6))]
 
     #[test]
     fn contours_come_out_of_just_enough_data(withheld in withheld()) {
@@ -105,5 +105,36 @@ laws! {
         let mut others = Vec::new();
         let found = solutions(&text, &reals, &mut Vec::new(), &mut others);
         prop_assert_eq!(found, Ok(1), "{:?}\n{}", others, text.program(start, &[]));
+    }
+}
+
+/// What searches have found.
+mod found {
+    use super::*;
+
+    /// A short arc whose end and beginning are both open, between two lines that it touches: the other circle that touches
+    /// them would have the contour turn back where the arc ends.
+    #[test]
+    fn a_short_arc_between_two_open_lines() {
+        let program = "BEGIN PGM LAW MM\nTOOL CALL 1 Z S1000 F500\n99 L X+25 Y+0 R0 FMAX\n\
+            100 FL  Y+17.67817736928878 CLSD+\n101 FL  AN-96.60528268248464 LEN51.0857781160461\n\
+            102 FCT DR+ CCY-33.505896689543256\n103 FLT  AN+40.706092937924424 CLSD-\nEND PGM LAW MM\n";
+        // The data were taken of the corners at 25 mm and 0 and 135 degrees (about) and 49.3 mm and 240 degrees.
+        let at = |radius: f64, degrees: f64| {
+            let (s, c) = degrees.to_radians().sin_cos();
+            DVec2::new(c, s) * radius
+        };
+        let (second, third) = (at(25.0, 134.99835399767483), at(49.34559155670587, 240.0));
+        let ran = run(program);
+        assert_eq!(ran.code, "");
+        let [first, line, arc, last] = ran.elements.as_slice() else { panic!("{:?}", ran.elements) };
+        assert!(first.to.distance(second) < 1e-6, "{first:?}");
+        // The arc touches both lines at the same distance from their corner.
+        let far = third.distance(line.to);
+        assert!(
+            (third - line.to).perp_dot(third - second).abs() < 1e-6 * far
+                && (far - third.distance(arc.to)).abs() < 1e-6
+        );
+        assert!(last.to.distance(DVec2::new(25.0, 0.0)) < 1e-6);
     }
 }

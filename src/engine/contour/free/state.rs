@@ -314,6 +314,11 @@ impl State {
         if !same(own_heading, before) || !same(own_heading, written) {
             return false;
         }
+        // What goes on tangentially does not turn back at once.
+        let opposite = curve.heading(end).zip(self.arriving(i + 1)).is_some_and(|(own, next)| own.dot(next) < 0.0);
+        if opposite {
+            return false;
+        }
         match curve {
             Curve::Line { along, .. } => (end - start).dot(along) > AGREE,
             Curve::Circle { centre, .. } => {

@@ -27,6 +27,10 @@ const MOST_OPEN: usize = 512;
 const MOST_SOLUTIONS: usize = 32;
 /// So many starts at least find nothing new before the search ends.
 const QUIET_STARTS: usize = 40;
+/// So many where nothing was found at all.
+const PATIENT_STARTS: usize = 360;
+/// The ends of short arcs are no farther from each other, as a share of the size of the contour.
+const SHORT: f64 = 0.1;
 /// Never more starts than that.
 const MOST_STARTS: usize = 1500;
 /// After so many solutions beside which others lie the system counts as open.
@@ -201,7 +205,7 @@ impl<'a> System<'a> {
         let size = (high - low).max_element().max(reach).max(1.0);
         let mut system = Self { state, given, layout, middle: (low + high) / 2.0, size, says: Vec::new() };
         // What no unknown changes anywhere is no equation.
-        let jacobian = system.jacobian(&system.start(&mut Numbers(1)));
+        let jacobian = system.jacobian(&system.start(&mut Numbers(1), false));
         system.says = (0..jacobian.rows()).map(|row| jacobian.row(row).iter().any(|own| own.abs() > 1e-12)).collect();
         system
     }
@@ -386,13 +390,13 @@ impl<'a> System<'a> {
 
     /// How many unknowns the equations determine where nothing is special.
     fn rank(&self) -> usize {
-        let at = self.start(&mut Numbers(2));
+        let at = self.start(&mut Numbers(2), false);
         determined_columns(self.jacobian(&at)).0
     }
 
     /// The layout of what is determined.
     fn determined_part(&self) -> Option<Layout> {
-        let at = self.start(&mut Numbers(2));
+        let at = self.start(&mut Numbers(2), false);
         let (_, determined) = determined_columns(self.jacobian(&at));
         let whole = |place: &Place, size: usize| match *place {
             Place::Unknown(first) => determined[first..first + size].iter().all(|own| *own),
@@ -413,7 +417,7 @@ impl<'a> System<'a> {
 
     /// The layout of the first unknowns that depend on each other, and on no others, and are not too many.
     fn first_part(&self) -> Option<Layout> {
-        let jacobian = self.jacobian(&self.start(&mut Numbers(2)));
+        let jacobian = self.jacobian(&self.start(&mut Numbers(2), false));
         // Of each unknown the first one on which it depends so far.
         let mut firsts: Vec<usize> = (0..self.layout.count).collect();
         let mut join = |a: usize, b: usize| {
@@ -447,13 +451,16 @@ impl<'a> System<'a> {
         )
     }
 
-    /// A place from which solutions are looked for: points somewhere about the contour, lines and arcs between them.
-    fn start(&self, numbers: &mut Numbers) -> Vec<f64> {
+    /// A place from which solutions are looked for: points somewhere about the contour, lines and arcs between them; the
+    /// arcs may be short, as roundings are.
+    fn start(&self, numbers: &mut Numbers, short: bool) -> Vec<f64> {
         let mut x = vec![0.0; self.layout.count];
         let mut points = Vec::with_capacity(self.layout.points.len());
         for (joint, place) in self.layout.points.iter().enumerate() {
             let wide = DVec2::new(numbers.signed(), numbers.signed()) * self.size;
-            let at = self.state.at(joint).unwrap_or(self.middle + wide);
+            let before = joint.checked_sub(1).filter(|before| short && is_arc(self.given, *before));
+            let near = before.and_then(|before| points.get(before)).map(|before: &DVec2| *before + wide * SHORT);
+            let at = self.state.at(joint).or(near).unwrap_or(self.middle + wide);
             if let Place::Unknown(first) = *place {
                 x[first] = at.x;
                 x[first + 1] = at.y;
@@ -546,10 +553,12 @@ impl<'a> System<'a> {
         let mut found: Vec<Solution> = Vec::new();
         let (mut last, mut loose) = (0, 0);
         for start in 0..MOST_STARTS {
-            if start - last > QUIET_STARTS.max(2 * last) {
+            let quiet = if found.is_empty() { PATIENT_STARTS } else { QUIET_STARTS.max(2 * last) };
+            if start - last > quiet {
                 break;
             }
-            let Some(x) = self.search(self.start(&mut numbers)) else { continue };
+            let short = start > QUIET_STARTS && start % 2 == 1;
+            let Some(x) = self.search(self.start(&mut numbers, short)) else { continue };
             let solution = self.solution(&x);
             if found.iter().any(|known| known.is(&solution)) || !self.holds(&solution) {
                 continue;

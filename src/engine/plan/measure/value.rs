@@ -22,6 +22,34 @@ fn is_sign(expr: &Expr) -> bool {
     }
 }
 
+/// Whether two formulas say the same, wherever they are.
+fn is_same(one: &Expr, other: &Expr) -> bool {
+    let all = |some: &[Expr], others: &[Expr]| {
+        some.len() == others.len() && some.iter().zip(others).all(|(one, other)| is_same(one, other))
+    };
+    match (&one.node, &other.node) {
+        (Node::Unary(op, a), Node::Unary(same, b)) => op == same && is_same(a, b),
+        (Node::Binary(op, a, b), Node::Binary(same, c, d)) => op == same && is_same(a, c) && is_same(b, d),
+        (Node::Call(func, some), Node::Call(same, others)) => func == same && all(some, others),
+        (one, other) => one == other,
+    }
+}
+
+/// Whether there is nothing to choose from or to compare: both branches, or both sides, are the same.
+fn is_pointless(expr: &Expr) -> bool {
+    match &expr.node {
+        Node::Binary(op, one, other) => {
+            let of_two = !matches!(op, Op::Add | Op::Mul);
+            of_two && is_same(one, other)
+        }
+        Node::Call(Func::If, arguments) => matches!(arguments.as_slice(), [_, one, other] if is_same(one, other)),
+        Node::Call(Func::Min | Func::Max, arguments) => {
+            matches!(arguments.as_slice(), [one, other] if is_same(one, other))
+        }
+        _ => false,
+    }
+}
+
 /// Whether a formula is divided by 2.
 fn is_two(expr: &Expr) -> bool {
     matches!(expr.node, Node::Number(value) if value == 2.0)
@@ -67,6 +95,9 @@ impl Reader<'_> {
     }
 
     pub(super) fn value(&mut self, expr: &Expr, place: &Place) -> Measure {
+        if is_pointless(expr) {
+            self.report(place, expr, "same-operands");
+        }
         match &expr.node {
             Node::Number(_) | Node::Text(_) => Measure::default(),
             Node::Q(q) => self.q(*q),
@@ -96,11 +127,21 @@ impl Reader<'_> {
                 }
                 NUMBER
             }
+            Node::Call(Func::Sgn | Func::Abs, arguments) if arguments.iter().any(|one| self.is_never_negative(one)) => {
+                self.report(place, expr, "never-negative");
+                Measure::default()
+            }
             Node::Call(func, arguments) => {
                 let measures: Vec<Measure> = arguments.iter().map(|argument| self.value(argument, place)).collect();
                 self.call(*func, &measures, expr, place)
             }
         }
+    }
+
+    /// Whether it is a parameter whose range begins at 0 or above: its sign and its absolute value say nothing.
+    fn is_never_negative(&self, expr: &Expr) -> bool {
+        let Node::Q(q) = expr.node else { return false };
+        self.cycle.param(q).and_then(|param| param.min).is_some_and(|min| min >= 0.0)
     }
 
     /// Whether two values can be added, compared or chosen from.
@@ -170,7 +211,13 @@ impl Reader<'_> {
 
     fn call(&mut self, func: Func, measures: &[Measure], expr: &Expr, place: &Place) -> Measure {
         match (func, measures) {
-            (Func::Abs, [one]) => Measure { reference: None, ..*one },
+            (Func::Abs, [one]) => {
+                // How far a coordinate is from the datum says nothing about the part.
+                if one.reference == Some(Reference::Absolute) {
+                    self.report(place, expr, "coordinate-as-distance");
+                }
+                Measure { reference: None, ..*one }
+            }
             (Func::Neg, [one]) => opposite(*one),
             (Func::Sgn, _) => NUMBER,
             (Func::Sin | Func::Cos | Func::Tan, [one]) => {
@@ -194,6 +241,10 @@ impl Reader<'_> {
                     return Measure::default();
                 }
                 self.alike(*minor, *tool, expr, place);
+                let has = |reference| [main, minor, tool].into_iter().any(|one| one.reference == Some(reference));
+                if has(Reference::Absolute) && has(Reference::Incremental) {
+                    self.report(place, expr, "distance-as-coordinate");
+                }
                 // What has no unit is a direction, which may be added to a position.
                 let mut units = [main, minor, tool].into_iter().filter_map(|measure| measure.unit);
                 units.find(|unit| *unit != [0; 3]).map_or_else(Measure::default, plain)
@@ -226,6 +277,9 @@ impl Reader<'_> {
     fn either(&mut self, one: Measure, two: Measure, expr: &Expr, place: &Place) -> Measure {
         if !self.alike(one, two, expr, place) {
             return Measure::default();
+        }
+        if one.reference.is_some() && two.reference.is_some() && one.reference != two.reference {
+            self.report(place, expr, "coordinate-as-distance");
         }
         let reference = if one.reference == two.reference { one.reference } else { None };
         Measure { unit: one.unit.or(two.unit), reference }

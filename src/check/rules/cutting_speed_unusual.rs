@@ -1,0 +1,47 @@
+//! A spindle speed that no tool of that diameter and kind turns at: a digit too many or too few.
+//!
+//! Only where a tool table or a TOOL DEF gives the diameter. The limits are far beyond what is usual: 400 m/min for
+//! drills, 80 for taps, 120 for reamers, 2500 for anything else; 2.5 m/min for drills and mills, 0.8 for taps. What a tool
+//! is, its name or a comment beside its call says.
+use std::f64::consts::PI;
+
+use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::tools::{Tools, kind_of_call};
+use crate::check::{Aspect, Facts, Loaded, Rule, ToolKind, Tri};
+use crate::program::syntax::BlockKind;
+use crate::spec::MM_PER_INCH;
+
+pub(super) const RULE: Rule = Rule { code: "cutting-speed-unusual", severity: Severity::Warning, run };
+
+/// Of narrower tools the speed says nothing, mm.
+const NARROW: f64 = 1.0;
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let Some(tools) = Tools::of(facts) else { return };
+    for (index, block) in facts.marked() {
+        let BlockKind::ToolCall(call) = &block.kind else { continue };
+        let (Some(_), Some(speed), None) = (call.tool, call.speed, call.cutting_speed) else { continue };
+        let turning = facts.run.before(index).is_none_or(|modal| modal.is(Aspect::Turning) != Tri::No);
+        let Some(tool) = u32::try_from(index).ok().and_then(|own| tools.get(Loaded::By(own))) else { continue };
+        let Some(turns) = facts.number(&speed).filter(|own| *own > 0.0 && !turning) else { continue };
+        let diameter = 2.0 * tool.radius * if facts.inch { MM_PER_INCH } else { 1.0 };
+        if diameter < NARROW {
+            continue;
+        }
+        let metres = PI * diameter * turns / 1000.0;
+        let (least, most) = match kind_of_call(facts, index) {
+            Some(ToolKind::Tap) => (0.8, 80.0),
+            Some(ToolKind::Reamer) => (0.8, 120.0),
+            Some(ToolKind::Drill | ToolKind::Spot) => (2.5, 400.0),
+            Some(ToolKind::EndMill | ToolKind::FaceMill | ToolKind::Ball) => (2.5, 2500.0),
+            Some(ToolKind::Probe | ToolKind::Boring | ToolKind::BackBoring) => continue,
+            _ => (0.3, 2500.0),
+        };
+        if metres < least || metres > most {
+            let side = if metres < least { "below" } else { "above" };
+            let finding = rule.at(facts, speed.span).arg("side", side);
+            let finding = finding.arg("value", Arg::Number((metres * 10.0).round() / 10.0));
+            found.push(finding.arg("other", Arg::Number(diameter)));
+        }
+    }
+}

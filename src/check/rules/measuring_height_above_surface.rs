@@ -1,0 +1,58 @@
+//! A measuring height above everything that could be touched there: above the top of the blank, or, in a program without a
+//! blank, above every surface that its cycles machine.
+//!
+//! Only probing cycles that measure sideways at a height. Without a blank only where no other measuring height is so high.
+use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::blank::{Blank, is_unmoved};
+use crate::check::cycle::{probes, removes_material};
+use crate::check::program::number;
+use crate::check::{Facts, Rule};
+use crate::program::syntax::BlockKind;
+
+pub(super) const RULE: Rule = Rule { code: "measuring-height-above-surface", severity: Severity::Warning, run };
+
+/// The meanings of the values.
+const HEIGHT: &str = "measuring-height";
+const SURFACE: &str = "surface-coordinate";
+const AXIS: &str = "measuring-axis";
+/// The value of that for the axis of the probe.
+const TOOL_AXIS: f64 = 3.0;
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if !facts.begins() {
+        return;
+    }
+    let blank = Blank::of(facts.program).map(|blank| blank.high[2]);
+    let has_blank = facts.program.blocks().iter().any(|block| matches!(block.kind, BlockKind::BlkForm(_)));
+    let mut surface: Option<f64> = None;
+    let mut heights = Vec::new();
+    for own in &facts.definitions {
+        let Some(cycle) = own.related_cycle() else { continue };
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        if removes_material(cycle) {
+            match read.item(SURFACE).map(number) {
+                Some(Some(value)) => surface = Some(surface.map_or(value, |own| own.max(value))),
+                Some(None) => return,
+                None => {}
+            }
+        }
+        // Along the tool axis it is touched from above.
+        let sideways = read.item(AXIS).is_none_or(|item| number(item).is_some_and(|axis| axis != TOOL_AXIS));
+        if let (true, Some(item)) = (probes(cycle) && sideways, read.item(HEIGHT))
+            && let Some(height) = number(item)
+        {
+            let unmoved = facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));
+            heights.push((height, item.value_span, unmoved));
+        }
+    }
+    let top = if has_blank { blank } else { surface };
+    let Some(top) = top else { return };
+    let above: Vec<_> = heights.iter().filter(|(height, _, unmoved)| *height > top && *unmoved).collect();
+    if !has_blank && above.len() != 1 {
+        return;
+    }
+    for (height, span, _) in above {
+        found.push(rule.at(facts, *span).arg("value", Arg::Number(*height)).arg("other", Arg::Number(top)));
+    }
+}

@@ -1,0 +1,23 @@
+//! A reamer where no hole was made, one that goes deeper than its hole, or one whose hole is so narrow that it would have to
+//! drill.
+//!
+//! Where an execution shows it; the diameters only where they are known and the tool is called a reamer. Said once a
+//! program.
+use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::incident::Incident;
+use crate::check::travel::incidents;
+use crate::check::{Facts, Rule};
+
+pub(super) const RULE: Rule = Rule { code: "reaming-wrong", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let first = incidents(facts).iter().find_map(|(span, own)| match own {
+        Incident::Reamed { what, value, other } => Some((*span, *what, *value, *other)),
+        _ => None,
+    });
+    if let Some((span, what, value, other)) = first {
+        found.push(
+            rule.at(facts, span).arg("what", what).arg("value", Arg::Number(value)).arg("other", Arg::Number(other)),
+        );
+    }
+}

@@ -1,0 +1,135 @@
+//! What a program does to its blank when it is executed, for the checker: the engine knows the ways through subprograms,
+//! called programs, patterns, transformations and parameters that the checker does not follow.
+//!
+//! Tools of which nothing is known, presets and the way that the tool takes after a change are assumed, so only what does
+//! not depend on them is reported: what a tool has removed is taken for more than it may be, and what it meets is looked
+//! at along the line of its tip. Nothing is said while a rotary axis is away from zero, while the workpiece turns, while
+//! a probe is in the spindle, while a tool has another axis than the blank, and after a second preset. Of a program
+//! without a blank only holes and the use of its tools are followed.
+//!
+//! `mod.rs` sets up the run, `body.rs` is the blank, `watcher.rs` follows the events, `work.rs` judges what a cycle has done,
+//! `path.rs` what plain movements have.
+//!
+//! Invariant: a run is bounded, and ends where the engine cannot go on; what was seen before that holds.
+mod body;
+mod path;
+mod watcher;
+mod work;
+
+use self::body::Body;
+use self::watcher::Watcher;
+use crate::base::diag::Source;
+use crate::check::{Observed, ToolKind};
+use crate::engine::run::{Engine, Limits, NoTexts, Programs, Status};
+use crate::engine::scene::Scene;
+use crate::engine::scene::guess::{Guess, GuessedTool, Origin};
+use crate::engine::stock::Blank;
+use crate::program::fields::key;
+use crate::program::syntax::{Amount, BlockKind, Program, ToolRef};
+use crate::program::table::Table;
+use crate::spec::{Catalogue, Known, OnControl};
+
+/// Longer programs are not executed: posts write them, and their ways are all in the text.
+const MOST_BLOCKS: usize = 3_000;
+/// What a run may do.
+const LIMITS: Limits = Limits { blocks: 50_000, jumps: 10_000, depth: 19, members: 2_000, moves: 50_000 };
+
+/// The program, what it is executed on, and what is known of its tools.
+#[derive(Clone, Copy)]
+pub struct Rehearsal<'r> {
+    /// The control.
+    pub on: &'r OnControl,
+    /// The others, for cycles that the manual of this one only names.
+    pub catalogue: &'r Catalogue,
+    /// The files of machines.
+    pub files: &'r [(String, String)],
+    /// The tool table.
+    pub tools: Option<&'r Table>,
+    /// The programs that it calls.
+    pub programs: Option<&'r dyn Programs>,
+}
+
+impl Rehearsal<'_> {
+    /// What the execution of a program shows. `beside` adds to its scene what lies beside the program.
+    pub fn observed(&self, program: &Program, beside: &dyn Fn(&mut Scene)) -> Vec<Observed> {
+        self.watch(program, beside).unwrap_or_default()
+    }
+
+    fn watch(&self, program: &Program, beside: &dyn Fn(&mut Scene)) -> Option<Vec<Observed>> {
+        if program.blocks().len() > MOST_BLOCKS {
+            return None;
+        }
+        let body = Body::of(program);
+        if body.is_none() && !calls_a_tool(program) {
+            return None;
+        }
+        let on = self.describing(program);
+        let mut guess = Guess::of(on, &[program], body.as_ref().map(Body::corners), self.tools, self.files);
+        for tool in &mut guess.tools {
+            tool.plunges = !tool.probes && !tool.turns;
+        }
+        let mut text = guess.to_yaml(&|_| String::new());
+        // Whatever preset is activated first is that of the blank.
+        let rows: Vec<String> = (0..=99).map(|row| format!("{{NO: {row}}}")).collect();
+        text.push_str(&format!("presets: {{active: 1, rows: [{}]}}\n", rows.join(", ")));
+        let mut scene = Scene::parse(&Source::new("scene", text), self.files).ok()?;
+        beside(&mut scene);
+        let frame = Blank::find(program, &scene).map_or(scene.frame, |blank| blank.frame);
+        let mut watcher = Watcher::new((on, self.catalogue), program, body, frame);
+        for tool in guess.tools.iter().filter(|tool| tool.origin != Origin::Assumed && tool.size[1] > 0.0) {
+            watcher.radii.push((tool.number, tool.size[1]));
+        }
+        watcher.kinds = guess.tools.iter().filter_map(|tool| Some((tool.number, self.kind(program, tool)?))).collect();
+        watcher.probes = guess.tools.iter().filter(|tool| tool.probes).map(|tool| tool.number).collect();
+        let engine = Engine::new(program, on, &scene, &NoTexts).with_catalogue(self.catalogue).with_limits(LIMITS);
+        let engine = match self.programs {
+            Some(programs) => engine.with_programs(programs),
+            None => engine,
+        };
+        engine.observe(&mut |event| watcher.see(event));
+        Some(watcher.found)
+    }
+
+    /// The control itself, or the one that describes most of the cycles of a program if this one lacks some: enough to see
+    /// where the tool goes.
+    fn describing(&self, program: &Program) -> &OnControl {
+        let mut keys = std::collections::BTreeSet::new();
+        program.each_cycle(|view| {
+            keys.insert(key(view.keyword, view.number));
+        });
+        let lacks = |on: &OnControl| keys.iter().filter(|key| matches!(on.known(**key), Known::Unknown)).count();
+        if lacks(self.on) == 0 {
+            return self.on;
+        }
+        let others = self.catalogue.controls.values().filter(|own| own.id() != self.on.id()).rev();
+        std::iter::once(self.on).chain(others).min_by_key(|on| lacks(on)).unwrap_or(self.on)
+    }
+
+    /// What a tool is called: in the table, in the program, or in the comment beside its call.
+    fn kind(&self, program: &Program, tool: &GuessedTool) -> Option<ToolKind> {
+        let cell = |column| self.tools.and_then(|table| table.text(tool.number, column).ok());
+        let named = cell("NAME").and_then(ToolKind::named);
+        named.or_else(|| tool.name.as_deref().and_then(ToolKind::named)).or_else(|| {
+            program.blocks().iter().find_map(|block| {
+                let called = match &block.kind {
+                    BlockKind::ToolCall(call) => call.tool?,
+                    BlockKind::ToolDef(own) => own.tool,
+                    _ => return None,
+                };
+                let own = matches!(called, ToolRef::Number(own) if own.amount == Amount::Number(tool.number));
+                let comment = block.comment().filter(|_| own)?;
+                ToolKind::named(program.slice(comment))
+            })
+        })
+    }
+}
+
+/// Whether a program calls a tool: without one, and without a blank, what is executed shows nothing.
+fn calls_a_tool(program: &Program) -> bool {
+    program.blocks().iter().any(|block| matches!(&block.kind, BlockKind::ToolCall(call) if call.tool.is_some()))
+}
+
+/// Whether a run came to its end.
+const fn is_done(status: Status) -> bool {
+    matches!(status, Status::Done)
+}

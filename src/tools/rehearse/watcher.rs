@@ -1,0 +1,561 @@
+//! Follows the events of a run: where the tool is, what it meets and what it is used for.
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+use glam::DVec3;
+
+use super::body::Body;
+use super::is_done;
+use super::path::Ways;
+use super::work::{Hole, Work};
+use crate::check::{Incident, Observed, ToolKind};
+use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
+use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MoveKind, Tool};
+use crate::engine::solid::Path;
+use crate::program::syntax::{self, Block, BlockKind, Program};
+use crate::spec::{Catalogue, Cycle, CycleKey, Group, Keyword, MM_PER_INCH, OnControl};
+
+/// So many cells the longer side of the blank has.
+const CELLS: f64 = 64.0;
+/// So many places of a movement are looked at.
+const PLACES: f64 = 128.0;
+/// So many places may be cut.
+const MOST_PLACES: usize = 400_000;
+/// The radius of a tool that is not known, mm: larger ones are rare.
+pub(super) const RADIUS: f64 = 12.0;
+/// What lies so little inside of the blank is at its faces, mm.
+pub(super) const SKIN: f64 = 0.05;
+/// So far beside the blank a tool below its top has not been retracted, mm.
+const BESIDE: f64 = 50.0;
+/// A movement that cuts goes so far below the blank, mm.
+const UNDER: f64 = 15.0;
+/// A place so far from the blank, besides its size, belongs to another one, mm.
+const FAR: f64 = 50.0;
+/// So far beside the blank nothing is scaled on purpose, besides the radius of the tool, mm.
+const SCALED: f64 = 20.0;
+/// So many blocks in a row may show nothing.
+const SEVERAL: usize = 64;
+/// Places that are so near are the same, mm.
+pub(super) const SAME: f64 = 0.01;
+
+/// What is known while a program runs.
+pub(super) struct Watcher<'w> {
+    on: &'w OnControl,
+    catalogue: &'w Catalogue,
+    program: &'w Program,
+    /// The blocks by their lines.
+    blocks: BTreeMap<usize, &'w Block>,
+    /// A millimetre in the unit of the program.
+    pub(super) unit: f64,
+    /// The blank, if its size is known.
+    pub(super) body: Option<Body>,
+    to_blank: Frame,
+    plane: WorkingPlane,
+    /// The height down to which the blank is there, by rows of cells.
+    tops: Vec<f64>,
+    cell: f64,
+    columns: usize,
+    places: usize,
+    /// Whether something may have been removed that is not known.
+    pub(super) open: bool,
+    /// Whether the blank is elsewhere from now on.
+    lost: bool,
+    /// Whether the plane is tilted, be it without the axes.
+    tilted: bool,
+    /// Whether the tool has another axis than the blank.
+    across: bool,
+    scaled: bool,
+    pub(super) at: DVec3,
+    known: [bool; 3],
+    /// The line of the program itself that is executed, or from which another one was called.
+    pub(super) line: usize,
+    angles: Vec<(RotaryAxis, f64)>,
+    preset: Option<f64>,
+    worked: bool,
+    pub(super) radii: Vec<(f64, f64)>,
+    /// What tools are called.
+    pub(super) kinds: Vec<(f64, ToolKind)>,
+    pub(super) probes: Vec<f64>,
+    pub(super) tool: Option<f64>,
+    pub(super) calls: u32,
+    /// The line of the last tool call.
+    called: usize,
+    with_speed: bool,
+    spindle: i8,
+    speed: f64,
+    started: bool,
+    pub(super) work: Option<Work>,
+    /// Whether more than holes was machined.
+    pub(super) others: bool,
+    pub(super) holes: Vec<Hole>,
+    pub(super) machined: HashMap<(CycleKey, u32, [i64; 3]), usize>,
+    /// The cycles with which tools have cut, each once.
+    used: HashSet<(u64, CycleKey)>,
+    /// The plain movements since the last tool call.
+    pub(super) ways: Ways,
+    pub(super) found: Vec<Observed>,
+}
+
+impl<'w> Watcher<'w> {
+    /// Before the run; `frame` leads from the coordinates of the blank to the machine.
+    pub(super) fn new(
+        (on, catalogue): (&'w OnControl, &'w Catalogue),
+        program: &'w Program,
+        body: Option<Body>,
+        frame: Frame,
+    ) -> Self {
+        let size = body.map_or(DVec3::ZERO, |body| body.high - body.low);
+        let cell = (size.x.max(size.y) / CELLS).max(0.01);
+        let columns = (size.x / cell).ceil().max(1.0) as usize;
+        let rows = (size.y / cell).ceil().max(1.0) as usize;
+        let inch = program.blocks().iter().any(|block| match &block.kind {
+            BlockKind::BeginPgm(frame) => frame.inch,
+            _ => false,
+        });
+        Self {
+            on,
+            catalogue,
+            program,
+            blocks: program.blocks().iter().rev().map(|block| (block.line, block)).collect(),
+            unit: if inch { 1.0 / MM_PER_INCH } else { 1.0 },
+            body,
+            to_blank: frame.inverse(),
+            plane: WorkingPlane::of_tool_axis(body.map_or(Axis::Z, |body| body.axis)),
+            tops: vec![body.map_or(0.0, |body| body.high.z); columns * rows],
+            cell,
+            columns,
+            places: 0,
+            open: false,
+            lost: false,
+            tilted: false,
+            across: false,
+            scaled: false,
+            at: DVec3::ZERO,
+            known: [false; 3],
+            line: 0,
+            angles: Vec::new(),
+            preset: None,
+            worked: false,
+            radii: Vec::new(),
+            kinds: Vec::new(),
+            probes: Vec::new(),
+            tool: None,
+            calls: 0,
+            called: 0,
+            with_speed: false,
+            spindle: 0,
+            speed: 0.0,
+            started: false,
+            work: None,
+            others: false,
+            holes: Vec::new(),
+            machined: HashMap::new(),
+            used: HashSet::new(),
+            ways: Ways::default(),
+            found: Vec::new(),
+        }
+    }
+
+    pub(super) fn report(&mut self, line: usize, incident: Incident) {
+        let once = |own: &Observed| std::mem::discriminant(&own.incident) == std::mem::discriminant(&incident);
+        if !self.found.iter().any(once) {
+            self.found.push(Observed { line, incident });
+        }
+    }
+
+    /// Sees what happens next.
+    pub(super) fn see(&mut self, event: &Event) {
+        let own = *event.at.program == *self.program.source().name();
+        if event.at.line > 0 {
+            if own {
+                self.pass_over(event.at.line);
+            }
+            self.line = if own { event.at.line } else { self.calling_line() };
+        }
+        let key = event.at.cycle.as_ref().map(|(key, _)| *key).filter(|key| key.keyword == Keyword::CyclDef);
+        if self.work.as_ref().is_some_and(|work| Some(work.key) != key || work.written != event.at.line) {
+            self.finish();
+        }
+        match &event.kind {
+            EventKind::Move { kind, path, turned, feed, .. } => {
+                let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
+                self.lost |= turned.is_some();
+                let block = self.blocks.get(&self.line).copied().filter(|_| own && key.is_none());
+                self.go(path, (!rapid).then_some(*feed), key, (event.at.line, block));
+            }
+            EventKind::Turn { axes, .. } => {
+                for turned in axes {
+                    self.angles.retain(|(axis, _)| *axis != turned.axis);
+                    self.angles.push((turned.axis, turned.machine));
+                }
+            }
+            EventKind::Spindle { tool, direction, speed, .. } => {
+                self.speed = *speed;
+                self.spindle(tool.as_ref(), *direction);
+            }
+            EventKind::Transform(coordinates) => self.preset(coordinates),
+            EventKind::Probe(_) => self.worked = true,
+            EventKind::Error(fault) => self.fault(fault),
+            EventKind::End(status) if is_done(*status) => {
+                self.judge_ways();
+                if let Some(height) = self.low_at(BESIDE).filter(|_| self.tool.is_some()) {
+                    self.report(self.line, Incident::End(height));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// The line from which another program is called: the next block, if that does, else the last one that has moved.
+    fn calling_line(&self) -> usize {
+        let silent = |block: &Block| {
+            !matches!(block.kind, BlockKind::CallPgm(_) | BlockKind::Motion(_) | BlockKind::CyclCall(_))
+        };
+        let mut next = self.blocks.range(self.line..).skip(1).map(|(_, block)| *block).skip_while(|own| silent(own));
+        next.next().filter(|own| matches!(own.kind, BlockKind::CallPgm(_))).map_or(self.line, |own| own.line)
+    }
+
+    /// Blocks up to a line that have shown nothing name where the tool already is.
+    fn pass_over(&mut self, to: usize) {
+        if to <= self.line {
+            return;
+        }
+        let blocks: Vec<&Block> = self.blocks.range(self.line + 1..=to).map(|(_, block)| *block).collect();
+        let elsewhere = |block: &&Block| {
+            matches!(
+                block.kind,
+                BlockKind::Lbl(_) | BlockKind::CallLbl(_) | BlockKind::FnJump(_) | BlockKind::ToolCall(_)
+            )
+        };
+        if blocks.len() > SEVERAL || blocks.iter().any(elsewhere) {
+            return;
+        }
+        for block in blocks.into_iter().filter(|block| !block.skip) {
+            if let BlockKind::Motion(element) = &block.kind {
+                let words = element.words();
+                for (known, axis) in self.known.iter_mut().zip([self.plane.main, self.plane.secondary, self.plane.tool])
+                {
+                    *known |= words.coord(letter(axis)).is_some_and(|coord| !coord.incremental);
+                }
+            }
+        }
+    }
+
+    /// Whether nothing can be said of where the tool goes.
+    pub(super) fn away(&self) -> bool {
+        self.lost || self.tilted || self.across || self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6)
+    }
+
+    fn is_probe(&self) -> bool {
+        self.tool.is_some_and(|tool| self.probes.contains(&tool))
+    }
+
+    fn spindle(&mut self, tool: Option<&(Tool, Axis)>, direction: i8) {
+        let Some((tool, axis)) = tool else {
+            self.started |= direction != 0;
+            self.spindle = direction;
+            return;
+        };
+        self.judge_ways();
+        if let Some(height) = self.low_at(BESIDE).filter(|_| self.tool.is_some()) {
+            self.report(self.line, Incident::ToolChange(height));
+        }
+        self.with_speed = self.blocks.get(&self.line).is_some_and(|block| match &block.kind {
+            BlockKind::ToolCall(call) => call.speed.is_some(),
+            _ => false,
+        });
+        if self.tool != Some(tool.number) {
+            (self.known, self.started) = ([false; 3], false);
+        }
+        self.across = *axis != self.plane.tool;
+        self.tool = Some(tool.number);
+        (self.calls, self.called) = (self.calls + 1, self.line);
+        self.spindle = direction;
+    }
+
+    /// A preset is that of the blank if nothing was done before it.
+    fn preset(&mut self, now: &Coordinates) {
+        self.tilted = now.tilt.is_some_and(|tilt| tilt.length() > 1e-6);
+        self.scaled = (now.scaling.0 - 1.0).abs() > 1e-9 || now.scaling.1.is_some();
+        self.transformed(now);
+        let other = self.preset.is_some_and(|before| before != now.preset);
+        self.lost |= other && self.worked;
+        if other || self.preset.is_none() {
+            self.preset = Some(now.preset);
+        }
+        self.lost |= now.origin.length() > SAME || now.basic_rotation.length() > SAME;
+    }
+
+    fn fault(&mut self, fault: &Fault) {
+        if fault.class != Class::Program || fault.of_cycle {
+            return;
+        }
+        let why = match &*fault.code {
+            "free-contour-open" => "open",
+            "free-contour-contradicts" => "contradicts",
+            "free-contour-several" => "several",
+            "rounding-impossible" => "rounding",
+            "contour-crossing" => "crossing",
+            "approach-impossible" => "approach",
+            _ => return,
+        };
+        self.report(self.line, Incident::Incalculable(why));
+    }
+
+    /// The height of the tool if it is below the top of the blank, at most so far beside it.
+    fn low_at(&self, beside: f64) -> Option<f64> {
+        let body = self.body?;
+        let certain = self.known == [true; 3] && !self.away();
+        let below = self.at.z < body.high.z - SKIN && body.low.z <= self.at.z;
+        (certain && below && body.distance(self.at) <= beside).then_some(self.at.z * self.unit)
+    }
+
+    /// How wide the tool is, if that is known.
+    pub(super) fn width(&self) -> Option<f64> {
+        let own = self.radii.iter().find(|(number, _)| Some(*number) == self.tool);
+        own.map(|(_, radius)| 2.0 * radius)
+    }
+
+    pub(super) fn radius(&self) -> f64 {
+        self.width().map_or(RADIUS, |width| width / 2.0)
+    }
+
+    /// What the tool is called.
+    pub(super) fn kind(&self) -> Option<ToolKind> {
+        self.kinds.iter().find(|(number, _)| Some(*number) == self.tool).map(|(_, kind)| *kind)
+    }
+
+    /// A movement, at a feed if it is not a rapid one; with the line where it is written, and the block if that is one of
+    /// the program itself and no cycle makes the movement.
+    fn go(&mut self, path: &Path, feed: Option<f64>, key: Option<CycleKey>, (line, block): (usize, Option<&Block>)) {
+        let begun = self.known == [true; 3];
+        let from = self.place(path.at(0.0));
+        self.at = self.place(path.at(1.0));
+        self.learn(from, block);
+        if let (Some(key), Some(_), Some(tool)) = (key, feed, self.tool) {
+            self.use_tool(tool, key);
+        }
+        if self.away() {
+            self.open |= feed.is_some();
+            return;
+        }
+        if self.is_probe() || self.tool.is_none() {
+            return;
+        }
+        self.worked |= feed.is_some();
+        let places = self.places_of(path);
+        let certain = self.known == [true; 3];
+        let low = key.is_none() && block.is_some() && self.top().is_some_and(|top| self.at.z < top - SKIN);
+        if low && self.known[2] && !(self.known[0] && self.known[1]) && !self.is_placed() {
+            self.report(self.line, Incident::Unplaced(self.at.z * self.unit));
+        }
+        let Some(feed) = feed else {
+            let lifts = from.x == self.at.x && from.y == self.at.y && from.z <= self.at.z;
+            if certain && !self.open && !lifts {
+                let looked: &[DVec3] =
+                    if begun { &places } else { places.last().map(std::slice::from_ref).unwrap_or_default() };
+                if looked.iter().any(|place| self.is_solid(*place)) {
+                    self.report(self.line, Incident::Rapid(from.z.min(self.at.z) * self.unit));
+                }
+            }
+            return;
+        };
+        self.note(key, line, from, certain && begun);
+        if let Some(body) = self.body.filter(|_| certain) {
+            let plain = block.is_none_or(|own| matches!(own.kind, BlockKind::Motion(_)));
+            self.look_at(&body, (key, plain), begun, from, feed, &places);
+        }
+        self.others |= self.is_milling(key) && self.top().is_none_or(|top| self.at.z < top);
+        self.cut(&places);
+    }
+
+    /// Whether the blocks since the last tool call may say where the tool is in the plane: a movement to where it happens to
+    /// be is none, and what was done elsewhere in the text is not looked at.
+    fn is_placed(&self) -> bool {
+        if self.line <= self.called {
+            return true;
+        }
+        let names = [self.plane.main, self.plane.secondary].map(letter);
+        let mut named = [false; 2];
+        for block in self.blocks.range(self.called..=self.line).map(|(_, block)| block) {
+            match &block.kind {
+                BlockKind::Motion(element) => {
+                    let words = element.words();
+                    let polar = [syntax::Axis::Pr, syntax::Axis::Pa].iter().any(|own| words.coord(*own).is_some());
+                    for (named, axis) in named.iter_mut().zip(names) {
+                        *named |= polar || words.coord(axis).is_some();
+                    }
+                }
+                BlockKind::CallLbl(_) | BlockKind::CallPgm(_) | BlockKind::CyclCall(_) | BlockKind::Lbl(_) => {
+                    return true;
+                }
+                _ => {}
+            }
+        }
+        named == [true; 2]
+    }
+
+    /// A movement at feed that is certain, in or beside a blank.
+    fn look_at(
+        &mut self,
+        body: &Body,
+        (key, plain): (Option<CycleKey>, bool),
+        begun: bool,
+        from: DVec3,
+        feed: f64,
+        places: &[DVec3],
+    ) {
+        let group = key.and_then(|key| self.cycle(key)).map(|own| own.file.group);
+        let solid = !self.open && begun && places.iter().any(|place| self.is_solid(*place));
+        if !self.open && self.with_speed && self.probes.is_empty() && group != Some(Group::Threads) {
+            // Where another tool has cut before, a tool that was not started still has to turn.
+            let near = begun && places.iter().any(|own| own.z < body.high.z - SKIN && body.distance(*own) <= 0.0);
+            if solid && (self.spindle == 0 || !self.started) || near && !self.started && key.is_none() {
+                self.report(self.line, Incident::Still { unstarted: self.spindle != 0 });
+            }
+        }
+        if solid && key.is_none() {
+            self.cuts_plainly(from, feed, places);
+        }
+        if key.is_none() {
+            let plan = (body.high - body.low).truncate().max_element();
+            let below = self.at.z < body.high.z - SKIN;
+            let room = if self.scaled { SCALED + self.radius() } else { plan + FAR };
+            if below && body.distance(self.at) > room {
+                self.report(self.line, Incident::Outside([self.at.x * self.unit, self.at.y * self.unit]));
+            }
+            if plain {
+                self.ways.note(self.line, from, self.at, body);
+            }
+        }
+        let under = if self.scaled { SCALED / 4.0 } else { UNDER };
+        if self.at.z < body.low.z - under && body.distance(self.at) <= 0.0 && self.is_milling(key) {
+            self.report(self.line, Incident::Below(self.at.z * self.unit));
+        }
+    }
+
+    /// A plain movement at feed through material: how fast it plunges, and whether such a tool cuts sideways.
+    fn cuts_plainly(&mut self, from: DVec3, feed: f64, places: &[DVec3]) {
+        /// So much of the diameter a tool may plunge per revolution, and so much any tool, mm.
+        const OF_DIAMETER: f64 = 0.15;
+        const AT_MOST: f64 = 1.5;
+        let (along, down) = ((self.at - from).truncate().length(), from.z - self.at.z);
+        if along <= SAME && down > 0.0 && self.speed > 0.0 {
+            let most = self.width().map_or(AT_MOST, |width| (OF_DIAMETER * width).clamp(0.3, AT_MOST));
+            if feed / self.speed > most {
+                self.report(self.line, Incident::FastPlunge(feed / self.speed * self.unit));
+            }
+        }
+        let level = down.abs() <= SAME && places.iter().filter(|place| self.is_solid(**place)).count() > 2;
+        if level && along > SAME && self.kind().is_some_and(ToolKind::only_along_axis) {
+            self.report(self.line, Incident::Sideways);
+        }
+    }
+
+    /// A tool cuts with a cycle: whether it is called something else, or has done a job before that no such tool does.
+    fn use_tool(&mut self, tool: f64, key: CycleKey) {
+        let Some(cycle) = self.cycle(key) else { return };
+        let number = tool.to_bits();
+        if !self.used.insert((number, key)) {
+            return;
+        }
+        if let Some(kind) = self.kind().filter(|kind| kind.misfits(cycle)) {
+            self.report(self.line, Incident::Misused { tool, kind, cycle: key });
+        }
+        let job = |key: CycleKey| self.cycle(key).and_then(super::work::job);
+        let own = job(key);
+        let other = self.used.iter().find(|(before, done)| {
+            *before == number && own.zip(job(*done)).is_some_and(|(own, other)| !own.goes_with(other))
+        });
+        if let Some((_, before)) = other.copied() {
+            self.report(self.line, Incident::OtherJob { cycle: key, before });
+        }
+    }
+
+    /// A cycle as the control describes it, or another one if the manual of this one only names it.
+    pub(super) fn cycle(&self, key: CycleKey) -> Option<&'w Cycle> {
+        self.on.cycles.get(&key).or_else(|| self.catalogue.describing(key).map(|(_, cycle)| cycle))
+    }
+
+    pub(super) fn top(&self) -> Option<f64> {
+        self.body.map(|body| body.high.z)
+    }
+
+    pub(super) fn is_milling(&self, key: Option<CycleKey>) -> bool {
+        let group = key.and_then(|key| self.cycle(key)).map(|own| own.file.group);
+        !matches!(group, Some(Group::Drilling | Group::Threads))
+    }
+
+    /// What a movement says of where the tool is: coordinates that it changes, or that its block names.
+    fn learn(&mut self, from: DVec3, block: Option<&Block>) {
+        let words = block.and_then(|block| match &block.kind {
+            BlockKind::Motion(element) => Some(element.words()),
+            _ => None,
+        });
+        for (index, axis) in [self.plane.main, self.plane.secondary, self.plane.tool].into_iter().enumerate() {
+            let axis = letter(axis);
+            let named = words.as_ref().is_some_and(|words| words.coord(axis).is_some_and(|coord| !coord.incremental));
+            let moved = (from.to_array()[index] - self.at.to_array()[index]).abs() > 1e-9;
+            self.known[index] |= named || moved;
+        }
+    }
+
+    /// A place of the machine in the coordinates of the blank, the tool axis last.
+    fn place(&self, machine: DVec3) -> DVec3 {
+        let own = self.to_blank.point(machine);
+        self.plane.flat(own).extend(self.plane.tool.of(own))
+    }
+
+    fn places_of(&self, path: &Path) -> Vec<DVec3> {
+        let count = (path.length() / self.cell).ceil().clamp(1.0, PLACES);
+        (0..=count as usize).map(|at| self.place(path.at(at as f64 / count))).collect()
+    }
+
+    fn index(&self, body: &Body, x: f64, y: f64) -> Option<usize> {
+        let column = ((x - body.low.x) / self.cell).floor();
+        let row = ((y - body.low.y) / self.cell).floor();
+        let inside = column >= 0.0 && (column as usize) < self.columns && row >= 0.0;
+        inside.then(|| row as usize * self.columns + column as usize).filter(|at| *at < self.tops.len())
+    }
+
+    /// Whether a place is inside of what is left of the blank.
+    fn is_solid(&self, place: DVec3) -> bool {
+        let Some(body) = self.body.filter(|body| body.holds(place, SKIN)) else { return false };
+        self.index(&body, place.x, place.y).and_then(|at| self.tops.get(at)).is_some_and(|top| place.z < top - SKIN)
+    }
+
+    /// Takes away what a tool may cut at places.
+    fn cut(&mut self, places: &[DVec3]) {
+        let Some(body) = self.body else { return };
+        if self.places + places.len() > MOST_PLACES {
+            self.open = true;
+            return;
+        }
+        self.places += places.len();
+        let radius = self.radius() + self.cell;
+        for place in places {
+            let reach = DVec3::new(radius, radius, 0.0);
+            let (from, to) = (*place - reach, *place + reach);
+            let first = |value: f64, low: f64| ((value - low) / self.cell).floor().max(0.0) as usize;
+            let rows = self.tops.len() / self.columns;
+            let (left, right) = (first(from.x, body.low.x), first(to.x, body.low.x).min(self.columns - 1));
+            let (lower, upper) = (first(from.y, body.low.y), first(to.y, body.low.y).min(rows - 1));
+            if to.x < body.low.x || to.y < body.low.y {
+                continue;
+            }
+            for row in lower..=upper {
+                for top in self.tops.iter_mut().skip(row * self.columns).take(right + 1).skip(left) {
+                    *top = top.min(place.z);
+                }
+            }
+        }
+    }
+}
+
+/// An axis as programs write it.
+const fn letter(axis: Axis) -> syntax::Axis {
+    match axis {
+        Axis::X => syntax::Axis::X,
+        Axis::Y => syntax::Axis::Y,
+        Axis::Z => syntax::Axis::Z,
+    }
+}

@@ -1,0 +1,292 @@
+//! What cycles have done at a place: holes beside the blank, one over the other, too narrow or too wide for what follows,
+//! pockets and texts outside.
+use glam::DVec3;
+
+use super::body::Body;
+use super::watcher::{SAME, SKIN, Watcher};
+use crate::check::{Incident, ToolKind, is_reaming};
+use crate::spec::{Cycle, CycleKey, Group};
+
+/// A hole goes so far through the blank, mm.
+const TIP: f64 = 25.0;
+/// The meaning of the value that says a thread is milled, and of one outside.
+const MILLED: &str = "milling-type";
+/// Two holes of one tool are no nearer to each other than so much of its diameter.
+const APART: f64 = 0.95;
+/// A reamer takes no more off the diameter than this, and this part of the diameter, mm.
+const REAMED: (f64, f64) = (0.6, 0.03);
+/// Facing goes so far beyond the blank, besides the diameter of the tool, mm.
+const BEYOND: f64 = 10.0;
+/// So many holes are remembered.
+const MOST_HOLES: usize = 2_000;
+
+/// A hole, or all that a cycle does without another one between.
+pub(super) struct Work {
+    /// Where it is reported.
+    pub(super) line: usize,
+    /// Where it is written, be it in a called program.
+    pub(super) written: usize,
+    pub(super) key: CycleKey,
+    group: Group,
+    milled: bool,
+    /// Where its first cut begins, and whether that is certain.
+    start: DVec3,
+    known: bool,
+    low: DVec3,
+    high: DVec3,
+}
+
+/// A hole that was made.
+#[derive(Clone, Copy)]
+pub(super) struct Hole {
+    at: [f64; 2],
+    bottom: f64,
+    /// How wide it is, if that is known.
+    width: Option<f64>,
+    /// The tool call that it was made after, and the cycle.
+    made: (u32, CycleKey),
+}
+
+/// What a tool is there for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Job {
+    Hole,
+    Thread,
+    MilledThread,
+    Milling,
+    Turning,
+}
+
+impl Job {
+    /// Whether one tool can do both.
+    pub(super) const fn goes_with(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::Thread, other) | (other, Self::Thread) => matches!(other, Self::Thread),
+            (Self::Turning, other) | (other, Self::Turning) => matches!(other, Self::Turning),
+            (Self::Hole, Self::MilledThread) | (Self::MilledThread, Self::Hole) => false,
+            _ => true,
+        }
+    }
+}
+
+/// What a cycle needs a tool for; nothing if tools of many kinds do it.
+pub(super) fn job(cycle: &Cycle) -> Option<Job> {
+    let has = |meaning: &str| cycle.params.iter().any(|param| param.is.as_str() == meaning);
+    match cycle.file.group {
+        Group::Drilling if has(MILLED) => Some(Job::Milling),
+        Group::Drilling => Some(Job::Hole),
+        // Its tool drills before it mills.
+        Group::Threads if has(MILLED) && has("plunging-depth") => None,
+        Group::Threads if has(MILLED) => Some(Job::MilledThread),
+        Group::Threads => Some(Job::Thread),
+        Group::Pockets | Group::Surfaces => Some(Job::Milling),
+        Group::Turning => Some(Job::Turning),
+        _ => None,
+    }
+}
+
+impl Watcher<'_> {
+    /// Adds a cut to what a cycle does; `written` is the line of its call.
+    pub(super) fn note(&mut self, key: Option<CycleKey>, written: usize, from: DVec3, known: bool) {
+        let Some((key, cycle)) = key.and_then(|key| Some((key, self.cycle(key)?))) else { return };
+        let (at, line) = (self.at, self.line);
+        let group = cycle.file.group;
+        let cuts = matches!(group, Group::Drilling | Group::Threads | Group::Pockets | Group::Contours);
+        if !cuts && !matches!(group, Group::Surfaces | Group::Special) {
+            return;
+        }
+        let milled = cycle.params.iter().any(|param| param.is.as_str() == MILLED);
+        let hole = matches!(group, Group::Drilling | Group::Threads) && !milled;
+        let same = |own: &Work| (own.start - from).truncate().length() <= SAME;
+        if hole && self.work.as_ref().is_some_and(|own| !same(own)) && (from - at).truncate().length() <= SAME {
+            self.finish();
+        }
+        let new = Work { line, written, key, group, milled, start: from, known, low: at, high: at };
+        let work = self.work.get_or_insert(new);
+        work.low = work.low.min(at);
+        work.high = work.high.max(at);
+    }
+
+    /// A cycle has done what it does at a place.
+    pub(super) fn finish(&mut self) {
+        // What does not go down is a way between, or cuts from below.
+        let down =
+            |own: &Work| own.low.z < own.start.z - SKIN || !matches!(own.group, Group::Drilling | Group::Threads);
+        let Some(work) = self.work.take().filter(|own| own.known && down(own)) else { return };
+        if self.away() {
+            return;
+        }
+        let hole = matches!(work.group, Group::Drilling | Group::Threads) && !work.milled;
+        if let Some(body) = self.body {
+            self.beside(&body, &work, hole);
+        }
+        if hole {
+            self.again(&work);
+        }
+        match work.group {
+            Group::Threads => self.thread(&work),
+            Group::Drilling if hole => self.drill(&work),
+            Group::Drilling | Group::Pockets => self.mill(&work),
+            _ => {}
+        }
+    }
+
+    /// Whether it is in the blank at all.
+    fn beside(&mut self, body: &Body, work: &Work, hole: bool) {
+        let bottom = work.low.z;
+        let place = [work.start.x * self.unit, work.start.y * self.unit];
+        if bottom > body.high.z + SKIN {
+            self.report(work.line, Incident::Above(bottom * self.unit));
+        }
+        if hole {
+            if body.distance(work.start) > SKIN {
+                self.report(work.line, Incident::Beside(place));
+            } else if bottom < body.low.z - TIP {
+                self.report(work.line, Incident::Through(bottom * self.unit));
+            }
+            return;
+        }
+        let radius = self.radius();
+        let middle = (work.low + work.high) / 2.0;
+        let over = (body.low - work.low).max(work.high - body.high).truncate().max_element();
+        let reach = DVec3::new(radius, radius, 0.0);
+        let nothing = (work.high + reach - body.low).truncate().min_element() < 0.0
+            || (body.high - work.low + reach).truncate().min_element() < 0.0;
+        // The tool begins beside the blank of a stud.
+        let stud =
+            self.cycle(work.key).is_some_and(|own| own.params.iter().any(|param| param.is.as_str().contains("blank")));
+        let outside = match work.group {
+            Group::Special => over > SKIN,
+            Group::Pockets => !stud && (nothing || body.distance(middle) > SKIN),
+            Group::Surfaces => nothing || over > 2.0 * radius + BEYOND,
+            _ => nothing,
+        };
+        if outside {
+            self.report(work.line, Incident::Outside([middle.x * self.unit, middle.y * self.unit]));
+        }
+    }
+
+    /// A hole that the same tool has made already from another block, or on another round.
+    fn again(&mut self, work: &Work) {
+        let place = [work.start.x * self.unit, work.start.y * self.unit];
+        let bits = work.start.with_z(work.low.z).to_array().map(|own| (own / SAME).round() as i64);
+        if self.machined.insert((work.key, self.calls, bits), work.line).is_some() {
+            self.report(work.line, Incident::Again(place));
+        }
+    }
+
+    /// The holes that were made at a place.
+    fn holes_at(&self, place: DVec3) -> Vec<Hole> {
+        let here = |own: &&Hole| (own.at[0] - place.x).abs() <= SAME && (own.at[1] - place.y).abs() <= SAME;
+        self.holes.iter().filter(here).copied().collect()
+    }
+
+    fn remember(&mut self, work: &Work, width: Option<f64>, at: DVec3) {
+        if self.holes.len() < MOST_HOLES {
+            let made = (self.calls, work.key);
+            self.holes.push(Hole { at: [at.x, at.y], bottom: work.low.z, width, made });
+        }
+    }
+
+    /// A hole along the tool axis: beside others of the same tool, and in one that is there already.
+    fn drill(&mut self, work: &Work) {
+        let width = self.width();
+        let (bottom, unit) = (work.low.z, self.unit);
+        let reams = self.cycle(work.key).is_some_and(is_reaming) && self.kind() != Some(ToolKind::Drill);
+        let reams = reams || self.kind() == Some(ToolKind::Reamer);
+        let here = self.holes_at(work.start);
+        // What only centres is not as wide as its tool.
+        let widest = here.iter().filter(|own| own.bottom <= bottom + SKIN).filter_map(|own| own.width).reduce(f64::max);
+        if let Some((own, hole)) = width.zip(widest).filter(|(own, hole)| *hole > own + SAME) {
+            self.report(work.line, Incident::NothingLeft { tool: own * unit, hole: hole * unit });
+        } else if reams && !self.holes.is_empty() {
+            self.ream(work, &here);
+        }
+        if let Some(width) = width.filter(|_| !reams) {
+            let made = (self.calls, work.key);
+            let distance = |own: &Hole| libm::hypot(own.at[0] - work.start.x, own.at[1] - work.start.y);
+            let same = self.holes.iter().filter(|own| own.made == made && own.bottom <= bottom + SKIN);
+            let near = same.map(distance).filter(|own| *own > SAME).reduce(f64::min);
+            if let Some(distance) = near.filter(|own| *own < APART * width) {
+                let incident = Incident::Overlap { distance: distance * unit, width: width * unit };
+                self.report(work.line, incident);
+            }
+        }
+        self.remember(work, width, work.start);
+    }
+
+    /// A reamer needs a hole that is there, as deep as it goes, and a little narrower.
+    fn ream(&mut self, work: &Work, here: &[Hole]) {
+        let unit = self.unit;
+        let Some(lowest) = here.iter().map(|own| own.bottom).reduce(f64::min) else {
+            if !self.others && self.kind() == Some(ToolKind::Reamer) {
+                self.report(work.line, Incident::Reamed { what: "none", value: 0.0, other: 0.0 });
+            }
+            return;
+        };
+        let through = self.body.is_some_and(|body| lowest <= body.low.z);
+        if !through && work.low.z < lowest - SKIN {
+            let (value, other) = (work.low.z * unit, lowest * unit);
+            return self.report(work.line, Incident::Reamed { what: "deep", value, other });
+        }
+        let hole = here.iter().filter(|own| own.bottom <= work.low.z + SKIN).filter_map(|own| own.width);
+        let hole = hole.reduce(f64::max);
+        if let Some((reamer, hole)) = self.width().zip(hole)
+            && reamer - hole > REAMED.0 + REAMED.1 * reamer
+            && self.kind() == Some(ToolKind::Reamer)
+        {
+            let (value, other) = (reamer * unit, hole * unit);
+            self.report(work.line, Incident::Reamed { what: "allowance", value, other });
+        }
+    }
+
+    /// A round hole that is milled, as wide as its ways and the tool.
+    fn mill(&mut self, work: &Work) {
+        let extent = work.high - work.low;
+        let middle = (work.high + work.low) / 2.0;
+        let round = (extent.x - extent.y).abs() <= 0.05 * extent.x;
+        if let Some(width) = self.width().filter(|_| round && extent.x > 0.0) {
+            self.remember(work, Some(extent.x + width), middle);
+        }
+    }
+
+    /// A thread goes into a hole that must be there, wide enough and not too wide, and not deeper than it.
+    fn thread(&mut self, work: &Work) {
+        let place = [work.start.x * self.unit, work.start.y * self.unit];
+        let here = self.holes_at(work.start);
+        let bottom = here.iter().map(|own| own.bottom).reduce(f64::min);
+        // What only centres is not as wide as its tool.
+        let hole = here.iter().filter(|own| own.bottom <= work.low.z).filter_map(|own| own.width).reduce(f64::max);
+        if let Some((thread, hole)) = self.width().zip(hole).filter(|_| !work.milled) {
+            let incident = |wide: bool| match wide {
+                true => Incident::WideCore { thread: thread * self.unit, hole: hole * self.unit },
+                false => Incident::NarrowCore { thread: thread * self.unit, hole: hole * self.unit },
+            };
+            match core(thread) {
+                Some((_, most)) if hole > most => self.report(work.line, incident(true)),
+                Some((least, _)) if hole < least => self.report(work.line, incident(false)),
+                None if hole >= thread => self.report(work.line, incident(true)),
+                _ => {}
+            }
+        }
+        match bottom {
+            Some(hole) if self.body.is_none_or(|body| hole > body.low.z) && work.low.z < hole - SKIN => {
+                let incident = Incident::HoleTooShallow { tap: work.low.z * self.unit, hole: hole * self.unit };
+                self.report(work.line, incident);
+            }
+            None if !work.milled && !self.holes.is_empty() && !self.others => {
+                if self.body.is_none_or(|body| body.distance(work.start) <= 0.0) {
+                    self.report(work.line, Incident::NoHole(place));
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The narrowest and the widest hole in which a metric thread of a diameter is cut or formed, whatever its pitch: cutting
+/// the coarse one needs the narrowest, forming it the widest; finer ones lie nearer to the diameter.
+fn core(diameter: f64) -> Option<(f64, f64)> {
+    let (_, coarse) = crate::check::COARSE.iter().find(|(own, _)| (own - diameter).abs() <= 0.02)?;
+    Some((diameter - 1.35 * coarse, diameter - 0.3 * coarse))
+}
