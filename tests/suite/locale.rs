@@ -460,6 +460,14 @@ fn a_slip_of_the_pen_leaves_translations_fresh_and_a_new_meaning_does_not() {
     }
     assert_eq!(stale(&english.replace("$height", "$depth"), &meanings), ["step"]);
     assert_eq!(stale(&english.replace("upwards", "downwards"), &meanings), ["choice"]);
+    // Words that differ in one letter, of which each has the same consonant.
+    for [word, other] in [["an", "no"], ["on", "no"], ["in", "on"]] {
+        let source = format!("step = Show {word} error of {{ $height }} in 2.\nchoice = move upwards\n");
+        let lock = files(&source, "").accept("fi", &meanings, Accept::Changed).unwrap().lock;
+        let now = source.replace(&format!("Show {word} "), &format!("Show {other} "));
+        let audit = files(&now, &lock).audit_with("fi", &meanings).unwrap();
+        assert_eq!(keys(&audit.stale), ["step"], "{word} → {other}");
+    }
     let changed: Meanings = [("step".to_owned(), 1), ("choice".to_owned(), 3)].into_iter().collect();
     assert_eq!(stale(english, &changed), ["choice"], "the specification means something else");
 }

@@ -207,7 +207,7 @@ pub(super) fn signature(text: &str) -> u32 {
         let lower = word.to_lowercase();
         let sign: String = if exact {
             word.to_owned()
-        } else if SHORT.contains(&lower.chars().count()) && !ARTICLES.contains(&lower.as_str()) {
+        } else if SHORT.contains(&lower.chars().count()) && !is_article(&lower) {
             lower
         } else {
             let consonants: BTreeSet<char> =
@@ -223,10 +223,17 @@ pub(super) fn signature(text: &str) -> u32 {
 
 /// How many letters the short words have.
 const SHORT: std::ops::RangeInclusive<usize> = 2..=3;
-/// Short words that say nothing.
-const ARTICLES: [&str; 2] = ["an", "the"];
+/// The letters, in their order, of short words that say nothing: the articles.
+const ARTICLES: [&str; 2] = ["an", "eht"];
 /// Vowels of the source language.
 const VOWELS: &str = "aeiouy";
+
+/// Whether a word is an article, with its letters in whatever order.
+fn is_article(word: &str) -> bool {
+    let mut letters: Vec<char> = word.chars().collect();
+    letters.sort_unstable();
+    ARTICLES.iter().any(|article| article.chars().eq(letters.iter().copied()))
+}
 
 /// FNV-1a: only equality matters, and the lock must not change with a library's hash.
 struct Fnv(u32);
