@@ -90,8 +90,8 @@ diag-table-doubtful =
 diag-table-value-not-allowed = Row { $row }: column { $column } does not accept “{ $found }”.
 
 diag-stock-extent = The blank is too large: it extends further than { $limit } mm from its datum.
-diag-stock-form = The manuals do not describe BLK FORM { $word }: define the blank in the scene, or a cuboid with BLK FORM 0.1 and 0.2.
+diag-stock-form = BLK FORM { $word } does not say here what the blank is: define it in the scene, as a cuboid with BLK FORM 0.1 and 0.2, or with BLK FORM CYLINDER.
 diag-stock-missing = There is no blank: the scene has no stock and the program has no BLK FORM.
-diag-stock-blank = The corners of BLK FORM must be numbers, and each minimum must be smaller than its maximum.
+diag-stock-blank = BLK FORM needs numbers that give the blank an extent: each minimum must be smaller than its maximum, a cylinder larger than its bore.
 diag-stock-resolution = { $found } cannot be the distance between the columns of the stock: it must be greater than zero, and there may be at most 10 million columns.
 diag-stock-resolution-mesh = The part has more triangles than an STL file can hold; choose a greater distance between the columns.

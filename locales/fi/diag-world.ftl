@@ -87,9 +87,9 @@ diag-table-doubtful =
        *[value] Rivi { $row }: ”{ $found }” sarakkeessa { $column } on luultavasti erehdys.
     }
 diag-table-value-not-allowed = Rivi { $row }: sarake { $column } ei hyväksy arvoa ”{ $found }”.
-diag-stock-blank = BLK FORM -lauseen nurkkien on oltava lukuja, ja jokaisen minimin on oltava pienempi kuin maksimin.
+diag-stock-blank = BLK FORM tarvitsee lukuja, joista aihio saa mitat: jokaisen minimin on oltava pienempi kuin maksimin ja sylinterin suurempi kuin sen reiän.
 diag-stock-extent = Aihio on liian suuri: se ulottuu yli { $limit } mm:n päähän nollapisteestään.
-diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: määrittele aihio asetelmassa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.
+diag-stock-form = Lauseesta BLK FORM { $word } ei tässä selviä, millainen aihio on: määrittele se asetelmassa, särmiönä lauseilla BLK FORM 0.1 ja 0.2 tai lauseella BLK FORM CYLINDER.
 diag-stock-missing = Aihiota ei ole: asetelmassa ei ole aihiota eikä ohjelmassa BLK FORM -lausetta.
 diag-stock-resolution = { $found } ei kelpaa aihion sarakkeiden väliksi: sen on oltava suurempi kuin nolla, ja sarakkeita saa olla enintään 10 miljoonaa.
 diag-stock-resolution-mesh = Kappaleessa on enemmän kolmioita kuin STL-tiedostoon mahtuu; valitse sarakkeille suurempi väli.

@@ -87,9 +87,9 @@ diag-table-doubtful =
        *[value] Riga { $row }: «{ $found }» nella colonna { $column } è probabilmente un errore.
     }
 diag-table-value-not-allowed = Riga { $row }: la colonna { $column } non accetta «{ $found }».
-diag-stock-blank = Le coordinate dei vertici di BLK FORM devono essere numeri e ogni minimo deve essere inferiore al suo massimo.
+diag-stock-blank = BLK FORM richiede numeri che diano un’estensione al pezzo grezzo: ogni minimo deve essere inferiore al suo massimo, un cilindro maggiore del suo foro.
 diag-stock-extent = Il pezzo grezzo è troppo grande: si estende oltre { $limit } mm dalla sua origine.
-diag-stock-form = I manuali non descrivono BLK FORM { $word }: definire il pezzo grezzo nella scena, oppure un parallelepipedo con BLK FORM 0.1 e 0.2.
+diag-stock-form = Da BLK FORM { $word } qui non risulta quale sia il pezzo grezzo: definirlo nella scena, come parallelepipedo con BLK FORM 0.1 e 0.2 oppure con BLK FORM CYLINDER.
 diag-stock-missing = Manca il pezzo grezzo: la scena non ha stock e il programma non ha BLK FORM.
 diag-stock-resolution = { $found } non può essere la distanza tra le colonne del pezzo grezzo: deve essere maggiore di zero e le colonne possono essere al massimo 10 milioni.
 diag-stock-resolution-mesh = Il pezzo ha più triangoli di quanti ne può contenere un file STL; scegliere una distanza maggiore tra le colonne.

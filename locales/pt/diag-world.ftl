@@ -88,8 +88,8 @@ diag-table-doubtful =
     }
 diag-table-value-not-allowed = Linha { $row }: a coluna { $column } não admite «{ $found }».
 diag-stock-extent = O bloco é demasiado grande: estende-se a mais de { $limit } mm do seu ponto de referência.
-diag-stock-form = Os manuais não descrevem BLK FORM { $word }: defina o bloco na cena, ou um paralelepípedo com BLK FORM 0.1 e 0.2.
+diag-stock-form = BLK FORM { $word } não diz aqui como é o bloco: defina-o na cena, como paralelepípedo com BLK FORM 0.1 e 0.2, ou com BLK FORM CYLINDER.
 diag-stock-missing = Não há bloco: a cena não tem stock e o programa não tem BLK FORM.
-diag-stock-blank = Os vértices de BLK FORM têm de ser números e cada mínimo tem de ser inferior ao seu máximo.
+diag-stock-blank = BLK FORM precisa de números que deem uma extensão ao bloco: cada mínimo tem de ser inferior ao seu máximo, um cilindro maior do que o seu furo.
 diag-stock-resolution = { $found } não pode ser a distância entre as colunas do bloco: tem de ser superior a zero e pode haver, no máximo, 10 milhões de colunas.
 diag-stock-resolution-mesh = A peça tem mais triângulos do que um ficheiro STL pode conter; escolha uma distância maior entre as colunas.

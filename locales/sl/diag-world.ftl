@@ -89,9 +89,9 @@ diag-table-doubtful =
        *[value] Vrstica { $row }: »{ $found }« v stolpcu { $column } je najbrž napaka.
     }
 diag-table-value-not-allowed = Vrstica { $row }: stolpec { $column } ne sprejme vrednosti »{ $found }«.
-diag-stock-blank = Oglišča v stavku BLK FORM morajo biti števila in vsak minimum mora biti manjši od maksimuma.
+diag-stock-blank = BLK FORM potrebuje števila, ki dajo surovcu razsežnost: vsak minimum mora biti manjši od maksimuma, valj pa večji od svoje izvrtine.
 diag-stock-extent = Surovec je prevelik: sega več kot { $limit } mm od svojega izhodišča.
-diag-stock-form = Stavka BLK FORM { $word } priročniki ne opisujejo: surovec določite v prizorišču ali kot kvader z BLK FORM 0.1 in 0.2.
+diag-stock-form = Iz stavka BLK FORM { $word } tu ni razvidno, kakšen je surovec: določite ga v prizorišču, kot kvader z BLK FORM 0.1 in 0.2 ali z BLK FORM CYLINDER.
 diag-stock-missing = Surovca ni: v prizorišču ni stock, v programu ni BLK FORM.
 diag-stock-resolution = { $found } ne more biti razdalja med stolpci surovca: biti mora večja od nič, stolpcev pa je lahko največ 10 milijonov.
 diag-stock-resolution-mesh = Obdelovanec ima več trikotnikov, kot jih lahko vsebuje datoteka STL; izberite večjo razdaljo med stolpci.

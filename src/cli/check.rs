@@ -1,7 +1,5 @@
 //! `ciklo check`: what a control would object to in programs.
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 use clap::ArgMatches;
 
@@ -14,7 +12,7 @@ use super::session::Session;
 use super::{Command, Failure, Outcome, annotations, arguments, mend, program};
 use crate::base::data::Files;
 use crate::base::diag::{Diagnostic, Place, Severity};
-use crate::base::parallel::together;
+use crate::base::parallel;
 use crate::check::{self, Against, LabelBook};
 use crate::language::locale::{Args, Language, Ui};
 use crate::program::table::{self, TableKind};
@@ -222,20 +220,9 @@ fn all<'l>(
     progress: &Progress,
     work: impl Fn(&Job<'l>, &mut BTreeMap<String, LabelBook<'l>>) -> Result<Checked, Failure> + Sync,
 ) -> Vec<Result<Checked, Failure>> {
-    let next = AtomicUsize::new(0);
-    let results: Mutex<Vec<Option<Result<Checked, Failure>>>> = Mutex::new(jobs.iter().map(|_| None).collect());
-    together(jobs.len(), || {
-        let mut books = BTreeMap::new();
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            let Some(job) = jobs.get(index) else { break };
-            let result = work(job, &mut books);
-            progress.step();
-            let mut all = results.lock().unwrap_or_else(PoisonError::into_inner);
-            if let Some(cell) = all.get_mut(index) {
-                *cell = Some(result);
-            }
-        }
-    });
-    results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect()
+    parallel::map_with(jobs, BTreeMap::new, |books, job| {
+        let result = work(job, books);
+        progress.step();
+        result
+    })
 }

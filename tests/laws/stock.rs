@@ -379,9 +379,10 @@ fn meshes_are_closed() {
     }
 }
 
-/// The blank of a program: a cuboid in its unit, its second corner also in increments; of other forms a plain word.
+/// The blank of a program: a cuboid in its unit, its second corner also in increments, or a cylinder; of other forms a plain
+/// word.
 #[test]
-fn the_blank_of_a_program_is_a_cuboid_in_its_unit() {
+fn the_blank_of_a_program_is_a_cuboid_or_a_cylinder_in_its_unit() {
     let files = ciklo::base::data::embedded();
     let find = |lines: &str, scene: &str| {
         let program = syntax::parse(&Source::new("A.H", lines));
@@ -402,10 +403,24 @@ fn the_blank_of_a_program_is_a_cuboid_in_its_unit() {
     let increments = "BLK FORM 0.1 Y X+5 Y-20 Z+1\nBLK FORM 0.2 IX+10 IY+20 IZ+3\n";
     near(find(&mm(increments), plain), DVec3::new(5.0, -20.0, 1.0), DVec3::new(15.0, 0.0, 4.0), Axis::Y);
     let round = mm("BLK FORM CYLINDER Z R50 L100\n");
-    assert_eq!(find(&round, plain).err(), Some(StockTrouble::Form { word: "CYLINDER".to_owned() }));
+    near(find(&round, plain), DVec3::new(-50.0, -50.0, -100.0), DVec3::new(50.0, 50.0, 0.0), Axis::Z);
+    // Its top is 5 mm above the datum, so its bottom is 95 mm below it; 30 mm across.
+    let lying = mm("BLK FORM CYLINDER X D30 L100 DIST+5 DI10\n");
+    near(find(&lying, plain), DVec3::new(-95.0, -15.0, -15.0), DVec3::new(5.0, 15.0, 15.0), Axis::X);
+    let program = syntax::parse(&Source::new("A.H", &*lying));
+    let blank = Blank::of_program(&program, Axis::Z).expect("a blank").expect("a body");
+    let volume = blank.uncut().expect("columns").volume();
+    let expected = std::f64::consts::PI * (15.0_f64.powi(2) - 5.0_f64.powi(2)) * 100.0;
+    assert!((volume / expected - 1.0).abs() < 0.02, "{volume} {expected}");
+    for wrong in ["Z R50", "Z L100", "R50 L100", "Z R50 L-1", "Z R50 L100 RI50", "Z RQ1 L100"] {
+        let found = find(&mm(&format!("BLK FORM CYLINDER {wrong}\n")), plain);
+        assert_eq!(found.err(), Some(StockTrouble::Blank), "{wrong}");
+    }
+    let drawn = mm("BLK FORM ROTATION Z DIM_R LBL 2\n");
+    assert_eq!(find(&drawn, plain).err(), Some(StockTrouble::Form { word: "ROTATION".to_owned() }));
     // The stock of the scene goes before whatever the program says.
     let with_stock = "scene: 1\nstock: {box: {min: [0, 0, 0], max: [1, 2, 3]}}\n";
-    near(find(&round, with_stock), DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0), Axis::Z);
+    near(find(&drawn, with_stock), DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0), Axis::Z);
     assert_eq!(
         find(&mm("BLK FORM 0.1 Z X+0 Y+0 Z+0\nBLK FORM 0.2 X+10 Y+0 Z+5\n"), plain).err(),
         Some(StockTrouble::Blank)

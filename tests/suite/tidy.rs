@@ -18,7 +18,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("language::locale", &["base::data", "base::demand", "base::diag", "base::parallel"]),
     ("language::text", &["base::diag", "base::expr", "spec", "language::locale"]),
     ("language::label", &["base::diag", "base::expr", "spec", "language::locale", "language::text"]),
-    ("language::consistency", &["base::diag", "spec", "language::locale", "language::text"]),
+    ("language::consistency", &["base::diag", "base::parallel", "spec", "language::locale", "language::text"]),
     ("program::syntax", &["base::diag", "base::expr"]),
     ("program::fields", &["spec", "program::syntax"]),
     ("program::table", &["base::diag"]),

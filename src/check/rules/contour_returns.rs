@@ -4,14 +4,14 @@
 //! Only straight lines and arcs whose ends are known, in programs with a box as their blank. Said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
-use crate::check::travel::incidents;
+use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "contour-returns", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let first = incidents(facts).iter().find_map(|(span, own)| match own {
-        Incident::Returns(place) => Some((*span, *place)),
+    let first = first_incident(facts, |own| match own {
+        Incident::Returns(place) => Some(place),
         _ => None,
     });
     if let Some((span, [x, y])) = first {

@@ -4,17 +4,17 @@
 //! are known, in programs with a box as their blank and without transformations. Said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
-use crate::check::travel::incidents;
+use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "core-hole-too-large", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let first = incidents(facts).iter().find_map(|(span, own)| match own {
-        Incident::WideCore { thread, hole } => Some((*span, *thread, *hole)),
+    let first = first_incident(facts, |own| match own {
+        Incident::WideCore { thread, hole } => Some((thread, hole)),
         _ => None,
     });
-    if let Some((span, thread, hole)) = first {
+    if let Some((span, (thread, hole))) = first {
         found.push(rule.at(facts, span).arg("value", Arg::Number(thread)).arg("other", Arg::Number(hole)));
     }
 }

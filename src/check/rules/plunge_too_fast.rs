@@ -4,14 +4,14 @@
 //! Only plain movements, where an execution shows that material is there. Said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
-use crate::check::travel::incidents;
+use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "plunge-too-fast", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let first = incidents(facts).iter().find_map(|(span, own)| match own {
-        Incident::FastPlunge(value) => Some((*span, *value)),
+    let first = first_incident(facts, |own| match own {
+        Incident::FastPlunge(value) => Some(value),
         _ => None,
     });
     if let Some((span, value)) = first {

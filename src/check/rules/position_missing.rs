@@ -3,14 +3,14 @@
 //! Where an execution shows it. Said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
-use crate::check::travel::incidents;
+use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "position-missing", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let first = incidents(facts).iter().find_map(|(span, own)| match own {
-        Incident::Unplaced(height) => Some((*span, *height)),
+    let first = first_incident(facts, |own| match own {
+        Incident::Unplaced(height) => Some(height),
         _ => None,
     });
     if let Some((span, height)) = first {

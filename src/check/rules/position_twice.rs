@@ -7,15 +7,15 @@ use std::collections::HashSet;
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::incident::Incident;
 use crate::check::program::is_silent;
-use crate::check::travel::incidents;
+use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "position-twice", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let first = incidents(facts).iter().find_map(|(span, own)| match own {
-        Incident::Again(place) => Some((*span, *place)),
+    let first = first_incident(facts, |own| match own {
+        Incident::Again(place) => Some(place),
         _ => None,
     });
     if let Some((span, [x, y])) = first.or_else(|| in_a_row(facts)) {

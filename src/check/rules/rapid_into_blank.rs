@@ -6,15 +6,15 @@
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::Blank;
 use crate::check::incident::Incident;
-use crate::check::travel::incidents;
+use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "rapid-into-blank", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program) else { return };
-    let first = incidents(facts).iter().find_map(|(span, own)| match own {
-        Incident::Rapid(height) => Some((*span, *height)),
+    let first = first_incident(facts, |own| match own {
+        Incident::Rapid(height) => Some(height),
         _ => None,
     });
     if let Some((span, height)) = first {

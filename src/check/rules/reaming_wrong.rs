@@ -5,17 +5,17 @@
 //! program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
-use crate::check::travel::incidents;
+use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "reaming-wrong", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let first = incidents(facts).iter().find_map(|(span, own)| match own {
-        Incident::Reamed { what, value, other } => Some((*span, *what, *value, *other)),
+    let first = first_incident(facts, |own| match own {
+        Incident::Reamed { what, value, other } => Some((what, value, other)),
         _ => None,
     });
-    if let Some((span, what, value, other)) = first {
+    if let Some((span, (what, value, other))) = first {
         found.push(
             rule.at(facts, span).arg("what", what).arg("value", Arg::Number(value)).arg("other", Arg::Number(other)),
         );

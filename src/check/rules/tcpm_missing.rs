@@ -1,5 +1,5 @@
-//! Rotary axes, at least two of them, that move with linear ones at feed in several blocks while nothing holds the tool tip in its place, in a
-//! program that switches TCPM off later: switching it on was forgotten.
+//! Rotary axes, at least two of them, that move with linear ones at feed in several blocks while nothing holds the tool tip
+//! in its place, in a program that switches TCPM off later: switching it on was forgotten.
 //!
 //! Reported once a program. A program that never speaks of M128 or TCPM may calculate the way of the tool itself.
 use std::collections::BTreeSet;

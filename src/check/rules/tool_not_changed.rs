@@ -8,7 +8,7 @@ use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::removes_material;
 use crate::check::incident::Incident;
 use crate::check::program::with_meaning;
-use crate::check::travel::incidents;
+use crate::check::travel::first_incident;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, Tri};
 use crate::spec::{Cycle, Group};
 
@@ -62,11 +62,11 @@ fn observed(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if found.iter().any(|own| own.code == rule.code) {
         return;
     }
-    let first = incidents(facts).iter().find_map(|(span, own)| match own {
-        Incident::OtherJob { cycle, before } => Some((*span, *cycle, *before)),
+    let first = first_incident(facts, |own| match own {
+        Incident::OtherJob { cycle, before } => Some((cycle, before)),
         _ => None,
     });
-    if let Some((span, cycle, before)) = first {
+    if let Some((span, (cycle, before))) = first {
         found.push(rule.at(facts, span).arg("cycle", cycle.to_string()).arg("before", before.to_string()));
     }
 }

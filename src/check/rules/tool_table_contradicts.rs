@@ -11,7 +11,7 @@ use crate::check::cycle::{probes, removes_material};
 use crate::check::incident::Incident;
 use crate::check::program::{number, with_meaning};
 use crate::check::tools::named;
-use crate::check::travel::incidents;
+use crate::check::travel::first_incident;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolName, Tri, diameter_of};
 use crate::program::syntax::{BlockKind, Compensates, ToolRef};
 use crate::spec::{Cycle, Group, MM_PER_INCH};
@@ -100,11 +100,11 @@ fn observed(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if found.iter().any(|own| own.code == rule.code) {
         return;
     }
-    let first = incidents(facts).iter().find_map(|(span, own)| match own {
-        Incident::Misused { tool, kind, cycle } => Some((*span, *tool, *kind, *cycle)),
+    let first = first_incident(facts, |own| match own {
+        Incident::Misused { tool, kind, cycle } => Some((tool, kind, cycle)),
         _ => None,
     });
-    if let Some((span, tool, kind, cycle)) = first {
+    if let Some((span, (tool, kind, cycle))) = first {
         let finding = rule.at(facts, span).arg("what", "type").arg("tool", tool.to_string());
         found.push(finding.arg("value", cycle.to_string()).arg("other", kind.word()));
     }

@@ -88,6 +88,11 @@ pub(super) fn incidents<'f>(facts: &'f Facts<'_>) -> &'f [(Span, Incident)] {
     })
 }
 
+/// The place of the first incident that a rule wants, and what it takes from it.
+pub(super) fn first_incident<T>(facts: &Facts<'_>, wanted: impl Fn(Incident) -> Option<T>) -> Option<(Span, T)> {
+    incidents(facts).iter().find_map(|(span, own)| Some((*span, wanted(*own)?)))
+}
+
 /// What an execution of the program shows besides.
 fn observed(facts: &Facts<'_>, known: &[(Span, Incident)]) -> Vec<(Span, Incident)> {
     let Some(project) = facts.project.filter(|_| facts.begins() && !facts.flow.unread.any()) else { return Vec::new() };

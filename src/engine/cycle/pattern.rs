@@ -132,11 +132,10 @@ impl<'e> Run<'_, 'e> {
         for row in table.rows() {
             let number = |column| table.number(row, column).map(Option::unwrap_or_default);
             // Tables of older software have no such column.
-            let hidden = match table.columns().any(|own| own == "FADE") {
-                true => table.text(row, "FADE")?.trim().to_ascii_uppercase(),
-                false => String::new(),
-            };
-            if !matches!(hidden.as_str(), "Y" | "YES" | "1") {
+            let has_column = table.columns().any(|own| own == "FADE");
+            let hidden = has_column.then(|| table.text(row, "FADE")).transpose()?;
+            let hidden = hidden.map(|word| word.trim().to_ascii_uppercase());
+            if !matches!(hidden.as_deref(), Some("Y" | "YES" | "1")) {
                 points.push(self.drives.in_plane(DVec3::new(number("X")?, number("Y")?, number("Z")?)));
             }
         }

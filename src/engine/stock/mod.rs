@@ -15,6 +15,7 @@
 //! Invariant: nothing here knows a control or a program; `follow` alone reads events.
 mod arc_sweep;
 mod ball_continuation;
+mod blank;
 mod columns;
 mod compare;
 mod cut;
@@ -39,9 +40,10 @@ mod turning;
 mod watch;
 
 pub use crate::engine::machine::Neck;
+pub use blank::{Blank, StockTrouble};
 pub use compare::Deviation;
 pub use cutter::{Cutter, Tip};
-pub use follow::{Blank, Machining, StockTrouble};
+pub use follow::Machining;
 pub use outline::Plateau;
 pub use report::{Finding, Greatest, Report};
 pub use watch::Watch;

@@ -21,6 +21,7 @@ pub use negation::Negation;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Arg, Diagnostic, Place};
+use crate::base::parallel;
 use crate::language::locale::{Key, Language, Locales, Scope};
 use crate::spec::Catalogue;
 
@@ -48,17 +49,29 @@ pub const VARIANT: &str = "consistency-variant";
 /// Two texts seem to have changed places in a language.
 pub const SWAPPED: &str = "consistency-swapped";
 
+/// One thing that the languages are compared in.
+type Check = fn(&Catalogue, &Locales, &mut Vec<Diagnostic>);
+
+/// All of them, in the order of their findings.
+const CHECKS: [Check; 8] = [
+    |_, locales, found| facts(locales, found),
+    label::check,
+    pair::check,
+    lexicon::check,
+    used::check,
+    choice::check,
+    |_, locales, found| term::check(locales, found),
+    |_, locales, found| negation::check(locales, found),
+];
+
 /// What the languages do not agree on.
 pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
-    let mut found = Vec::new();
-    facts(locales, &mut found);
-    label::check(catalogue, locales, &mut found);
-    pair::check(catalogue, locales, &mut found);
-    lexicon::check(catalogue, locales, &mut found);
-    used::check(catalogue, locales, &mut found);
-    choice::check(catalogue, locales, &mut found);
-    term::check(locales, &mut found);
-    negation::check(locales, &mut found);
+    let found = parallel::map(&CHECKS, |check| {
+        let mut found = Vec::new();
+        check(catalogue, locales, &mut found);
+        found
+    });
+    let mut found = found.concat();
     crate::base::diag::dedupe(&mut found);
     found
 }

@@ -22,6 +22,18 @@ struct Corpus<'l> {
     texts: HashMap<String, Words>,
 }
 
+/// A set of texts, by their numbers: one bit a text.
+#[derive(Clone, Default)]
+struct Texts(Vec<u64>);
+
+/// In which texts of a language words occur.
+struct Occurrences {
+    /// All texts that the language has.
+    all: Texts,
+    /// Those with a word, of words that may have changed places.
+    with: HashMap<u32, Texts>,
+}
+
 /// Message ids of texts that may have been exchanged.
 fn pairs(catalogue: &Catalogue) -> BTreeSet<(String, String)> {
     let mut pairs = BTreeSet::new();
@@ -43,15 +55,15 @@ fn pairs(catalogue: &Catalogue) -> BTreeSet<(String, String)> {
 pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Diagnostic>) {
     let pairs = pairs(catalogue);
     let corpora: Vec<Corpus> = locales.iter().map(Corpus::of).collect();
-    let wanted: Vec<Words> = corpora.iter().map(|corpus| corpus.words_of(&pairs)).collect();
-    let table = |a: usize, b: usize| Table::new(&corpora[a], &wanted[a], &corpora[b], &wanted[b]);
-    let tables: Vec<Vec<Table>> = (0..corpora.len()).map(|a| (0..a).map(|b| table(a, b)).collect()).collect();
+    let mut numbers = HashMap::new();
+    let occurrences: Vec<Occurrences> = corpora.iter().map(|own| own.occurrences(&pairs, &mut numbers)).collect();
     for (one, other) in &pairs {
         // The languages with which each finds the pair swapped.
         let mut against = vec![Vec::new(); corpora.len()];
         for a in 0..corpora.len() {
             for b in 0..a {
-                if tables[a][b].swapped(&corpora[a].texts, &corpora[b].texts, one, other) {
+                let table = Table { one: &occurrences[a], other: &occurrences[b] };
+                if table.swapped(&corpora[a].texts, &corpora[b].texts, one, other) {
                     against[a].push(corpora[b].language.tag());
                     against[b].push(corpora[a].language.tag());
                 }
@@ -92,47 +104,62 @@ impl<'l> Corpus<'l> {
         Self { language, texts }
     }
 
-    /// All words of the texts that may have changed places.
-    fn words_of(&self, pairs: &BTreeSet<(String, String)>) -> Words {
+    /// Where the words of the texts that may have changed places occur. `numbers` are those of the texts of all languages.
+    fn occurrences<'c>(
+        &'c self,
+        pairs: &BTreeSet<(String, String)>,
+        numbers: &mut HashMap<&'c str, usize>,
+    ) -> Occurrences {
         let ids = pairs.iter().flat_map(|(one, other)| [one, other]);
-        ids.filter_map(|id| self.texts.get(id)).flatten().copied().collect()
+        let wanted: Words = ids.filter_map(|id| self.texts.get(id)).flatten().copied().collect();
+        let mut found = Occurrences { all: Texts::default(), with: HashMap::new() };
+        for (id, words) in &self.texts {
+            let next = numbers.len();
+            let number = *numbers.entry(id).or_insert(next);
+            found.all.insert(number);
+            for word in words.intersection(&wanted) {
+                found.with.entry(*word).or_default().insert(number);
+            }
+        }
+        found
+    }
+}
+
+impl Texts {
+    fn insert(&mut self, number: usize) {
+        let (at, bit) = (number / 64, number % 64);
+        if self.0.len() <= at {
+            self.0.resize(at + 1, 0);
+        }
+        self.0[at] |= 1 << bit;
+    }
+
+    /// How many texts are in both.
+    fn common(&self, other: &Self) -> f64 {
+        f64::from(self.0.iter().zip(&other.0).map(|(one, other)| (one & other).count_ones()).sum::<u32>())
     }
 }
 
 /// How often words of two languages occur in texts with the same id.
-struct Table {
-    one: HashMap<u32, f64>,
-    other: HashMap<u32, f64>,
-    both: HashMap<(u32, u32), f64>,
+struct Table<'o> {
+    one: &'o Occurrences,
+    other: &'o Occurrences,
 }
 
-impl Table {
-    fn new(one: &Corpus, of_one: &Words, other: &Corpus, of_other: &Words) -> Self {
-        let mut table = Self { one: HashMap::new(), other: HashMap::new(), both: HashMap::new() };
-        for (id, words) in &one.texts {
-            let Some(others) = other.texts.get(id) else { continue };
-            let others: Vec<u32> = others.intersection(of_other).copied().collect();
-            for word in words.intersection(of_one) {
-                *table.one.entry(*word).or_default() += 1.0;
-                for other in &others {
-                    *table.both.entry((*word, *other)).or_default() += 1.0;
-                }
-            }
-            for word in others {
-                *table.other.entry(word).or_default() += 1.0;
-            }
-        }
-        table
-    }
-
+impl Table<'_> {
     /// How strongly two words go together in all texts but those that are left out, from 0 to 1.
     fn strength(&self, word: u32, other: u32, left_out: &[(&Words, &Words)]) -> f64 {
+        let (Some(with_one), Some(with_other)) = (self.one.with.get(&word), self.other.with.get(&other)) else {
+            return 0.0;
+        };
         let count = |has: &dyn Fn(&(&Words, &Words)) -> bool| left_out.iter().filter(|pair| has(pair)).count() as f64;
-        let one = self.one.get(&word).copied().unwrap_or(0.0) - count(&|pair| pair.0.contains(&word));
-        let two = self.other.get(&other).copied().unwrap_or(0.0) - count(&|pair| pair.1.contains(&other));
-        let both = self.both.get(&(word, other)).copied().unwrap_or(0.0)
-            - count(&|pair| pair.0.contains(&word) && pair.1.contains(&other));
-        if one + two <= 0.0 || both <= 0.0 { 0.0 } else { 2.0 * both / (one + two) }
+        let both = with_one.common(with_other) - count(&|pair| pair.0.contains(&word) && pair.1.contains(&other));
+        if both <= 0.0 {
+            return 0.0;
+        }
+        let one = with_one.common(&self.other.all) - count(&|pair| pair.0.contains(&word));
+        let two = with_other.common(&self.one.all) - count(&|pair| pair.1.contains(&other));
+        2.0 * both / (one + two)
     }
 
     fn swapped(&self, one: &HashMap<String, Words>, other: &HashMap<String, Words>, a: &str, b: &str) -> bool {

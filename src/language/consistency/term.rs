@@ -2,6 +2,8 @@
 //!
 //! A term is `term-<id>`; `.forms` lists the beginnings under which it is found in texts, `.forbidden`
 //! words that must not stand for it. Where the source text uses a term, the translation must use its own.
+use std::collections::HashMap;
+
 use crate::base::diag::Diagnostic;
 use crate::language::locale::{Key, Language, Locales, Scope};
 
@@ -9,6 +11,9 @@ use crate::language::locale::{Key, Language, Locales, Scope};
 const TERM: &str = "term-";
 /// Texts in which terms are looked for.
 const TEXTS: [&str; 8] = ["step-", "say-", "until-", "note-", "guard-", "choice-", "cycle-", "parameter-"];
+
+/// Which terms, by their place, the source texts that were looked at use.
+type Asked = HashMap<String, Vec<bool>>;
 
 /// A term in a language.
 struct Term<'l> {
@@ -22,6 +27,7 @@ struct Term<'l> {
 pub(super) fn check(locales: &Locales, found: &mut Vec<Diagnostic>) {
     let Some(source) = locales.source() else { return };
     let terms = terms(source);
+    let mut asked = Asked::default();
     for language in locales.iter() {
         let own = terms_of(language, &terms);
         for (key, suffixes) in language.keys() {
@@ -35,7 +41,7 @@ pub(super) fn check(locales: &Locales, found: &mut Vec<Diagnostic>) {
                 [one] => Scope { cycle: Some(one), control: Some(one) },
                 [cycle, control, ..] => Scope::new(cycle, control),
             };
-            judge(key, scope, (source, &terms), (language, &own), found);
+            judge(key, scope, (source, &terms, &mut asked), (language, &own), found);
         }
     }
 }
@@ -64,14 +70,20 @@ fn term<'l>(language: &Language, id: &'l str) -> Term<'l> {
 fn judge(
     key: Key,
     scope: Scope,
-    (source, terms): (&Language, &[Term]),
+    (source, terms, asked): (&Language, &[Term], &mut Asked),
     (language, own): (&Language, &[Term]),
     found: &mut Vec<Diagnostic>,
 ) {
     let Some((text, place)) = language.raw(key, scope) else { return };
     let text = prose(&text);
-    let original = source.raw(key, scope).map(|(text, _)| prose(&text)).unwrap_or_default();
-    for (term, own) in terms.iter().zip(own) {
+    let is_source = language.tag() == source.tag();
+    let original = source.raw(key, scope).filter(|_| !is_source).map(|(text, _)| text).unwrap_or_default();
+    let asked = asked.entry(original).or_insert_with_key(|original| {
+        let original = prose(original);
+        let is_in = |term: &Term| term.forms.iter().any(|form| has(&original, form));
+        terms.iter().map(is_in).collect()
+    });
+    for ((term, own), asked) in terms.iter().zip(own).zip(asked) {
         let report = |code| {
             let found = Diagnostic::warning(code, place.clone()).arg("key", key.to_string());
             found.arg("language", language.tag()).arg("concept", own.id)
@@ -79,9 +91,8 @@ fn judge(
         if let Some(word) = own.forbidden.iter().find(|word| has(&text, word)) {
             found.push(report("consistency-forbidden").arg("word", word.as_str()).arg("term", own.word.as_str()));
         }
-        let asked = term.forms.iter().any(|form| has(&original, form));
-        let answered = own.forms.iter().any(|form| has(&text, form));
-        if language.tag() != source.tag() && asked && !own.forms.is_empty() && !answered {
+        let answered = || own.forms.iter().any(|form| has(&text, form));
+        if *asked && !own.forms.is_empty() && !answered() {
             found.push(report("consistency-term").arg("source", term.word.as_str()).arg("term", own.word.as_str()));
         }
     }

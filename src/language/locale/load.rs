@@ -3,7 +3,7 @@
 //! Invariant: a mistake costs the message it is in, never the file, and each has its place.
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use fluent::FluentResource;
 use fluent_syntax::ast::{self, Pattern};
@@ -19,7 +19,7 @@ use super::pattern::{Node, Template, visit};
 use crate::base::data::Prepared;
 use crate::base::demand::Deferred;
 use crate::base::diag::{Diagnostic, Mistakes, Place, Source, Span};
-use crate::base::parallel::together;
+use crate::base::parallel;
 
 /// The file of a language that holds its units and lists.
 const UNITS: &str = "units.ftl";
@@ -59,21 +59,14 @@ where
             Err(_) => diagnostics.push(Diagnostic::error("locale-encoding", start(&Source::new(path.as_ref(), "")))),
         }
     }
-    let count = grouped.len();
-    let waiting = Mutex::new(grouped.into_iter().enumerate());
-    let read = Mutex::new(Vec::with_capacity(count));
-    together(count, || {
-        let next = || waiting.lock().unwrap_or_else(PoisonError::into_inner).next();
-        while let Some((at, (tag, sources))) = next() {
-            let mut found = Vec::new();
-            let language = language(&tag, sources, &mut found);
-            read.lock().unwrap_or_else(PoisonError::into_inner).push((at, tag, language, found));
-        }
+    let grouped: Vec<(String, Vec<(String, Arc<Source>)>)> = grouped.into_iter().collect();
+    let read = parallel::map(&grouped, |(tag, sources)| {
+        let mut found = Vec::new();
+        let language = language(tag, sources.clone(), &mut found);
+        (language, found)
     });
-    let mut read = read.into_inner().unwrap_or_else(PoisonError::into_inner);
-    read.sort_by_key(|(at, ..)| *at);
     let mut languages = BTreeMap::new();
-    for (_, tag, language, found) in read {
+    for ((tag, _), (language, found)) in grouped.into_iter().zip(read) {
         diagnostics.extend(found);
         languages.extend(language.map(|language| (tag, Arc::new(language))));
     }

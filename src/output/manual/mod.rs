@@ -38,7 +38,7 @@ use minijinja::{Environment, UndefinedBehavior};
 use serde::Serialize;
 
 use crate::base::diag::Diagnostic;
-use crate::base::parallel::together;
+use crate::base::parallel;
 use crate::check::LabelBook;
 use crate::language::label;
 use crate::language::locale::{Args, Language, Locales};
@@ -391,21 +391,9 @@ fn pairs<'a>(request: &Request<'a>) -> Result<Vec<Pair<'a>>, Vec<Diagnostic>> {
 
 /// Runs numbered jobs on all processors and gives what went wrong, sorted and once each.
 fn in_parallel(jobs: usize, run: &(dyn Fn(usize) -> Result<(), Vec<Diagnostic>> + Sync)) -> Vec<Diagnostic> {
-    let next = AtomicUsize::new(0);
-    let faults = Mutex::new(Vec::new());
-    let work = || {
-        loop {
-            let at = next.fetch_add(1, Ordering::Relaxed);
-            if at >= jobs {
-                return;
-            }
-            if let Err(more) = run(at) {
-                lock(&faults).extend(more);
-            }
-        }
-    };
-    together(jobs, work);
-    let mut faults = faults.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let numbers: Vec<usize> = (0..jobs).collect();
+    let results = parallel::map(&numbers, |at| run(*at));
+    let mut faults: Vec<Diagnostic> = results.into_iter().filter_map(Result::err).flatten().collect();
     let key = |fault: &Diagnostic| {
         let place = fault.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));
         let args = fault.args.iter().filter(|(name, _)| !["cycle", "control"].contains(name));

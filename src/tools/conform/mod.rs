@@ -12,8 +12,7 @@ mod show;
 mod texts;
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 pub use case::Called;
 pub use foreign::{Partner, Silence, run as run_foreign};
@@ -23,7 +22,7 @@ pub use show::WORDS;
 pub use texts::{LogTexts, template};
 
 use crate::base::diag::{Diagnostic, Source, dedupe};
-use crate::base::parallel::together;
+use crate::base::parallel;
 use crate::engine::plan;
 use crate::engine::run::Shown;
 use crate::engine::scene::Scene;
@@ -176,23 +175,7 @@ type Result = (CaseReport, Shown, Vec<Diagnostic>);
 
 /// Executes the cases on all cores; the results come in the order of the jobs.
 fn execute(world: &World<'_>, jobs: &[Job<'_>]) -> Vec<Result> {
-    let next = AtomicUsize::new(0);
-    let results: Mutex<Vec<Option<Result>>> = Mutex::new(jobs.iter().map(|_| None).collect());
-    together(jobs.len(), || {
-        while let Some((index, job)) = take(&next, jobs) {
-            let result = case::execute(world, job.on, job.cycle, job.example);
-            let mut all = results.lock().unwrap_or_else(PoisonError::into_inner);
-            if let Some(cell) = all.get_mut(index) {
-                *cell = Some(result);
-            }
-        }
-    });
-    results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect()
-}
-
-fn take<'j, 'w>(next: &AtomicUsize, jobs: &'j [Job<'w>]) -> Option<(usize, &'j Job<'w>)> {
-    let index = next.fetch_add(1, Ordering::Relaxed);
-    jobs.get(index).map(|job| (index, job))
+    parallel::map(jobs, |job| case::execute(world, job.on, job.cycle, job.example))
 }
 
 /// What the examples showed of a cycle, and what they did not.

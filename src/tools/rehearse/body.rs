@@ -2,8 +2,9 @@
 use glam::DVec3;
 
 use crate::engine::geometry::{Axis, WorkingPlane};
-use crate::program::syntax::{self, Amount, BlkForm, BlockKind, Program, Statement, StatementKind, ValueKind};
-use crate::spec::MM_PER_INCH;
+use crate::engine::solid::Shape;
+use crate::engine::stock::Blank;
+use crate::program::syntax::Program;
 
 /// A blank: a box, or a cylinder about the tool axis; lengths in mm.
 #[derive(Clone, Copy, Debug)]
@@ -21,69 +22,18 @@ pub(super) struct Body {
 impl Body {
     /// The blank that a program names, if its size is certain.
     pub(super) fn of(program: &Program) -> Option<Self> {
-        let (mut unit, mut corners) = (1.0, Vec::new());
-        for block in program.blocks() {
-            match &block.kind {
-                BlockKind::BeginPgm(frame) if frame.inch => unit = MM_PER_INCH,
-                BlockKind::BlkForm(form) => corners.push(form.as_ref()),
-                BlockKind::Statement(own) if own.kind == StatementKind::BlkForm => {
-                    return Self::turned(program, own, unit);
-                }
-                _ => {}
-            }
-        }
-        match corners.as_slice() {
-            [first, second] if first.part == 1 && second.part == 2 => Self::between(first, second, unit),
-            _ => None,
-        }
-    }
-
-    /// `BLK FORM 0.1` and `0.2`.
-    fn between(first: &BlkForm, second: &BlkForm, unit: f64) -> Option<Self> {
-        let axis = axis_of(first.axis?)?;
-        let plane = WorkingPlane::of_tool_axis(axis);
-        let value = |form: &BlkForm, axis: Axis| {
-            let coord = form.coords.iter().find(|coord| axis_of(coord.axis) == Some(axis))?;
-            match coord.value.amount {
-                Amount::Number(number) => Some((number * unit, coord.incremental)),
-                Amount::Q { .. } | Amount::Text(_) => None,
-            }
-        };
-        let (mut low, mut high) = (DVec3::ZERO, DVec3::ZERO);
-        for (place, axis) in [plane.main, plane.secondary, plane.tool].into_iter().enumerate() {
-            let (one, _) = value(first, axis)?;
-            let (other, incremental) = value(second, axis)?;
-            let other = if incremental { one + other } else { other };
-            (low[place], high[place]) = (one.min(other), one.max(other));
-        }
-        low.cmplt(high).all().then_some(Self { axis, low, high, bore: None })
-    }
-
-    /// `BLK FORM CYLINDER`: about the tool axis, from the displacement down by the length.
-    fn turned(program: &Program, form: &Statement, unit: f64) -> Option<Self> {
-        let head = program.slice(form.head).to_ascii_uppercase();
-        if !head.ends_with("CYLINDER") {
-            return None;
-        }
-        let value = |wanted: &str| {
-            let word = form.words.iter().find(|word| program.slice(word.name).trim().eq_ignore_ascii_case(wanted))?;
-            match word.value.kind {
-                ValueKind::Number(number) => Some(number * unit),
+        let blank = Blank::of_program(program, Axis::Z)?.ok()?;
+        let plane = WorkingPlane::of_tool_axis(blank.axis);
+        let [low, high] = blank.bounds.map(|corner| plane.flat(corner).extend(plane.tool.of(corner)));
+        let bore = match &blank.shape {
+            Shape::Cylinder { .. } => Some(0.0),
+            Shape::Difference(shapes) => match shapes.last() {
+                Some(Shape::Cylinder { radius, .. }) => Some(*radius),
                 _ => None,
-            }
-        };
-        let letter = form.words.iter().find_map(|word| match program.slice(word.name).trim() {
-            "X" => Some(Axis::X),
-            "Y" => Some(Axis::Y),
-            "Z" => Some(Axis::Z),
+            },
             _ => None,
-        });
-        let radius = value("R").or_else(|| value("D").map(|own| own / 2.0))?;
-        let bore = value("RI").or_else(|| value("DI").map(|own| own / 2.0)).unwrap_or(0.0);
-        let top = value("DIST").unwrap_or(0.0);
-        let low = DVec3::new(-radius, -radius, top - value("L")?);
-        let high = DVec3::new(radius, radius, top);
-        low.cmplt(high).all().then_some(Self { axis: letter?, low, high, bore: Some(bore) })
+        };
+        Some(Self { axis: blank.axis, low, high, bore })
     }
 
     /// The corners of the box that holds it, in the order of the axes.
@@ -111,14 +61,5 @@ impl Body {
                 let out = (place - (self.low + self.high) / 2.0).truncate().length();
                 out < (self.high.x - self.low.x) / 2.0 - skin && out > bore + skin * bore.signum()
             })
-    }
-}
-
-fn axis_of(axis: syntax::Axis) -> Option<Axis> {
-    match axis {
-        syntax::Axis::X => Some(Axis::X),
-        syntax::Axis::Y => Some(Axis::Y),
-        syntax::Axis::Z => Some(Axis::Z),
-        _ => None,
     }
 }
