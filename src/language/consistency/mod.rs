@@ -52,21 +52,30 @@ pub const SWAPPED: &str = "consistency-swapped";
 /// One thing that the languages are compared in.
 type Check = fn(&Catalogue, &Locales, &mut Vec<Diagnostic>);
 
-/// All of them, in the order of their findings.
-const CHECKS: [Check; 8] = [
+/// What an edit of a translation can change, in the order of the findings.
+const OF_TRANSLATIONS: [Check; 7] = [
     |_, locales, found| facts(locales, found),
     label::check,
     pair::check,
     lexicon::check,
-    used::check,
     choice::check,
     |_, locales, found| term::check(locales, found),
     |_, locales, found| negation::check(locales, found),
 ];
 
-/// What the languages do not agree on.
+/// What the languages do not agree on, and parameters that no run and no text uses.
 pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
-    let found = parallel::map(&CHECKS, |check| {
+    let all: Vec<Check> = OF_TRANSLATIONS.into_iter().chain([used::check as Check]).collect();
+    found_by(&all, catalogue, locales)
+}
+
+/// What the languages do not agree on.
+pub fn check_translations(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
+    found_by(&OF_TRANSLATIONS, catalogue, locales)
+}
+
+fn found_by(checks: &[Check], catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
+    let found = parallel::map(checks, |check| {
         let mut found = Vec::new();
         check(catalogue, locales, &mut found);
         found

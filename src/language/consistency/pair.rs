@@ -174,8 +174,8 @@ impl Table<'_> {
             };
             from.difference(not).map(best).sum()
         };
-        let straight = fit(a1, b1, a2, b2) + fit(b1, a1, b2, a2);
         let crosswise = fit(a1, b1, b2, a2) + fit(b1, a1, a2, b2);
-        crosswise > straight + MARGIN
+        // Most pairs do not fit crosswise at all.
+        crosswise > MARGIN && crosswise > fit(a1, b1, a2, b2) + fit(b1, a1, b2, a2) + MARGIN
     }
 }

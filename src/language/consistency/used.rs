@@ -1,6 +1,6 @@
 //! Whether every parameter of a cycle does something: its run or its checks calculate with it, or a
 //! sentence about the run names it.
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use crate::base::diag::Diagnostic;
 use crate::language::locale::{Key, Language, Locales, Scope};
@@ -10,12 +10,14 @@ use crate::spec::{self, Catalogue, Cycle, OnControl};
 pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Diagnostic>) {
     let Some(source) = locales.source() else { return };
     for on in catalogue.controls.values() {
+        let texts = on.fragments.values().map(|own| (own.fragment.as_str(), own.fragment.place.source.text()));
+        let fragments: BTreeMap<&str, Uses> = texts.map(|(name, text)| (name, Uses::of(text))).collect();
         for cycle in on.cycles.values().filter(|cycle| !cycle.described.as_used) {
             let named = named(cycle, on, source);
-            let formulas = formulas(cycle, on);
+            let formulas = formulas(cycle, &fragments);
             for param in &cycle.params {
                 let Some(q) = param.q else { continue };
-                let calculated = formulas.contains(&q.to_string());
+                let calculated = formulas.contains(q.to_string().as_str());
                 if !calculated
                     && !named.contains(&format!("q-{}", param.is.as_str()))
                     && !catalogue.explains(on, cycle, param)
@@ -50,32 +52,47 @@ fn named(cycle: &Cycle, on: &OnControl, source: &Language) -> BTreeSet<String> {
     names
 }
 
-/// The Q parameters that occur in the formulas of the cycle and its fragments, as their files have them.
-fn formulas(cycle: &Cycle, on: &OnControl) -> BTreeSet<String> {
-    let mut used = BTreeSet::new();
-    // Fragments may use further fragments; a name in a text is enough to look.
-    let mut texts = vec![cycle.file.name.place.source.text()];
-    let mut rest: Vec<_> = on.fragments.values().collect();
-    loop {
-        let named = |fragment: &&&spec::Fragment| texts.iter().any(|text| text.contains(fragment.fragment.as_str()));
-        let more: Vec<_> = rest.iter().filter(named).map(|fragment| fragment.fragment.place.source.text()).collect();
-        if more.is_empty() {
-            break;
+/// What the text of a specification uses: its words, among them the names of fragments, and its Q parameters.
+struct Uses<'t> {
+    words: HashSet<&'t str>,
+    parameters: BTreeSet<&'t str>,
+}
+
+impl<'t> Uses<'t> {
+    fn of(text: &'t str) -> Self {
+        let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '-' && c != '_').collect();
+        let mut parameters = BTreeSet::new();
+        for line in text.lines() {
+            // The definition of a parameter and the values of examples are no use of it.
+            let line = line.trim_start();
+            if ["- {q:", "- q:", "given:", "values:", "why:", "q: {"].iter().any(|head| line.starts_with(head)) {
+                continue;
+            }
+            if line.starts_with("examples:") {
+                break;
+            }
+            let found = line.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| word.starts_with('Q'));
+            parameters.extend(found);
         }
-        rest.retain(|fragment| !more.contains(&fragment.fragment.place.source.text()));
-        texts.extend(more);
+        Self { words, parameters }
     }
-    for line in texts.into_iter().flat_map(str::lines) {
-        // The definition of a parameter and the values of examples are no use of it.
-        let line = line.trim_start();
-        if ["- {q:", "- q:", "given:", "values:", "why:", "q: {"].iter().any(|head| line.starts_with(head)) {
-            continue;
-        }
-        if line.starts_with("examples:") {
-            break;
-        }
-        let mut words = line.split(|c: char| !c.is_ascii_alphanumeric());
-        used.extend(words.by_ref().filter(|word| word.starts_with('Q')).map(str::to_owned));
+}
+
+/// The Q parameters that occur in the formulas of the cycle and of the fragments that it uses, directly or through others.
+fn formulas<'t>(cycle: &'t Cycle, fragments: &BTreeMap<&'t str, Uses<'t>>) -> BTreeSet<&'t str> {
+    let own = Uses::of(cycle.file.name.place.source.text());
+    let mut used = own.parameters;
+    let mut waiting = vec![&own.words];
+    let mut rest: Vec<(&str, &Uses)> = fragments.iter().map(|(name, uses)| (*name, uses)).collect();
+    while let Some(words) = waiting.pop() {
+        rest.retain(|(name, uses)| {
+            let is_used = words.contains(name);
+            if is_used {
+                used.extend(&uses.parameters);
+                waiting.push(&uses.words);
+            }
+            !is_used
+        });
     }
     used
 }

@@ -1,6 +1,7 @@
 //! Translations that come back: which of them are sound, and the files with them in place.
 //!
 //! Invariant: only bytes of texts that are taken over change; what is refused is named with the reason.
+use std::cell::LazyCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::fluent::{Pattern, Piece, flat, merged, written};
@@ -70,18 +71,22 @@ pub(super) fn settled(
     mut edits: Edits,
     imported: &mut Imported,
 ) {
-    // What is found today matters only where something changes.
-    let before = if edits.is_empty() { Vec::new() } else { findings(catalogue, locales, tag, before) };
-    let known: BTreeSet<String> = before.iter().map(signature).collect();
-    drop_swapped(texts, &before, &mut edits, imported);
+    // What is found today matters only where something is found afterwards.
+    let before = LazyCell::new(|| findings(catalogue, locales, tag, before));
+    let known = LazyCell::new(|| before.iter().map(signature).collect::<BTreeSet<_>>());
+    let shared: BTreeSet<String> = consistency::shared_labels(locales).iter().map(signature).collect();
+    drop_swapped(texts, || &before, &mut edits, imported);
     let new = |edits: &Edits| {
         let changed = applied(files, texts, tag, edits);
         let own: HashMap<&str, &str> = changed.iter().map(|(path, text)| (path.as_str(), text.as_str())).collect();
         let kept = files.iter().filter(|(path, _)| !own.contains_key(path.as_str()));
         let all = kept.map(|(path, text)| (path.as_str(), text.as_str())).chain(own.iter().map(|(a, b)| (*a, *b)));
         let (after, found) = Locales::load(all);
-        let found = findings(catalogue, &after, tag, found);
-        found.into_iter().filter(|found| !known.contains(&signature(found))).collect::<Vec<_>>()
+        let mut found = findings(catalogue, &after, tag, found);
+        found.retain(|found| !known.contains(&signature(found)));
+        let labels = consistency::shared_labels(&after);
+        found.extend(labels.into_iter().filter(|found| !shared.contains(&signature(found))));
+        found
     };
     let had = locales.language(tag).is_ok();
     let mut attempts = ATTEMPTS;
@@ -268,7 +273,12 @@ fn exchanged(old: &[Piece], new: &[Piece]) -> bool {
 const CHOSEN: [&str; 2] = ["choice-", "result-"];
 
 /// Two choices, or two results, that have got the words of each other, unless the checks found them exchanged before.
-fn drop_swapped(texts: &[Text], before: &[Diagnostic], edits: &mut Edits, imported: &mut Imported) {
+fn drop_swapped<'d>(
+    texts: &[Text],
+    before: impl Fn() -> &'d Vec<Diagnostic>,
+    edits: &mut Edits,
+    imported: &mut Imported,
+) {
     let old = |edit: &Edit| {
         let text = texts.get(edit.text)?;
         let is_one = CHOSEN.iter().any(|head| text.pair.id.starts_with(head)) && edit.path.is_empty();
@@ -281,7 +291,7 @@ fn drop_swapped(texts: &[Text], before: &[Diagnostic], edits: &mut Edits, import
         known.iter().map(|own| (flat(&own.1), own)).collect();
     let said = |found: &Diagnostic, name, key: &str| matches!(found.get(name), Some(Arg::Text(text)) if text == key);
     let is_found = |one: &str, other: &str| {
-        before.iter().any(|found| {
+        before().iter().any(|found| {
             found.code == consistency::SWAPPED
                 && (said(found, "key", one) && said(found, "other", other)
                     || said(found, "key", other) && said(found, "other", one))
@@ -326,8 +336,7 @@ fn findings(catalogue: &Catalogue, locales: &Locales, tag: &str, mut found: Vec<
         found.extend(audit.diagnostics().into_iter().filter(of_texts));
     }
     found.extend(label::check(catalogue, locales));
-    found.extend(consistency::check(catalogue, locales));
-    found.extend(consistency::shared_labels(locales));
+    found.extend(consistency::check_translations(catalogue, locales));
     // What a language lacks is no fault of a text that it has.
     found.retain(|one| one.code != consistency::VARIANT);
     found
