@@ -36,8 +36,8 @@ cycle-digitize-contour-lines-analog = Plastnice (analogni tipalni sistem)
     .purpose = Z analognim tipalnim sistemom raven za ravnjo, v plastnicah, digitalizira 3D-obdelovanec.
 step-approach-contour-line-start = Krmiljenje tipalni sistem samodejno premakne na začetno točko, najprej po orodni osi na varno višino, nato v obdelovalni ravnini na koordinate, ki jih določa cikel. Koordinata začetne točke na orodni osi je koordinata točke MIN iz cikla 5, če je razmik vrstic pozitiven, in koordinata točke MAX, če je negativen.
 step-approach-workpiece-in-direction = Tipalni sistem se v programirani smeri primika premakne k obdelovancu. Krmiljenje shrani koordinate položaja, na katerem se tipalni sistem dotakne obdelovanca.
-step-scan-contour-line = Ko je prva točka shranjena, se tipalni sistem na nespremenljivi višini premika okoli obdelovanca, dokler znova ne doseže prve točke.
-step-go-on-by-line-spacing = Nato se v pozitivni ali negativni smeri orodne osi premakne za razmik vrstic in se znova na nespremenljivi višini premika okoli obdelovanca do prve točke, shranjene na tej višini. To se ponavlja, dokler ni digitalizirano celotno območje.
+step-scan-contour-line = Ko je prva točka shranjena, se tipalni sistem na stalni višini premika okoli obdelovanca, dokler znova ne doseže prve točke.
+step-go-on-by-line-spacing = Nato se v pozitivni ali negativni smeri orodne osi premakne za razmik vrstic in se znova na stalni višini premika okoli obdelovanca do prve točke, shranjene na tej višini. To se ponavlja, dokler ni digitalizirano celotno območje.
 step-return-to-contour-line-start = Na koncu se tipalni sistem premakne na varno višino in vrne na programirano začetno točko.
 
 # --- 8 and 18 ---
@@ -56,7 +56,7 @@ title-lines-with-rotary-axis = Vrstice z rotacijsko osjo, brez pomika za prvo vr
 guard-digitizing-with-transformation = Aktivno je preračunavanje koordinat. Med digitaliziranjem ne sme biti aktivno.
 
 # --- notes: programming ---
-note-range-before-digitizing = V obdelovalnem programu pred ciklom, ki digitalizira, definirajte cikel digitaliziranja OBMOČJE (5 ali 15).
+note-range-before-digitizing = V obdelovalnem programu pred ciklom, ki izvaja digitaliziranje, definirajte cikel digitaliziranja OBMOČJE (5 ali 15).
 note-range-before-contour-lines = V obdelovalnem programu pred ciklom digitaliziranja PLASTNICE definirajte cikel digitaliziranja 5 OBMOČJE.
 note-not-with-contour-lines = Cikla { $cycle } ni mogoče povezati s ciklom digitaliziranja 17 PLASTNICE.
 note-not-with-range-from-points = Cikla { $cycle } ni mogoče povezati s ciklom digitaliziranja 15 OBMOČJE.

@@ -41,7 +41,7 @@ cycle-boring = Izstruževanje
 step-bore-to-depth = Orodje s pomikom { $q-plunging-feed } izstružuje do globine { $q-depth }.
 step-dwell-with-spindle-turning = Za prosto rezanje se orodje na dnu vrtine pri vrtečem se vretenu zadrži za čas { $q-dwell-at-bottom }, če je vnesen.
 step-orient-spindle-to-angle = Krmiljenje orientira vreteno na položaj, definiran v parametru { $q-spindle-orientation-angle }.
-step-disengage-from-wall = Če je izbran prosti premik, se orodje premakne za 0,2{"\u00A0"}mm (nespremenljiva vrednost) v smeri { $q-disengaging-direction }.
+step-disengage-from-wall = Če je izbran prosti premik, se orodje premakne za 0,2{"\u00A0"}mm (stalna vrednost) v smeri { $q-disengaging-direction }.
 step-retract-bored-tool = Orodje se s pomikom { $q-retraction-feed } umakne na varnostno razdaljo { $q-set-up-clearance }. Če je { $q-disengaging-direction } = 0, se umakne ob steni vrtine.
 step-restore-spindle-and-coolant = Krmiljenje obnovi stanje vretena in hladila, ki je bilo aktivno pred priklicem cikla.
 note-machine-and-control-prepared = Proizvajalec stroja mora stroj in krmiljenje pripraviti za ta cikel.

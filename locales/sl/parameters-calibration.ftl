@@ -75,10 +75,10 @@ parameter-digitizing-probe-axis = Os tipalnega sistema
     .help = Os tipalnega sistema.
 parameter-digitizing-range-min = Točka MIN območja
     .figure = MIN
-    .help = Najmanjša točka območja, ki se digitalizira, na treh oseh.
+    .help = Točka območja digitaliziranja z najmanjšimi koordinatami na vseh treh oseh.
 parameter-digitizing-range-max = Točka MAX območja
     .figure = MAX
-    .help = Največja točka območja, ki se digitalizira, na treh oseh.
+    .help = Točka območja digitaliziranja z največjimi koordinatami na vseh treh oseh.
 parameter-digitizing-clearance-height = Varna višina
     .word = VIŠINA:
     .help = Položaj na osi tipalnega sistema, na katerem tipalna glava in obdelovanec ne moreta trčiti.
@@ -87,10 +87,10 @@ parameter-digitizing-range-table = Ime PGM za podatke območja
     .help = Ime preglednice točk, ki določa območje.
 parameter-probe-axis-min = Točka MIN osi tipalnega sistema
     .word = MIN:
-    .help = Najmanjša točka območja, ki se digitalizira, na osi tipalnega sistema.
+    .help = Najmanjša koordinata območja digitaliziranja na osi tipalnega sistema.
 parameter-probe-axis-max = Točka MAX osi tipalnega sistema
     .word = MAX:
-    .help = Največja točka območja, ki se digitalizira, na osi tipalnega sistema.
+    .help = Največja koordinata območja digitaliziranja na osi tipalnega sistema.
 
 # --- digitizing: the lines ---
 parameter-line-direction = Smer vrstic

@@ -121,7 +121,7 @@ parameter-blank-oversize = Nadmera surovca
 parameter-cutting-lines = Rezne črte
     .label = REZNE ČRTE
     .help = Vrsta reznih črt.
-choice-constant-chip-cross-section = rezi z nespremenljivim presekom ostružka
+choice-constant-chip-cross-section = rezi s stalnim presekom ostružka
 choice-equidistant-cuts = enakomerna porazdelitev rezov
 
 # --- orientation of the tool ---
