@@ -15,7 +15,7 @@ cycle-universal-drilling = Univerzalno vrtanje
     .purpose = Izdela vrtino s primiki, ki se lahko zmanjšujejo. Ostružek je mogoče večkrat odlomiti, preden se orodje umakne iz vrtine.
 step-drill-to-decreasing-plunging-depth = Orodje s pomikom { $q-plunging-feed } vrta do naslednje globine primika. Če je vnesena vrednost pojemanja { $q-decrement }, se globina primika { $q-plunging-depth } z vsakim primikom zmanjša zanjo.
 step-break-chip-or-retract = Med dvema primikoma se orodje premakne nazaj:
-say-break-chip-by-retraction = pri lomu ostružkov za odmik { $q-chip-breaking-retraction }, in sicer tolikokrat, kot pred umikom iz vrtine zahteva { $q-chip-breaks-before-retraction }
+say-break-chip-by-retraction = pri lomu ostružkov za odmik { $q-chip-breaking-retraction }, in sicer pred umikom iz vrtine tolikokrat, kot določa { $q-chip-breaks-before-retraction }
 say-retract-and-return-at-rapid = brez loma ostružkov s pomikom { $q-retraction-feed } na varnostno razdaljo, kjer miruje za čas { $q-dwell-at-top }, če je ta vnesen; od tam v hitrem teku (FMAX) na varnostno razdaljo nad doseženo globino
 
 # --- 240 ---

@@ -29,9 +29,9 @@ parameter-contour-direction = Smer vrtenja
 # --- machining ---
 parameter-contour-plunging-depth = Globina primika
     .label = GLOBINA PRIMIKA
-    .help = Globina, za katero se orodje primakne z vsakim primikom.
+    .help = Globina, za katero se orodje vsakokrat primakne.
 parameter-contour-plunging-depth__pilot-drilling =
-    .help = Globina, za katero se orodje primakne z vsakim primikom (s predznakom »−«, če je smer obdelave negativna).
+    .help = Globina, za katero se orodje vsakokrat primakne (s predznakom »−«, če je smer obdelave negativna).
 parameter-contour-plunging-depth__cylinder-surface-slot =
     .label-aliases = GLOBINA POMIKA
 parameter-contour-plunging-feed = Pomik pri globinskem primiku

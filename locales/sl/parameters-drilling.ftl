@@ -12,7 +12,7 @@ parameter-depth__single-lip-drilling =
 parameter-depth__centring =
     .help = Razdalja med površino obdelovanca in dnom centriranja, merjeno do konice centrirnega stožca. Deluje samo, če je { $q-depth-or-diameter } = 0.
 parameter-plunging-depth__universal-drilling =
-    .help = Globina, za katero se orodje primakne z vsakim primikom. Celotna globina ni nujno njen večkratnik. Orodje doseže globino z enim premikom, če sta vrednosti enaki ali če je globina primika večja od globine in lom ostružkov ni definiran.
+    .help = Globina, za katero se orodje vsakokrat primakne. Celotna globina ni nujno njen večkratnik. Orodje doseže globino z enim premikom, če sta vrednosti enaki ali če je globina primika večja od globine in lom ostružkov ni definiran.
 parameter-chip-breaking-retraction__universal-drilling =
     .help = Razdalja, za katero se orodje umakne, da odlomi ostružek.
 parameter-plunging-feed__reaming =
