@@ -75,7 +75,7 @@ note-digitizing-speed-analog = Pri analognem tipalnem sistemu hitrost digitalizi
 # --- notes: how it is digitized ---
 note-meander-for-flat-parts = Digitaliziranje v meandrih je primerno predvsem za razmeroma ravne obdelovance.
 note-meander-for-evaluation-software = Če bo podatke digitaliziranja obdelala programska oprema za vrednotenje SUSA podjetja HEIDENHAIN, digitalizirajte v meandrih.
-note-contour-lines-for-steep-parts = Digitaliziranje v plastnicah je primerno zlasti za neenakomerne obdelovance (na primer orodja za brizganje) ali če želite zajeti posamezno plastnico (na primer obris odmične plošče).
+note-contour-lines-for-steep-parts = Digitaliziranje v plastnicah je primerno zlasti za razgibane obdelovance (na primer orodja za brizganje) in za zajem posamezne plastnice (na primer obrisa odmične plošče).
 note-range-for-contour-lines = Območje mora biti na osi tipalnega sistema vsaj za polmer tipalnega sistema nižje od najvišje točke obdelovanca. V obdelovalni ravnini mora biti območje vsaj za polmer tipalnega sistema večje od obdelovanca.
 note-single-contour-line = Če želite digitalizirati posamezno plastnico, za razmik vrstic in, če ga cikel zahteva, za najmanjši razmik vrstic vnesite 0.
 note-lines-for-one-milling-direction = Ta cikel se uporablja predvsem za razmeroma ravne obdelovance, ki se bodo po podatkih digitaliziranja, brez programske opreme za vrednotenje, ves čas rezkali v soteku ali ves čas v protiteku.

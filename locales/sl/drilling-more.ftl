@@ -25,7 +25,7 @@ cycle-centring = Centriranje
 step-centre-to-depth-or-diameter = Orodje centrira s pomikom { $q-plunging-feed }:
 say-centre-to-diameter = { $q-depth-or-diameter } = 1: do premera centriranja { $q-centring-diameter }
 say-centre-to-depth = { $q-depth-or-diameter } = 0: do globine centriranja { $q-depth }
-step-dwell-at-centring-bottom = Orodje se na dnu centriranja zadrži za čas { $q-dwell-at-bottom }, če je vnesen.
+step-dwell-at-centring-bottom = Orodje se na dnu centrirne vrtine zadrži za čas { $q-dwell-at-bottom }, če je vnesen.
 condition-centring-to-depth = je { $q-depth-or-diameter } = 0
 condition-centring-to-diameter = je { $q-depth-or-diameter } = 1
 guard-point-angle-missing = Za centriranje do premera v preglednici orodij definirajte kot konice { $mp-drill-point-angle } orodja.
@@ -55,11 +55,11 @@ note-disengaging-considers-rotation = Pri prostem premiku krmiljenje aktivno rot
 cycle-back-boring = Vzvratno grezenje
     .nc = VZVRATNO GREZENJE
     .nc-aliases = VZRATNO GREZENJE
-    .purpose = Izdela grezi na spodnji strani obdelovanca.
+    .purpose = Izdela ugreznine na spodnji strani obdelovanca.
 step-orient-and-offset-tool = Krmiljenje orientira vreteno na { $q-spindle-orientation-angle } in zamakne orodje za dimenzijo izsrednika { $q-off-centre-distance } v smeri { $q-disengaging-direction }.
 step-feed-through-bore = Orodje se s predpozicionirnim pomikom { $q-in-and-out-feed } spusti v obstoječo vrtino, dokler ni rezilo na varnostni razdalji { $q-set-up-clearance } pod spodnjim robom obdelovanca.
 step-centre-tool-and-counterbore = Krmiljenje vrne orodje na sredino vrtine, vklopi vreteno in po potrebi hladilo ter orodje nato s pomikom { $q-countersinking-feed } premakne na globino { $q-counterbore-depth }.
-step-dwell-and-leave-counterbore = Če je vnesen čas { $q-counterbore-dwell }, se orodje toliko časa zadrži na dnu grezi. Nato grez zapusti; krmiljenje orientira vreteno in znova zamakne orodje za dimenzijo izsrednika.
+step-dwell-and-leave-counterbore = Če je vnesen čas { $q-counterbore-dwell }, se orodje toliko časa zadrži na dnu ugreznine. Nato ugreznino zapusti; krmiljenje orientira vreteno in znova zamakne orodje za dimenzijo izsrednika.
 step-feed-out-of-bore = Orodje se s predpozicionirnim pomikom { $q-in-and-out-feed } premakne na varnostno razdaljo { $q-set-up-clearance } nad površino obdelovanca.
 note-back-boring-bars-only = Cikel deluje samo z vrtalnimi drogovi za vzvratno grezenje.
 note-sign-of-counterbore-depth = Predznak globine { $q-counterbore-depth } določa smer obdelave. Pozor: pri pozitivnem predznaku poteka grezenje v pozitivni smeri osi vretena.
@@ -87,6 +87,6 @@ note-plunging-angle-limits-infeed = Da preprečite prevelike primike, v stolpec 
 cycle-single-lip-drilling = Enoutorno vrtanje
     .nc = ENOUTORNO VRTANJE
     .purpose = Vrta z enoutornim globinskim svedrom, tudi z začetno točko pod površino obdelovanca; za uvlek in izvlek se posebej določita število vrtljajev in smer vrtenja, hladilo pa vklopita in izklopita M-funkciji.
-step-feed-in-and-switch-on = Krmiljenje premakne orodje s predpozicionirnim pomikom { $q-pre-positioning-feed } na varnostno razdaljo nad globljo začetno točko { $q-deepened-starting-point } in tam z M3 vklopi število vrtljajev za vrtanje { $q-drilling-speed }, s funkcijo { $q-coolant-on-function } pa hladilo. Pri uvleku se vreteno vrti v smeri urnega kazalca ali v nasprotni smeri s številom vrtljajev { $q-speed-in-and-out } ali pa miruje, kot določa { $q-rotation-in-and-out }.
+step-feed-in-and-switch-on = Krmiljenje premakne orodje s predpozicionirnim pomikom { $q-pre-positioning-feed } na varnostno razdaljo nad globljo začetno točko { $q-deepened-starting-point } in tam z M3 vklopi vrtenje s številom vrtljajev za vrtanje { $q-drilling-speed }, s funkcijo { $q-coolant-on-function } pa hladilo. Pri uvleku se vreteno vrti v smeri urnega kazalca ali v nasprotni smeri s številom vrtljajev { $q-speed-in-and-out } ali pa miruje, kot določa { $q-rotation-in-and-out }.
 step-drill-in-one-infeed = Orodje s pomikom { $q-plunging-feed } vrta do globine { $q-depth }.
 step-switch-off-coolant-and-reset-speed = Krmiljenje s funkcijo { $q-coolant-off-function } izklopi hladilo in število vrtljajev ponastavi na vrednost { $q-speed-in-and-out } za izvlek.

@@ -70,7 +70,7 @@ say-part-needs-rework__measure-coordinate = potrebna je dodatna obdelava (Q181 =
 say-correct-tool-length = če { $q-monitored-tool } ni 0, pri { $q-measuring-axis } = 3 popravi dolžino orodja v stolpcu DL preglednice orodij; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
 say-correct-tool-radius__measure-coordinate = če { $q-monitored-tool } ni 0, pri { $q-measuring-axis } = 1 ali 2 popravi vrednost delta polmera v stolpcu DR preglednice orodij, in sicer v smeri, ki izhaja iz { $q-traverse-direction }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
 note-coordinate-is-outside-dimension = Krmiljenje predvideva, da se meri zunanja mera (čep). V drugih primerih je pravilno stanje meritve mogoče doseči z ustrezno izbiro največje in najmanjše mere skupaj s smerjo tipanja.
-note-coordinate-corrects-radius-or-length = Če je merilna os katera od osi obdelovalne ravnine ({ $q-measuring-axis } = 1 ali 2), krmiljenje popravi polmer orodja; smer popravka izhaja iz smeri premika { $q-traverse-direction }. Če je merilna os os tipalnega sistema ({ $q-measuring-axis } = 3), popravi dolžino orodja.
+note-coordinate-corrects-radius-or-length = Če je merilna os katera od osi obdelovalne ravnine ({ $q-measuring-axis } = 1 ali 2), krmiljenje popravi polmer orodja; smer popravka izhaja iz smeri premika { $q-traverse-direction }. Če je merilna os enaka osi tipalnega sistema ({ $q-measuring-axis } = 3), popravi dolžino orodja.
 
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Merjenje krožne luknje
@@ -94,7 +94,7 @@ cycle-measure-angle = Merjenje kota
 say-travel-to-point-at-clearance-height = pri { $q-traverse-to-clearance-height } = 1 na varni višini { $q-clearance-height }
 say-travel-to-point-at-measuring-height = pri { $q-traverse-to-clearance-height } = 0 na merilni višini { $q-measuring-height }
 step-retract-and-store-angle = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in izmerjeni kot shrani v parameter rezultata.
-note-angle-about-a-or-b = Če je merilna os kar os tipalnega sistema ({ $q-measuring-axis } = 3), za merjenje kota okoli osi A v { $q-first-point-main } in { $q-second-point-main } vnesite isto vrednost, za merjenje kota okoli osi B pa različni vrednosti.
+note-angle-about-a-or-b = Če je merilna os enaka osi tipalnega sistema ({ $q-measuring-axis } = 3), za merjenje kota okoli osi A v { $q-first-point-main } in { $q-second-point-main } vnesite isto vrednost, za merjenje kota okoli osi B pa različni vrednosti.
 note-results-shown-in-help-graphic = Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov; osvetljeni parameter rezultata pripada izbranemu parametru za vnos.
 note-results-shown-in-help-graphic__tnc426-430 = Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov.
 result-measured-angle = Izmerjeni kot glede na glavno os obdelovalne ravnine
@@ -103,7 +103,7 @@ result-measured-angle = Izmerjeni kot glede na glavno os obdelovalne ravnine
 cycle-measure-plane = Merjenje ravnine
     .nc = MERJENJE RAVNINE
     .nc-aliases = MERITEV RAVNINE
-    .purpose = Z merjenjem treh točk izmeri kote ravnine in vrednosti shrani v parametre.
+    .purpose = Z merjenjem treh točk določi kote ravnine in jih shrani v parametre.
 step-measure-first-point-of-plane = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) in s pozicionirno logiko na programirano prvo tipalno točko in tam izmeri prvo točko ravnine. Pri tem ga zamakne za varnostno razdaljo v smeri, nasprotni smeri tipanja.
 step-measure-first-point-of-plane__tnc426-430 = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) in s pozicionirno logiko na programirano prvo tipalno točko in tam izmeri prvo točko ravnine. Pri tem ga zamakne za varnostno razdaljo v smeri, nasprotni smeri tipanja.
 step-measure-second-point-of-plane = Tipalni sistem se vrne na varno višino { $q-clearance-height } in se v obdelovalni ravnini premakne na drugo tipalno točko, kjer krmiljenje izmeri dejansko vrednost druge točke ravnine.

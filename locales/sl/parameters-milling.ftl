@@ -205,7 +205,7 @@ parameter-max-path-overlap = Največji faktor prekrivanja poti
     .label = MAKS. PREKRIVANJE
     .help = Faktor, ki določa največji stranski primik k. Dejanski stranski primik krmiljenje izračuna iz 2. stranske dolžine { $q-second-side-length } in polmera orodja, in sicer tako, da so vsi stranski primiki enaki. Če je v preglednici orodij vnesen polmer { $mp-tool-radius-2 } (na primer polmer ploščice pri čelni rezkalni glavi), krmiljenje stranski primik ustrezno zmanjša.
 parameter-finishing-feed__face-milling =
-    .help = Hitrost premikanja orodja pri rezkanju zadnjega primika.
+    .help = Hitrost premikanja orodja pri rezkanju po zadnjem primiku.
     .label = POMIK PRI FINEM REZK.
 parameter-pre-positioning-feed__face-milling = Pomik pri predpozicioniranju
     .help = Hitrost premikanja orodja pri premiku na začetni položaj in v naslednjo vrstico. Če poteka stranski primik v materialu ({ $q-face-milling-strategy } = 1), ga krmiljenje izvede s pomikom pri rezkanju { $q-milling-feed }.
@@ -265,7 +265,7 @@ parameter-program-to-call = Ime programa
     .help = Ime programa, ki naj se prikliče, po potrebi s potjo.
     .word = PGM
 parameter-orientation-angle = Kot usmeritve
-    .help = Kot glede na referenčno os kota obdelovalne ravnine.
+    .help = Kot glede na kotno referenčno os obdelovalne ravnine.
     .word = KOT
 parameter-contour-tolerance = Tolerančna vrednost T
     .help = Dovoljeno odstopanje od programirane konture v milimetrih (v palčnih programih v palcih).

@@ -127,7 +127,7 @@ choice-equidistant-cuts = enakomerna porazdelitev rezov
 # --- orientation of the tool ---
 parameter-precession-angle = Precesijski kot
     .label = PRECESIJSKI KOT
-    .help = Kot, na katerega krmiljenje izravna orodje.
+    .help = Kot, na katerega krmiljenje usmeri orodje.
 parameter-tool-reversal = Obračanje orodja
     .label = OBRAČANJE ORODJA
     .help = Zrcaljenje orodja za notranjo ali zunanjo obdelavo.

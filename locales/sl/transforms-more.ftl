@@ -64,6 +64,6 @@ note-limit-switches-in-tilted-system = V zavrtenem koordinatnem sistemu krmiljen
 note-positioning-in-tilted-system = Z M130 je mogoče tudi v zavrtenem sistemu doseči položaje, ki se nanašajo na nezavrteni koordinatni sistem. Tudi pozicioniranje s premočrtnimi stavki, ki se nanašajo na strojni koordinatni sistem (stavki z M91 ali M92), je pri zavrteni obdelovalni ravnini mogoče, vendar z omejitvami: ni popravka dolžine, ni popravka geometrije stroja, popravek polmera pa ni dovoljen.
 note-tilting-with-other-transforms = Zamik ničelne točke pred ciklom zamakne strojni koordinatni sistem; zamik ničelne točke po ciklu zamakne zavrteni koordinatni sistem.
 note-reset-in-reverse-order = Pomembno: cikle ponastavite v obratnem vrstnem redu njihovih definicij. Aktivirajte zamik ničelne točke, nato vrtenje obdelovalne ravnine in nato rotacijo; obdelajte obdelovanec; nato ponastavite rotacijo, vrtenje obdelovalne ravnine in zamik ničelne točke.
-note-datum-setting-with-tilting = Referenčno točko je mogoče določiti ročno z dotikom, krmiljeno s 3D-tipalnim sistemom HEIDENHAIN ali samodejno s 3D-tipalnim sistemom HEIDENHAIN.
+note-datum-setting-with-tilting = Referenčno točko je mogoče določiti z dotikom z orodjem, ročno s 3D-tipalnim sistemom HEIDENHAIN ali samodejno s 3D-tipalnim sistemom HEIDENHAIN.
 title-rotary-axes-by-hand = Rotacijske osi, pozicionirane v programu
 title-rotary-axes-by-control = Rotacijske osi, ki jih pozicionira krmiljenje
