@@ -64,7 +64,7 @@ cycle-rough-out = Posnemanje
     .purpose = Konturo ravnino za ravnino grobo obdela do globinske nadmere ali obdela samo tisto, kar je pustilo večje orodje.
 step-position-over-infeed-point = Krmiljenje z upoštevanjem nadmere stranskega finega rezkanja premakne orodje nad vbodno točko.
 step-take-depths-of-partial-contours = Krmiljenje obdela delno konturo z lastno globino do te globine, vse druge pa do globine rezkanja iz konturnih podatkov.
-step-go-to-infeed-point = Orodje se v hitrem teku premakne nad vbodno točko in navzdol na varnostno razdaljo do že obdelane površine.
+step-go-to-infeed-point = Orodje se v hitrem teku premakne nad vbodno točko in navzdol na varnostno razdaljo nad že obdelano površino.
 step-plunge-to-contour-level = Orodje se spusti na naslednjo globino primika, za { $q-contour-plunging-depth } globlje:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: navpično s pomikom { $q-contour-plunging-feed }, tudi če je za aktivno orodje definiran kot spuščanja { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: navpično z nihajnim pomikom { $q-reciprocation-feed }

@@ -94,7 +94,7 @@ cycle-measure-angle = Merjenje kota
 say-travel-to-point-at-clearance-height = pri { $q-traverse-to-clearance-height } = 1 na varni višini { $q-clearance-height }
 say-travel-to-point-at-measuring-height = pri { $q-traverse-to-clearance-height } = 0 na merilni višini { $q-measuring-height }
 step-retract-and-store-angle = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in izmerjeni kot shrani v parameter rezultata.
-note-angle-about-a-or-b = Če je merilna os enaka osi tipalnega sistema ({ $q-measuring-axis } = 3), za merjenje kota okoli osi A v { $q-first-point-main } in { $q-second-point-main } vnesite isto vrednost, za merjenje kota okoli osi B pa različni vrednosti.
+note-angle-about-a-or-b = Če je merilna os enaka osi tipalnega sistema ({ $q-measuring-axis } = 3), v { $q-first-point-main } in { $q-second-point-main } vnesite za merjenje kota okoli osi A isto vrednost, za merjenje kota okoli osi B pa različni vrednosti.
 note-results-shown-in-help-graphic = Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov; osvetljeni parameter rezultata pripada izbranemu parametru za vnos.
 note-results-shown-in-help-graphic__tnc426-430 = Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov.
 result-measured-angle = Izmerjeni kot glede na glavno os obdelovalne ravnine

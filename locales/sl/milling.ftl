@@ -21,8 +21,8 @@ step-plunge-at-left-slot-arc = Orodje se iz središča levega kroga utora spusti
 say-plunge-to-and-fro-along-slot = { $q-plunging-strategy } = 1 ali 2: nihajoče vzdolž utora pod kotom spuščanja { $mp-plunging-angle } iz preglednice orodij, s pomikom { $q-plunging-feed }
 step-clear-slot-level = Krmiljenje utor grobo rezka od znotraj navzven in pri tem upošteva nadmeri finega rezkanja { $q-side-allowance } in { $q-floor-allowance }.
 step-rapid-to-first-plunging-depth-of-slot = Če je programirano samo fino rezkanje ({ $q-machining-operation } = 2), krmiljenje orodje v hitrem teku spusti na prvo globino primika.
-step-finish-slot-side = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka stene utora; če je vnesen primik { $q-finishing-infeed }, v več primikih. Steni se približa tangencialno v levem krogu utora.
-step-finish-slot-side__circular-slot = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka stene utora; če je vnesen primik { $q-finishing-infeed }, v več primikih. Steni se približa tangencialno.
+step-finish-slot-side = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka stene utora; če je vnesen primik { $q-finishing-infeed }, v več primikih. Orodje se steni približa tangencialno v levem krogu utora.
+step-finish-slot-side__circular-slot = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka stene utora; če je vnesen primik { $q-finishing-infeed }, v več primikih. Orodje se steni približa tangencialno.
 until-slot-side-finished = stene niso fino rezkane do globine { $q-depth }
 step-finish-slot-floor = Če je definirana globinska nadmera { $q-floor-allowance }, krmiljenje nato fino rezka dno utora od znotraj navzven.
 step-leave-slot = Orodje se iz utora v hitrem teku umakne na 2. varnostno razdaljo { $q-second-set-up-clearance } (na varnostno razdaljo, če ta ni vnesena).
@@ -44,7 +44,7 @@ until-all-slots-milled = niso izdelani vsi utori (število: { $q-number-of-opera
 step-end-of-circular-slot = Kje orodje stoji na koncu cikla, je odvisno od reference za položaj utora { $q-slot-position-reference }:
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: krmiljenje orodje v obdelovalni ravnini vrne na začetno točko (središče delnega kroga)
 condition-slot-at-entered-centre = položaj utora izhaja iz vnesenega središča delnega kroga ({ $q-slot-position-reference } = 0)
-note-circular-slot-end-position = Na koncu cikla krmiljenje orodje v obdelovalni ravnini vrne na začetno točko (središče delnega kroga). Izjema: če je definiran položaj utora { $q-slot-position-reference }, ki ni 0, orodje samo po orodni osi pozicionira na 2. varnostno razdaljo. V tem primeru po priklicu cikla vedno programirajte absolutne premike.
+note-circular-slot-end-position = Na koncu cikla krmiljenje orodje v obdelovalni ravnini vrne na začetno točko (središče delnega kroga). Izjema: če je definiran položaj utora { $q-slot-position-reference }, ki ni 0, ga samo po orodni osi pozicionira na 2. varnostno razdaljo. V tem primeru po priklicu cikla vedno programirajte absolutne premike.
 note-circular-slot-with-pattern = Če cikel 254 (okrogli utor) povežete s ciklom 221, za položaj utora ni dovoljena vrednost 0.
 
 # --- 256 ---

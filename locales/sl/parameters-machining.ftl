@@ -157,7 +157,7 @@ parameter-pitch-circle-centre-minor = Središče 2. osi
     .help = Središče delnega kroga na pomožni osi { -working-plane(case: "genitive") }.
 parameter-pitch-circle-diameter = Premer delnega kroga
     .label = PREMER DEL. KROGA
-    .help = Premer delnega kroga, na katerem ležijo obdelave.
+    .help = Premer delnega kroga, na katerem se izvedejo obdelave.
 parameter-pattern-starting-angle = Začetni kot
     .label = ZAČETNI KOT
     .help = Kot, pod katerim glede na glavno os { -working-plane(case: "genitive") } na delnem krogu leži začetna točka prve obdelave.
@@ -169,7 +169,7 @@ parameter-pattern-stepping-angle = Kotni korak
     .help = Kot med dvema obdelavama na delnem krogu. Pri vrednosti 0 ga krmiljenje izračuna iz začetnega kota, končnega kota in števila obdelav. Če je vnesen, se končni kot { $q-pattern-stopping-angle } ne upošteva. Predznak določa smer (− = v smeri urnega kazalca).
 parameter-number-of-operations = Število obdelav
     .label = ŠTEVILO OBDELAV
-    .help = Določa, koliko obdelav leži na delnem krogu.
+    .help = Določa, koliko obdelav se izvede na delnem krogu.
 parameter-pattern-clearance-mode = Premik na varno višino
     .label = PREMIK NA VARNO VIŠINO
     .label-aliases = PREMIK NA VARNOSTNO VIŠINO
