@@ -54,9 +54,9 @@ until-drilling-depth-reached = ni dosežena globina vrtanja
 step-dwell-and-retract-to-start = Orodje se na dnu vrtine zadrži za prosto rezanje in se nato v hitrem teku (FMAX) umakne na začetni položaj.
 until-pilot-holes-drilled = niso izvrtane vse vbodne točke
 note-stop-distance-determined = Razdaljo zadrževanja t krmiljenje določi samodejno: pri globini vrtanja do 30{"\u00A0"}mm je 0,6{"\u00A0"}mm, nad 30{"\u00A0"}mm petdesetina globine vrtanja, vendar nikoli več kot 7{"\u00A0"}mm.
-note-infeed-points-consider = Pri vbodnih točkah krmiljenje upošteva nadmeri stranskega in globinskega finega rezkanja ter polmer izvrtalnega orodja.
+note-infeed-points-consider = Pri vbodnih točkah krmiljenje upošteva nadmeri stranskega in globinskega finega rezkanja ter polmer orodja za grobo rezkanje.
 note-delta-radius-not-considered-for-infeed-points = Pri izračunu vbodnih točk krmiljenje ne upošteva vrednosti delta DR, programirane v stavku TOOL CALL.
-note-narrow-places-not-pre-drilled = Na ozkih mestih krmiljenje morda ne more predvrtati z orodjem, ki je večje od izvrtalnega orodja.
+note-narrow-places-not-pre-drilled = Na ozkih mestih krmiljenje morda ne more predvrtati z orodjem, ki je večje od orodja za grobo rezkanje.
 
 # --- 22 ---
 cycle-rough-out = Posnemanje
@@ -64,19 +64,19 @@ cycle-rough-out = Posnemanje
     .purpose = Konturo ravnino za ravnino grobo obdela do globinske nadmere ali obdela samo tisto, kar je pustilo večje orodje.
 step-position-over-infeed-point = Krmiljenje z upoštevanjem nadmere stranskega finega rezkanja premakne orodje nad vbodno točko.
 step-take-depths-of-partial-contours = Krmiljenje obdela delno konturo z lastno globino do te globine, vse druge pa do globine rezkanja iz konturnih podatkov.
-step-go-to-infeed-point = Orodje se v hitrem teku premakne nad vbodno točko in navzdol na varnostno razdaljo do že obdelane površine.
+step-go-to-infeed-point = Orodje se v hitrem teku premakne nad vbodno točko in navzdol na varnostno razdaljo nad že obdelano površino.
 step-plunge-to-contour-level = Orodje se spusti na naslednjo globino primika, za { $q-contour-plunging-depth } globlje:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: navpično s pomikom { $q-contour-plunging-feed }, tudi če je za aktivno orodje definiran kot spuščanja { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: navpično z nihajnim pomikom { $q-reciprocation-feed }
 say-plunge-on-helix-or-in-strokes = sicer po vijačnici pod kotom spuščanja { $mp-plunging-angle } ali, če vijačnica ni mogoča, nihajoče
 step-rough-contour-level = Na tej globini orodje konturo rezka od znotraj navzven s pomikom { $q-roughing-feed }, okoli otokov pa po poteh, ki se približujejo konturi žepa. Pri tem obdela:
-say-rough-what-coarser-tool-left = če je vneseno orodje za predvrtanje { $q-coarse-roughing-tool }, samo tisto, česar to orodje ni moglo obdelati
+say-rough-what-coarser-tool-left = če je vneseno orodje za predhodno grobo rezkanje { $q-coarse-roughing-tool }, samo tisto, česar to orodje ni moglo obdelati
 say-rough-whole-region = sicer celotno površino
 message-contour-material-left = Orodje ne doseže celotne konture: v vogalih ali na ozkih mestih pusti material.
 note-centre-cutting-or-pilot-drilling = Po potrebi uporabite rezkar s čelnim zobom, ki reže po sredini (DIN 844), ali predvrtajte s ciklom 21.
 note-rough-out-plunging = Način spuščanja določajo parameter { $q-reciprocation-feed } in stolpca { $mp-plunging-angle } in { $mp-cutting-edge-length } v preglednici orodij. Pri { $q-reciprocation-feed } = 0 je spuščanje vedno navpično. Pri { $mp-plunging-angle } = 90° je spuščanje navpično s pomikom { $q-reciprocation-feed }. Pri nihajnem pomiku in { $mp-plunging-angle } od 0,1 do 89,999 poteka spuščanje po vijačnici pod tem kotom. Pri nihajnem pomiku brez vrednosti { $mp-plunging-angle } v preglednici orodij krmiljenje javi napako. Če za vijačnico ni prostora (na primer v utoru), poskusi krmiljenje z nihajočim spuščanjem; dolžina nihanja je { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = Pri faktorju prekrivanja, večjem od 1, lahko pri konturah žepov z ostrimi notranjimi vogali ostane material. V testni grafiki preverite skrajno notranjo pot in po potrebi nekoliko spremenite faktor prekrivanja. Tako se rezi drugače razporedijo, kar pogosto da želeni rezultat.
-note-wear-of-coarse-tool-not-considered = Pri finem posnemanju krmiljenje ne upošteva vrednosti obrabe DR, definirane za orodje za predvrtanje.
+note-wear-of-coarse-tool-not-considered = Pri finem posnemanju krmiljenje ne upošteva vrednosti obrabe DR, definirane za orodje za predhodno grobo rezkanje.
 note-fine-roughing-needs-tool-data = Če do območja finega posnemanja ni mogoče priti s strani, se orodje spusti nihajoče. V ta namen v preglednici orodij definirajte dolžino rezila { $mp-cutting-edge-length } in največji kot spuščanja { $mp-plunging-angle } orodja; sicer lahko krmiljenje javi napako.
 
 # --- 23 ---
@@ -96,8 +96,8 @@ cycle-side-finishing = Stransko fino rezkanje
 step-find-start-of-side-finishing = Krmiljenje določi začetno točko finega rezkanja.
 step-finish-partial-contour = Krmiljenje spusti orodje s pomikom { $q-contour-plunging-feed } na naslednjo globino primika, za { $q-contour-plunging-depth } globlje, ga po krožnem loku tangencialno pripelje k delni konturi in jo fino rezka s pomikom { $q-roughing-feed }.
 until-partial-contours-finished = niso fino rezkane vse delne konture
-note-side-finishing-allowances = Vsota nadmere stranskega finega rezkanja { $q-remaining-side-allowance } in polmera orodja za fino rezkanje mora biti manjša od vsote nadmere stranskega finega rezkanja iz cikla 20 in polmera izvrtalnega orodja.
-note-side-finishing-without-roughing = Enako velja, če se cikel izvede brez predhodnega posnemanja s ciklom 22; za polmer izvrtalnega orodja se tedaj šteje 0.
+note-side-finishing-allowances = Vsota nadmere stranskega finega rezkanja { $q-remaining-side-allowance } in polmera orodja za fino rezkanje mora biti manjša od vsote nadmere stranskega finega rezkanja iz cikla 20 in polmera orodja za grobo rezkanje.
+note-side-finishing-without-roughing = Enako velja, če se cikel izvede brez predhodnega posnemanja s ciklom 22; kot polmer orodja za grobo rezkanje tedaj velja 0.
 note-side-finishing-mills-contours = Cikel je mogoče uporabiti tudi za konturno rezkanje. Za to konturo definirajte kot posamezen otok (brez omejitve žepa) in v ciklu 20 vnesite nadmero stranskega finega rezkanja, ki je večja od vsote nadmere finega rezkanja { $q-remaining-side-allowance } in polmera orodja.
 note-start-depends-on-room-and-allowance = Začetno točko finega rezkanja krmiljenje določi samodejno. Odvisna je od prostora v žepu in od nadmere, programirane v ciklu 20.
 note-start-depends-on-sequence = Začetna točka je odvisna tudi od zaporedja obdelave. Če cikel za fino rezkanje izberete s tipko GOTO in nato zaženete program, je lahko začetna točka drugje, kot če se program izvaja po vrsti.

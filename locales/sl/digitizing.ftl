@@ -36,8 +36,8 @@ cycle-digitize-contour-lines-analog = Plastnice (analogni tipalni sistem)
     .purpose = Z analognim tipalnim sistemom raven za ravnjo, v plastnicah, digitalizira 3D-obdelovanec.
 step-approach-contour-line-start = Krmiljenje tipalni sistem samodejno premakne na začetno točko, najprej po orodni osi na varno višino, nato v obdelovalni ravnini na koordinate, ki jih določa cikel. Koordinata začetne točke na orodni osi je koordinata točke MIN iz cikla 5, če je razmik vrstic pozitiven, in koordinata točke MAX, če je negativen.
 step-approach-workpiece-in-direction = Tipalni sistem se v programirani smeri primika premakne k obdelovancu. Krmiljenje shrani koordinate položaja, na katerem se tipalni sistem dotakne obdelovanca.
-step-scan-contour-line = Ko je prva točka shranjena, se tipalni sistem na nespremenljivi višini premika okoli obdelovanca, dokler znova ne doseže prve točke.
-step-go-on-by-line-spacing = Nato se v pozitivni ali negativni smeri orodne osi premakne za razmik vrstic in se znova na nespremenljivi višini premika okoli obdelovanca do prve točke, shranjene na tej višini. To se ponavlja, dokler ni digitalizirano celotno območje.
+step-scan-contour-line = Ko je prva točka shranjena, se tipalni sistem na stalni višini premika okoli obdelovanca, dokler znova ne doseže prve točke.
+step-go-on-by-line-spacing = Nato se v pozitivni ali negativni smeri orodne osi premakne za razmik vrstic in se znova na stalni višini premika okoli obdelovanca do prve točke, shranjene na tej višini. To se ponavlja, dokler ni digitalizirano celotno območje.
 step-return-to-contour-line-start = Na koncu se tipalni sistem premakne na varno višino in vrne na programirano začetno točko.
 
 # --- 8 and 18 ---
@@ -56,7 +56,7 @@ title-lines-with-rotary-axis = Vrstice z rotacijsko osjo, brez pomika za prvo vr
 guard-digitizing-with-transformation = Aktivno je preračunavanje koordinat. Med digitaliziranjem ne sme biti aktivno.
 
 # --- notes: programming ---
-note-range-before-digitizing = V obdelovalnem programu pred ciklom, ki digitalizira, definirajte cikel digitaliziranja OBMOČJE (5 ali 15).
+note-range-before-digitizing = V obdelovalnem programu pred ciklom, ki izvaja digitaliziranje, definirajte cikel digitaliziranja OBMOČJE (5 ali 15).
 note-range-before-contour-lines = V obdelovalnem programu pred ciklom digitaliziranja PLASTNICE definirajte cikel digitaliziranja 5 OBMOČJE.
 note-not-with-contour-lines = Cikla { $cycle } ni mogoče povezati s ciklom digitaliziranja 17 PLASTNICE.
 note-not-with-range-from-points = Cikla { $cycle } ni mogoče povezati s ciklom digitaliziranja 15 OBMOČJE.
@@ -75,7 +75,7 @@ note-digitizing-speed-analog = Pri analognem tipalnem sistemu hitrost digitalizi
 # --- notes: how it is digitized ---
 note-meander-for-flat-parts = Digitaliziranje v meandrih je primerno predvsem za razmeroma ravne obdelovance.
 note-meander-for-evaluation-software = Če bo podatke digitaliziranja obdelala programska oprema za vrednotenje SUSA podjetja HEIDENHAIN, digitalizirajte v meandrih.
-note-contour-lines-for-steep-parts = Digitaliziranje v plastnicah je primerno zlasti za neenakomerne obdelovance (na primer orodja za brizganje) ali če želite zajeti posamezno plastnico (na primer obris odmične plošče).
+note-contour-lines-for-steep-parts = Digitaliziranje v plastnicah je primerno zlasti za razgibane obdelovance (na primer orodja za brizganje) in za zajem posamezne plastnice (na primer obrisa odmične plošče).
 note-range-for-contour-lines = Območje mora biti na osi tipalnega sistema vsaj za polmer tipalnega sistema nižje od najvišje točke obdelovanca. V obdelovalni ravnini mora biti območje vsaj za polmer tipalnega sistema večje od obdelovanca.
 note-single-contour-line = Če želite digitalizirati posamezno plastnico, za razmik vrstic in, če ga cikel zahteva, za najmanjši razmik vrstic vnesite 0.
 note-lines-for-one-milling-direction = Ta cikel se uporablja predvsem za razmeroma ravne obdelovance, ki se bodo po podatkih digitaliziranja, brez programske opreme za vrednotenje, ves čas rezkali v soteku ali ves čas v protiteku.
@@ -87,8 +87,8 @@ note-feed-reduction-only-up-to-1000 = Zmanjševanje pomika deluje samo, če v vr
 note-corner-reduction-entered-by-control = Na vprašanje o zmanjšanju pomika v vogalih odgovorite z NO ENT. Krmiljenje vrednost vnese samodejno.
 
 # --- notes: rotary axes ---
-note-rotary-axes-touch-trigger = S stikalnim tipalnim sistemom je mogoče rotacijske osi digitalizirati v meandrih (cikel 6), v vrsticah (cikel 8) ali v plastnicah (cikel 7). V vseh primerih rotacijsko os vnesite v ciklu OBMOČJE. Krmiljenje vrednosti rotacijskih osi razume kot stopinje.
-note-rotary-axes-analog = Z analognim tipalnim sistemom je mogoče rotacijske osi digitalizirati samo s ciklom 18 VRSTICE. Rotacijska os se definira kot os stolpcev.
+note-rotary-axes-touch-trigger = S stikalnim tipalnim sistemom je z rotacijskimi osmi mogoče digitalizirati v meandrih (cikel 6), v vrsticah (cikel 8) ali v plastnicah (cikel 7). V vseh primerih rotacijsko os vnesite v ciklu OBMOČJE. Krmiljenje vrednosti rotacijskih osi razume kot stopinje.
+note-rotary-axes-analog = Z analognim tipalnim sistemom je z rotacijskimi osmi mogoče digitalizirati samo s ciklom 18 VRSTICE. Rotacijska os se definira kot os stolpcev.
 note-digitizing-range-with-rotary-axis = Za digitaliziranje z rotacijsko osjo to os vnesite v območje. Krmiljenje njene vrednosti razume kot stopinje. Datoteka s podatki digitaliziranja vsebuje osi, ki jih določa območje; BLK FORM se vanjo ne zapiše, ker rotacijskih osi ni mogoče grafično prikazati.
 note-digitizing-display-of-rotary-axis = Pri digitaliziranju in pri rezkanju mora biti prikaz rotacijske osi enak (z zmanjšanjem na vrednost pod 360° ali brez njega).
 note-meander-with-rotary-axis = Če je smer vrstic linearna os (na primer X), se tipalni sistem na koncu vrstice za razmik vrstic premakne po rotacijski osi (na primer A) iz cikla OBMOČJE; tipalni sistem se tedaj giblje sem in tja, na primer v ravnini Z/X. Če je smer vrstic rotacijska os (na primer A), se tipalni sistem na koncu vrstice za razmik vrstic premakne po linearni osi (na primer X); tipalni sistem se tedaj giblje sem in tja, na primer v ravnini Z/A.
@@ -103,6 +103,6 @@ note-digitized-data-in-programs = Podatke digitaliziranja je mogoče izvesti z o
 note-digitized-data-size = Datoteka s podatki digitaliziranja sme imeti največ 1500{"\u00A0"}MB; toliko prostora je na trdem disku krmiljenja, če ni shranjen noben program.
 
 # --- notes: point tables ---
-note-point-table-recording = Točke se zajamejo v načinu Pozicioniranje z ročnim vnosom z analognim tipalnim sistemom, za kar je potrebna programska možnost za digitaliziranje z analognim tipalnim sistemom. Gumb PNT izbere preglednico točk. Točke se zajamejo ročno (TEACH-IN: tipalno glavo odklonite z roko in prevzamete dejanski položaj) ali samodejno (v vnesenem razmiku točk, medtem ko tipalno glavo z roko vodite okoli obdelovanca). Vnesti je mogoče pomik, s katerim se tipalni sistem odzove na odklon, in za vsako os izbrati koordinate, ki naj se shranijo. Območje določajo samo koordinate obdelovalne ravnine.
+note-point-table-recording = Točke se zajamejo z analognim tipalnim sistemom v načinu Pozicioniranje z ročnim vnosom; za to je potrebna programska možnost za digitaliziranje s takim sistemom. Gumb PNT izbere preglednico točk. Točke se zajamejo ročno (TEACH-IN: tipalno glavo odklonite z roko in prevzamete dejanski položaj) ali samodejno (v vnesenem razmiku točk, medtem ko tipalno glavo z roko vodite okoli obdelovanca). Vnesti je mogoče pomik, s katerim se tipalni sistem odzove na odklon, in za vsako os izbrati koordinate, ki naj se shranijo. Območje določajo samo koordinate obdelovalne ravnine.
 note-point-table-size = Preglednica točk za območje sme vsebovati največ 893 točk. Če želite, da krmiljenje to nadzoruje, nastavite gumb OBMOČJE/PODATKI KONTURE na OBMOČJE.
 note-point-table-closed = Točke so povezane z daljicami, ki omejujejo območje. Krmiljenje zadnjo točko preglednice samodejno poveže s prvo.

@@ -15,7 +15,7 @@ cycle-universal-drilling = Univerzalno vrtanje
     .purpose = Izdela vrtino s primiki, ki se lahko zmanjšujejo. Ostružek je mogoče večkrat odlomiti, preden se orodje umakne iz vrtine.
 step-drill-to-decreasing-plunging-depth = Orodje s pomikom { $q-plunging-feed } vrta do naslednje globine primika. Če je vnesena vrednost pojemanja { $q-decrement }, se globina primika { $q-plunging-depth } z vsakim primikom zmanjša zanjo.
 step-break-chip-or-retract = Med dvema primikoma se orodje premakne nazaj:
-say-break-chip-by-retraction = pri lomu ostružkov za odmik { $q-chip-breaking-retraction }, in sicer tolikokrat, kot pred umikom iz vrtine zahteva { $q-chip-breaks-before-retraction }
+say-break-chip-by-retraction = pri lomu ostružkov za odmik { $q-chip-breaking-retraction }, in sicer pred umikom iz vrtine tolikokrat, kot določa { $q-chip-breaks-before-retraction }
 say-retract-and-return-at-rapid = brez loma ostružkov s pomikom { $q-retraction-feed } na varnostno razdaljo, kjer miruje za čas { $q-dwell-at-top }, če je ta vnesen; od tam v hitrem teku (FMAX) na varnostno razdaljo nad doseženo globino
 
 # --- 240 ---
@@ -25,7 +25,7 @@ cycle-centring = Centriranje
 step-centre-to-depth-or-diameter = Orodje centrira s pomikom { $q-plunging-feed }:
 say-centre-to-diameter = { $q-depth-or-diameter } = 1: do premera centriranja { $q-centring-diameter }
 say-centre-to-depth = { $q-depth-or-diameter } = 0: do globine centriranja { $q-depth }
-step-dwell-at-centring-bottom = Orodje se na dnu centriranja zadrži za čas { $q-dwell-at-bottom }, če je vnesen.
+step-dwell-at-centring-bottom = Orodje se na dnu centrirne vrtine zadrži za čas { $q-dwell-at-bottom }, če je vnesen.
 condition-centring-to-depth = je { $q-depth-or-diameter } = 0
 condition-centring-to-diameter = je { $q-depth-or-diameter } = 1
 guard-point-angle-missing = Za centriranje do premera v preglednici orodij definirajte kot konice { $mp-drill-point-angle } orodja.
@@ -41,7 +41,7 @@ cycle-boring = Izstruževanje
 step-bore-to-depth = Orodje s pomikom { $q-plunging-feed } izstružuje do globine { $q-depth }.
 step-dwell-with-spindle-turning = Za prosto rezanje se orodje na dnu vrtine pri vrtečem se vretenu zadrži za čas { $q-dwell-at-bottom }, če je vnesen.
 step-orient-spindle-to-angle = Krmiljenje orientira vreteno na položaj, definiran v parametru { $q-spindle-orientation-angle }.
-step-disengage-from-wall = Če je izbran prosti premik, se orodje premakne za 0,2{"\u00A0"}mm (nespremenljiva vrednost) v smeri { $q-disengaging-direction }.
+step-disengage-from-wall = Če je izbran prosti premik, se orodje premakne za 0,2{"\u00A0"}mm (stalna vrednost) v smeri { $q-disengaging-direction }.
 step-retract-bored-tool = Orodje se s pomikom { $q-retraction-feed } umakne na varnostno razdaljo { $q-set-up-clearance }. Če je { $q-disengaging-direction } = 0, se umakne ob steni vrtine.
 step-restore-spindle-and-coolant = Krmiljenje obnovi stanje vretena in hladila, ki je bilo aktivno pred priklicem cikla.
 note-machine-and-control-prepared = Proizvajalec stroja mora stroj in krmiljenje pripraviti za ta cikel.
@@ -55,11 +55,11 @@ note-disengaging-considers-rotation = Pri prostem premiku krmiljenje aktivno rot
 cycle-back-boring = Vzvratno grezenje
     .nc = VZVRATNO GREZENJE
     .nc-aliases = VZRATNO GREZENJE
-    .purpose = Izdela grezi na spodnji strani obdelovanca.
+    .purpose = Izdela ugreznine na spodnji strani obdelovanca.
 step-orient-and-offset-tool = Krmiljenje orientira vreteno na { $q-spindle-orientation-angle } in zamakne orodje za dimenzijo izsrednika { $q-off-centre-distance } v smeri { $q-disengaging-direction }.
 step-feed-through-bore = Orodje se s predpozicionirnim pomikom { $q-in-and-out-feed } spusti v obstoječo vrtino, dokler ni rezilo na varnostni razdalji { $q-set-up-clearance } pod spodnjim robom obdelovanca.
 step-centre-tool-and-counterbore = Krmiljenje vrne orodje na sredino vrtine, vklopi vreteno in po potrebi hladilo ter orodje nato s pomikom { $q-countersinking-feed } premakne na globino { $q-counterbore-depth }.
-step-dwell-and-leave-counterbore = Če je vnesen čas { $q-counterbore-dwell }, se orodje toliko časa zadrži na dnu grezi. Nato grez zapusti; krmiljenje orientira vreteno in znova zamakne orodje za dimenzijo izsrednika.
+step-dwell-and-leave-counterbore = Če je vnesen čas { $q-counterbore-dwell }, se orodje toliko časa zadrži na dnu ugreznine. Nato ugreznino zapusti; krmiljenje orientira vreteno in znova zamakne orodje za dimenzijo izsrednika.
 step-feed-out-of-bore = Orodje se s predpozicionirnim pomikom { $q-in-and-out-feed } premakne na varnostno razdaljo { $q-set-up-clearance } nad površino obdelovanca.
 note-back-boring-bars-only = Cikel deluje samo z vrtalnimi drogovi za vzvratno grezenje.
 note-sign-of-counterbore-depth = Predznak globine { $q-counterbore-depth } določa smer obdelave. Pozor: pri pozitivnem predznaku poteka grezenje v pozitivni smeri osi vretena.
@@ -87,6 +87,6 @@ note-plunging-angle-limits-infeed = Da preprečite prevelike primike, v stolpec 
 cycle-single-lip-drilling = Enoutorno vrtanje
     .nc = ENOUTORNO VRTANJE
     .purpose = Vrta z enoutornim globinskim svedrom, tudi z začetno točko pod površino obdelovanca; za uvlek in izvlek se posebej določita število vrtljajev in smer vrtenja, hladilo pa vklopita in izklopita M-funkciji.
-step-feed-in-and-switch-on = Krmiljenje premakne orodje s predpozicionirnim pomikom { $q-pre-positioning-feed } na varnostno razdaljo nad globljo začetno točko { $q-deepened-starting-point } in tam z M3 vklopi število vrtljajev za vrtanje { $q-drilling-speed }, s funkcijo { $q-coolant-on-function } pa hladilo. Pri uvleku se vreteno vrti v smeri urnega kazalca ali v nasprotni smeri s številom vrtljajev { $q-speed-in-and-out } ali pa miruje, kot določa { $q-rotation-in-and-out }.
+step-feed-in-and-switch-on = Krmiljenje premakne orodje s predpozicionirnim pomikom { $q-pre-positioning-feed } na varnostno razdaljo nad globljo začetno točko { $q-deepened-starting-point } in tam z M3 vklopi vrtenje s številom vrtljajev za vrtanje { $q-drilling-speed }, s funkcijo { $q-coolant-on-function } pa hladilo. Pri uvleku se vreteno vrti v smeri urnega kazalca ali v nasprotni smeri s številom vrtljajev { $q-speed-in-and-out } ali pa miruje, kot določa { $q-rotation-in-and-out }.
 step-drill-in-one-infeed = Orodje s pomikom { $q-plunging-feed } vrta do globine { $q-depth }.
 step-switch-off-coolant-and-reset-speed = Krmiljenje s funkcijo { $q-coolant-off-function } izklopi hladilo in število vrtljajev ponastavi na vrednost { $q-speed-in-and-out } za izvlek.

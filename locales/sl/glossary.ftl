@@ -1,7 +1,7 @@
 # Words of the trade: the glossary of the manual, and the words that translations must use.
 # .forms are beginnings under which the term is found in texts.
 term-set-up-clearance = Varnostna razdalja
-    .definition = Razdalja na orodni osi med konico orodja (ali pri tipalnem sistemu tipalno točko) in površino obdelovanca, na kateri krmiljenje začne delati.
+    .definition = Razdalja na orodni osi med konico orodja (ali pri tipalnem sistemu tipalno točko) in površino obdelovanca; pri tej razdalji začne krmiljenje delati.
     .forms = varnostn
     .forbidden = varnostni razmik | varnostna oddaljenost
 term-second-set-up-clearance = 2. varnostna razdalja

@@ -7,7 +7,7 @@ say-part-needs-rework = potrebna je dodatna obdelava (Q181 = 1), če je katera o
 # --- 422 ---
 cycle-measure-stud = Meritev zunaj kroga
     .nc = MERITEV ZUNAJ KROGA
-    .purpose = Izmeri središče in premer krožnega čepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
+    .purpose = Izmeri središče in premer krožnega čepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene vrednosti z dejanskimi in v parametre shrani odstopanja.
 say-part-is-scrap__measure-stud = izvržek (Q182 = 1), če je čep manjši od { $q-stud-least-diameter } ali če njegovo središče odstopa za več kot { $q-centre-tolerance-main } ali { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-stud = potrebna je dodatna obdelava (Q181 = 1), če je čep večji od { $q-stud-greatest-diameter }
 note-smallest-stepping-angle__measure-stud = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna dimenzije čepa. Najmanjši vnos: 5°.
@@ -16,11 +16,11 @@ note-smallest-stepping-angle__measure-stud = Čim manjši je kotni korak { $q-pr
 cycle-measure-rectangular-pocket = Meritev znotraj pravokotnika
     .nc = MERITEV ZNOTR. PRAVOKOT.
     .nc-aliases = MERITEV ZNOT. PRAVOKOT. | MERITEV ZNOTRAJ PRAVOKOTNIKA
-    .purpose = Izmeri središče, dolžino in širino pravokotnega žepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
+    .purpose = Izmeri središče, dolžino in širino pravokotnega žepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene vrednosti z dejanskimi in v parametre shrani odstopanja.
 cycle-measure-rectangular-stud = Meritev zunaj pravokotnika
     .nc = MERITEV ZUN. PRAVOKOT.
     .nc-aliases = MERITEV ZUNAJ PRAVOKOTNIKA
-    .purpose = Izmeri središče, dolžino in širino pravokotnega čepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
+    .purpose = Izmeri središče, dolžino in širino pravokotnega čepa. Če so v ciklu definirane tolerance, krmiljenje primerja želene vrednosti z dejanskimi in v parametre shrani odstopanja.
 say-part-is-scrap__measure-rectangular-pocket = izvržek (Q182 = 1), če je katera od stranic daljša od { $q-first-side-greatest-length } oziroma { $q-second-side-greatest-length } ali če središče odstopa za več kot { $q-centre-tolerance-main } ali { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-rectangular-pocket = potrebna je dodatna obdelava (Q181 = 1), če je katera od stranic krajša od { $q-first-side-least-length } oziroma { $q-second-side-least-length }
 say-part-is-scrap__measure-rectangular-stud = izvržek (Q182 = 1), če je katera od stranic krajša od { $q-first-side-least-length } oziroma { $q-second-side-least-length } ali če središče odstopa za več kot { $q-centre-tolerance-main } ali { $q-centre-tolerance-minor }
@@ -33,11 +33,11 @@ title-measure-rectangular-pocket-with-log = Merjenje pravokotnega žepa in zapis
 # --- 425, 426 ---
 cycle-measure-slot-width = Meritev notranje širine
     .nc = MERITEV NOTRANJE ŠIRINE
-    .purpose = Izmeri položaj in širino utora (žepa). Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanje shrani v parameter.
+    .purpose = Izmeri položaj in širino utora (žepa). Če so v ciklu definirane tolerance, krmiljenje primerja želene vrednosti z dejanskimi in v parameter shrani odstopanje.
 cycle-measure-ridge-width = Meritev zunaj stojine
     .nc = MERJENJE MOST ZUNAJ
     .nc-aliases = MERITEV ZUNAJ STOJINE
-    .purpose = Izmeri položaj in širino stojine. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanje shrani v parameter.
+    .purpose = Izmeri položaj in širino stojine. Če so v ciklu definirane tolerance, krmiljenje primerja želene vrednosti z dejanskimi in v parameter shrani odstopanje.
 step-probe-first-in-positive-direction = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }), vedno v pozitivni smeri programirane osi.
 step-probe-first-in-positive-direction__tnc426-430 = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }), vedno v pozitivni smeri programirane osi.
 step-probe-first-in-negative-direction = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }), vedno v negativni smeri programirane osi.
@@ -60,7 +60,7 @@ result-measured-length-deviation = Odstopanje izmerjene dolžine
 cycle-measure-coordinate = Merjenje koordinate
     .nc = MERJENJE KOORDINATE
     .nc-aliases = MERITEV KOORDINATE
-    .purpose = Izmeri koordinato na izbrani osi in vrednost shrani v parameter. Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
+    .purpose = Izmeri koordinato na izbrani osi in vrednost shrani v parameter. Če so v ciklu definirane tolerance, krmiljenje primerja želene vrednosti z dejanskimi in v parametre shrani odstopanja.
 step-position-against-traverse-direction = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) in s pozicionirno logiko na programirano tipalno točko. Pri tem ga zamakne za varnostno razdaljo v smeri, nasprotni smeri premika { $q-traverse-direction }.
 step-position-against-traverse-direction__tnc426-430 = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) in s pozicionirno logiko na programirano tipalno točko. Pri tem ga zamakne za varnostno razdaljo v smeri, nasprotni smeri premika { $q-traverse-direction }.
 step-probe-coordinate = Krmiljenje v obdelovalni ravnini pozicionira tipalni sistem na programirano tipalno točko in tam izmeri dejansko vrednost na izbrani osi.
@@ -70,13 +70,13 @@ say-part-needs-rework__measure-coordinate = potrebna je dodatna obdelava (Q181 =
 say-correct-tool-length = če { $q-monitored-tool } ni 0, pri { $q-measuring-axis } = 3 popravi dolžino orodja v stolpcu DL preglednice orodij; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
 say-correct-tool-radius__measure-coordinate = če { $q-monitored-tool } ni 0, pri { $q-measuring-axis } = 1 ali 2 popravi vrednost delta polmera v stolpcu DR preglednice orodij, in sicer v smeri, ki izhaja iz { $q-traverse-direction }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
 note-coordinate-is-outside-dimension = Krmiljenje predvideva, da se meri zunanja mera (čep). V drugih primerih je pravilno stanje meritve mogoče doseči z ustrezno izbiro največje in najmanjše mere skupaj s smerjo tipanja.
-note-coordinate-corrects-radius-or-length = Če je merilna os katera od osi obdelovalne ravnine ({ $q-measuring-axis } = 1 ali 2), krmiljenje popravi polmer orodja; smer popravka izhaja iz smeri premika { $q-traverse-direction }. Če je merilna os os tipalnega sistema ({ $q-measuring-axis } = 3), popravi dolžino orodja.
+note-coordinate-corrects-radius-or-length = Če je merilna os katera od osi obdelovalne ravnine ({ $q-measuring-axis } = 1 ali 2), krmiljenje popravi polmer orodja; smer popravka izhaja iz smeri premika { $q-traverse-direction }. Če je merilna os enaka osi tipalnega sistema ({ $q-measuring-axis } = 3), popravi dolžino orodja.
 
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Merjenje krožne luknje
     .nc = MERJENJE KROŽNE LUKNJE
     .nc-aliases = MERITEV KROŽNE LUKNJE
-    .purpose = Z merjenjem treh vrtin izmeri središče in premer delnega kroga (krožne luknje). Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
+    .purpose = Z merjenjem treh vrtin izmeri središče in premer delnega kroga (krožne luknje). Če so v ciklu definirane tolerance, krmiljenje primerja želene vrednosti z dejanskimi in v parametre shrani odstopanja.
 step-measure-centre-of-hole = Tipalni sistem se premakne na merilno višino { $q-measuring-height } in s štirimi tipanji določi središče vrtine.
 step-travel-to-next-hole = Tipalni sistem se vrne na varno višino { $q-clearance-height } in se pozicionira na vneseno središče naslednje vrtine.
 until-three-holes-measured = niso določena središča vseh treh vrtin
@@ -94,7 +94,7 @@ cycle-measure-angle = Merjenje kota
 say-travel-to-point-at-clearance-height = pri { $q-traverse-to-clearance-height } = 1 na varni višini { $q-clearance-height }
 say-travel-to-point-at-measuring-height = pri { $q-traverse-to-clearance-height } = 0 na merilni višini { $q-measuring-height }
 step-retract-and-store-angle = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in izmerjeni kot shrani v parameter rezultata.
-note-angle-about-a-or-b = Če je merilna os kar os tipalnega sistema ({ $q-measuring-axis } = 3), za merjenje kota okoli osi A v { $q-first-point-main } in { $q-second-point-main } vnesite isto vrednost, za merjenje kota okoli osi B pa različni vrednosti.
+note-angle-about-a-or-b = Če je merilna os enaka osi tipalnega sistema ({ $q-measuring-axis } = 3), v { $q-first-point-main } in { $q-second-point-main } vnesite za merjenje kota okoli osi A isto vrednost, za merjenje kota okoli osi B pa različni vrednosti.
 note-results-shown-in-help-graphic = Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov; osvetljeni parameter rezultata pripada izbranemu parametru za vnos.
 note-results-shown-in-help-graphic__tnc426-430 = Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov.
 result-measured-angle = Izmerjeni kot glede na glavno os obdelovalne ravnine
@@ -103,15 +103,15 @@ result-measured-angle = Izmerjeni kot glede na glavno os obdelovalne ravnine
 cycle-measure-plane = Merjenje ravnine
     .nc = MERJENJE RAVNINE
     .nc-aliases = MERITEV RAVNINE
-    .purpose = Z merjenjem treh točk izmeri kote ravnine in vrednosti shrani v parametre.
+    .purpose = Z merjenjem treh točk določi kote ravnine in jih shrani v parametre.
 step-measure-first-point-of-plane = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) in s pozicionirno logiko na programirano prvo tipalno točko in tam izmeri prvo točko ravnine. Pri tem ga zamakne za varnostno razdaljo v smeri, nasprotni smeri tipanja.
 step-measure-first-point-of-plane__tnc426-430 = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) in s pozicionirno logiko na programirano prvo tipalno točko in tam izmeri prvo točko ravnine. Pri tem ga zamakne za varnostno razdaljo v smeri, nasprotni smeri tipanja.
 step-measure-second-point-of-plane = Tipalni sistem se vrne na varno višino { $q-clearance-height } in se v obdelovalni ravnini premakne na drugo tipalno točko, kjer krmiljenje izmeri dejansko vrednost druge točke ravnine.
 step-measure-third-point-of-plane = Tipalni sistem se vrne na varno višino { $q-clearance-height } in se v obdelovalni ravnini premakne na tretjo tipalno točko, kjer krmiljenje izmeri dejansko vrednost tretje točke ravnine.
 step-retract-and-store-plane-angles = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in kote shrani v parametre rezultatov.
-guard-points-on-one-line = Tri merilne točke ležijo na premici. Krmiljenje kotov ravnine ne more izračunati.
+guard-points-on-one-line = Vse tri merilne točke ležijo na isti premici. Krmiljenje kotov ravnine ne more izračunati.
 note-positioning-logic__measure-plane = Pozicionirna logika: če je najnižja točka tipalne glave pod varno višino { $q-clearance-height }, krmiljenje tipalni sistem najprej po osi tipalnega sistema umakne na varno višino in ga nato v obdelovalni ravnini pozicionira na prvo tipalno točko. Če je nad varno višino, krmiljenje tipalni sistem najprej v obdelovalni ravnini pozicionira na prvo tipalno točko in ga nato po osi tipalnega sistema premakne neposredno na merilno višino.
-note-three-points-not-on-a-line = Tri merilne točke ne smejo ležati na premici: samo tako lahko krmiljenje izračuna kote.
+note-three-points-not-on-a-line = Merilne točke ne smejo vse tri ležati na isti premici: samo tako lahko krmiljenje izračuna kote.
 note-spatial-angles-for-tilting = Parametri od Q170 do Q172 vsebujejo prostorske kote, ki jih potrebuje funkcija za vrtenje obdelovalne ravnine. Prvi dve merilni točki določata smer glavne osi pri vrtenju obdelovalne ravnine.
 note-third-point-sets-tool-axis = Tretja merilna točka določa smer orodne osi. Definirajte jo v smeri pozitivne osi Y, da ima orodna os v desnosučnem koordinatnem sistemu pravo lego.
 note-spatial-angle-in-tilted-plane = Če se cikel izvede pri aktivni zavrteni obdelovalni ravnini, se izmerjeni prostorski koti nanašajo na zavrteni koordinatni sistem. V funkciji za vrtenje obdelovalne ravnine jih uporabite kot inkrementalne vrednosti.

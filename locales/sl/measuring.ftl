@@ -4,7 +4,7 @@
 cycle-measure-hole = Merjenje vrtine
     .nc = MERITEV VRTINE
     .nc-aliases = MERJENJE VRTINE
-    .purpose = Izmeri središče in premer vrtine (krožnega žepa). Če so v ciklu definirane tolerance, krmiljenje primerja želene in dejanske vrednosti ter odstopanja shrani v parametre.
+    .purpose = Izmeri središče in premer vrtine (krožnega žepa). Če so v ciklu definirane tolerance, krmiljenje primerja želene vrednosti z dejanskimi in v parametre shrani odstopanja.
 step-retract-and-store-results = Krmiljenje premakne { -probe(case: "accusative") } nazaj na { -clearance-height(case: "accusative") } { $q-clearance-height } ter dejanske vrednosti in odstopanja od želenih vrednosti shrani v parametre rezultatov.
 step-set-measuring-status = Krmiljenje določi stanje meritve:
 say-hole-is-scrap = izvržek (Q182 = 1), če je vrtina večja od { $q-hole-greatest-diameter } ali če njeno središče odstopa za več kot { $q-centre-tolerance-main } ali { $q-centre-tolerance-minor }

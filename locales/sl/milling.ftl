@@ -21,8 +21,8 @@ step-plunge-at-left-slot-arc = Orodje se iz središča levega kroga utora spusti
 say-plunge-to-and-fro-along-slot = { $q-plunging-strategy } = 1 ali 2: nihajoče vzdolž utora pod kotom spuščanja { $mp-plunging-angle } iz preglednice orodij, s pomikom { $q-plunging-feed }
 step-clear-slot-level = Krmiljenje utor grobo rezka od znotraj navzven in pri tem upošteva nadmeri finega rezkanja { $q-side-allowance } in { $q-floor-allowance }.
 step-rapid-to-first-plunging-depth-of-slot = Če je programirano samo fino rezkanje ({ $q-machining-operation } = 2), krmiljenje orodje v hitrem teku spusti na prvo globino primika.
-step-finish-slot-side = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka stene utora; če je vnesen primik { $q-finishing-infeed }, v več primikih. Steni se približa tangencialno v levem krogu utora.
-step-finish-slot-side__circular-slot = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka stene utora; če je vnesen primik { $q-finishing-infeed }, v več primikih. Steni se približa tangencialno.
+step-finish-slot-side = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka stene utora; če je vnesen primik { $q-finishing-infeed }, v več primikih. Orodje se steni približa tangencialno v levem krogu utora.
+step-finish-slot-side__circular-slot = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka stene utora; če je vnesen primik { $q-finishing-infeed }, v več primikih. Orodje se steni približa tangencialno.
 until-slot-side-finished = stene niso fino rezkane do globine { $q-depth }
 step-finish-slot-floor = Če je definirana globinska nadmera { $q-floor-allowance }, krmiljenje nato fino rezka dno utora od znotraj navzven.
 step-leave-slot = Orodje se iz utora v hitrem teku umakne na 2. varnostno razdaljo { $q-second-set-up-clearance } (na varnostno razdaljo, če ta ni vnesena).
@@ -44,7 +44,7 @@ until-all-slots-milled = niso izdelani vsi utori (število: { $q-number-of-opera
 step-end-of-circular-slot = Kje orodje stoji na koncu cikla, je odvisno od reference za položaj utora { $q-slot-position-reference }:
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: krmiljenje orodje v obdelovalni ravnini vrne na začetno točko (središče delnega kroga)
 condition-slot-at-entered-centre = položaj utora izhaja iz vnesenega središča delnega kroga ({ $q-slot-position-reference } = 0)
-note-circular-slot-end-position = Na koncu cikla krmiljenje orodje v obdelovalni ravnini vrne na začetno točko (središče delnega kroga). Izjema: če je definiran položaj utora { $q-slot-position-reference }, ki ni 0, orodje samo po orodni osi pozicionira na 2. varnostno razdaljo. V tem primeru po priklicu cikla vedno programirajte absolutne premike.
+note-circular-slot-end-position = Na koncu cikla krmiljenje orodje v obdelovalni ravnini vrne na začetno točko (središče delnega kroga). Izjema: če je definiran položaj utora { $q-slot-position-reference }, ki ni 0, ga samo po orodni osi pozicionira na 2. varnostno razdaljo. V tem primeru po priklicu cikla vedno programirajte absolutne premike.
 note-circular-slot-with-pattern = Če cikel 254 (okrogli utor) povežete s ciklom 221, za položaj utora ni dovoljena vrednost 0.
 
 # --- 256 ---
@@ -74,8 +74,8 @@ step-move-to-circular-stud-approach = Orodje se z začetnega položaja cikla (sr
 step-mill-spiral-around-stud = Orodje se nato konturi čepa tangencialno približa po spirali in rezka en obhod.
 step-keep-spiral-to-finished-diameter = Če z enim obhodom končni premer ni dosežen, krmiljenje nadaljuje primik po spirali, dokler ga ne doseže; pri tem upošteva premer surovca, končni premer in dovoljeni stranski primik.
 step-leave-stud-on-spiral = Krmiljenje orodje po spirali odmakne od konture.
-step-next-infeed-near-departure = Če je potrebnih več primikov, se naslednji izvede na točki, ki je najbliže odmiku.
-step-retract-and-return-to-stud-centre = Na koncu cikla, po spiralnem odmiku, krmiljenje orodje na orodni osi pozicionira na 2. varnostno razdaljo { $q-second-set-up-clearance } (na varnostno razdaljo, če ta ni vnesena) in nato v središče čepa.
+step-next-infeed-near-departure = Če je potrebnih več primikov, se naslednji izvede v točki, ki je najbliže mestu odmika.
+step-retract-and-return-to-stud-centre = Na koncu cikla, po spiralnem odmiku, krmiljenje orodje po orodni osi pozicionira na 2. varnostno razdaljo { $q-second-set-up-clearance } (na varnostno razdaljo, če ta ni vnesena) in nato v središče čepa.
 note-position-at-stud-centre = Orodje pozicionirajte na začetno točko (središče čepa) v obdelovalni ravnini s popravkom polmera R0.
 note-circular-stud-end-height = Nevarnost kolizije! Na koncu krmiljenje vrne orodje na varnostno razdaljo ali, če je vnesena, na 2. varnostno razdaljo. Po orodni osi se lahko zato končni položaj orodja po ciklu razlikuje od začetnega.
 
@@ -113,11 +113,11 @@ cycle-ruled-surface = Premonosna ploskev
 step-straight-to-starting-point = Krmiljenje premakne orodje s trenutnega položaja premočrtno v prostoru na začetno točko 1.
 step-mill-line-to-its-end = Orodje nato s programiranim pomikom { $q-milling-feed } rezka do končne točke vrstice: v prvi vrstici do točke 2, in sicer s polovičnim pomikom; v vsaki nadaljnji do točke, ki jo krmiljenje izračuna iz točke 2 in zamika v smeri točke 3.
 step-rapid-back-to-start-of-line = Od tam krmiljenje premakne orodje v hitrem teku (FMAX) v pozitivni smeri osi vretena za premer orodja nad višji konec vrstice in nato nazaj na začetno točko vrstice (v prvi vrstici na točko 1).
-step-down-to-last-height = Na začetni točki krmiljenje premakne orodje na osi vretena v položaj, ki ga je tam imelo nazadnje.
+step-down-to-last-height = Na začetni točki krmiljenje premakne orodje po osi vretena v položaj, ki ga je tam imelo nazadnje.
 step-move-to-start-of-next-line = Krmiljenje nato premakne orodje po vseh treh oseh s točke 1 v smeri točke 4 v naslednjo vrstico.
-step-above-highest-point = Na koncu krmiljenje pozicionira orodje za premer orodja nad najvišjo vneseno točko po osi vretena.
+step-above-highest-point = Na koncu krmiljenje po osi vretena pozicionira orodje nad najvišjo vneseno točko, in sicer za premer orodja.
 note-cutting-direction-of-surface = Začetno točko in s tem smer rezkanja je mogoče izbrati poljubno: krmiljenje posamezne reze izvede od točke 1 do točke 2, celoten potek pa gre od točk 1 in 2 do točk 3 in 4. Točka 1 je lahko v katerem koli vogalu ploskve.
-note-surface-quality-with-end-mills = Pri uporabi čelnih rezkarjev je mogoče kakovost površine izboljšati: pri rahlo nagnjenih ploskvah z vbodnim rezom (koordinata osi vretena točke 1 je večja od koordinate točke 2); pri strmih ploskvah z vlečnim rezom (koordinata osi vretena točke 1 je manjša od koordinate točke 2); pri zvitih ploskvah tako, da glavna smer rezanja (od točke 1 do točke 2) poteka v smeri večjega naklona.
+note-surface-quality-with-end-mills = Pri uporabi stebelnih rezkarjev je mogoče kakovost površine izboljšati: pri rahlo nagnjenih ploskvah z vbodnim rezom (koordinata osi vretena točke 1 je večja od koordinate točke 2); pri strmih ploskvah z vlečnim rezom (koordinata osi vretena točke 1 je manjša od koordinate točke 2); pri zvitih ploskvah tako, da glavna smer rezanja (od točke 1 do točke 2) poteka v smeri večjega naklona.
 note-surface-quality-with-ball-end-mills = Pri uporabi krogelnih rezkarjev je mogoče kakovost zvitih ploskev izboljšati tako, da glavna smer rezanja (od točke 1 do točke 2) poteka pravokotno na smer največjega naklona.
 note-straight-to-start-without-collision = Nevarnost kolizije! Krmiljenje premakne orodje s trenutnega položaja premočrtno v prostoru na začetno točko 1. Orodje predpozicionirajte tako, da ne more trčiti v obdelovanec ali vpenjalo.
 note-positions-with-r0 = Krmiljenje premika orodje med vnesenimi položaji s popravkom polmera R0.

@@ -10,9 +10,9 @@ parameter-depth__bore-milling =
 parameter-depth__single-lip-drilling =
     .help = Razdalja med površino obdelovanca in dnom vrtine.
 parameter-depth__centring =
-    .help = Razdalja med površino obdelovanca in dnom centriranja, merjeno do konice centrirnega stožca. Deluje samo, če je { $q-depth-or-diameter } = 0.
+    .help = Razdalja med površino obdelovanca in dnom centrirne vrtine, merjeno do konice centrirnega stožca. Deluje samo, če je { $q-depth-or-diameter } = 0.
 parameter-plunging-depth__universal-drilling =
-    .help = Globina, za katero se orodje primakne z vsakim primikom. Celotna globina ni nujno njen večkratnik. Orodje doseže globino z enim premikom, če sta vrednosti enaki ali če je globina primika večja od globine in lom ostružkov ni definiran.
+    .help = Globina, za katero se orodje vsakokrat primakne. Celotna globina ni nujno njen večkratnik. Orodje doseže globino z enim premikom, če sta vrednosti enaki ali če je globina primika večja od globine in lom ostružkov ni definiran.
 parameter-chip-breaking-retraction__universal-drilling =
     .help = Razdalja, za katero se orodje umakne, da odlomi ostružek.
 parameter-plunging-feed__reaming =
@@ -67,7 +67,7 @@ parameter-depth-or-diameter = Izbira globine/premera (0/1)
     .help = Določa, ali orodje centrira do vnesene globine ali do vnesenega premera. Za premer mora biti kot konice orodja definiran v stolpcu { $mp-drill-point-angle } preglednice orodij.
 parameter-centring-diameter = Premer (predznak)
     .label = PREMER
-    .help = Premer centriranja; njegov predznak je smer obdelave. Deluje samo, če je { $q-depth-or-diameter } = 1.
+    .help = Premer centriranja; njegov predznak določa smer obdelave. Deluje samo, če je { $q-depth-or-diameter } = 1.
 
 parameter-disengaging-direction = Smer prostega premika (0/1/2/3/4)
     .label = SMER ODMIKA
@@ -81,7 +81,7 @@ parameter-spindle-orientation-angle__back-boring =
     .help = Kot, na katerega krmiljenje orientira orodje, preden vstopi v vrtino in preden jo zapusti.
 parameter-counterbore-depth = Globina grezenja
     .label = GLOBINA GREZENJA
-    .help = Razdalja med spodnjim robom obdelovanca in koncem grezi. Pri pozitivnem predznaku poteka grezenje v pozitivni smeri osi vretena.
+    .help = Razdalja med spodnjim robom obdelovanca in dnom ugreznine. Pri pozitivnem predznaku poteka grezenje v pozitivni smeri osi vretena.
 parameter-material-thickness = Debelina materiala
     .label = DEBELINA MATERIALA
     .help = Debelina obdelovanca.
@@ -94,7 +94,7 @@ parameter-cutting-edge-height = Rezalna višina
     .help = Razdalja med spodnjim robom vrtalnega droga in glavnim rezilom, s podatkovnega lista orodja.
 parameter-counterbore-dwell = Čas zadrž.
     .label = ČAS ZADRŽEVANJA
-    .help = Čas, v katerem orodje miruje na koncu grezi.
+    .help = Čas, v katerem orodje miruje na dnu ugreznine.
 parameter-infeed-per-helix = Primik na vijačnico
     .label = GLOBINA PRIMIKA
     .help = Globina, za katero se orodje primakne z vsakim obratom vijačnice (360°).

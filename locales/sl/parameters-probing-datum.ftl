@@ -216,13 +216,13 @@ choice-rotation-into-preset-table = ugotovljena osnovna rotacija se zapiše v pr
 parameter-alignment-angle = Referenčni kot (0 = glavna os)
     .prompt = Referenčni kot? (0=glavna os)
     .label = REFERENČNI KOT
-    .help = Kot, na katerega krmiljenje izravna otipano premico.
+    .help = Kot, na katerega krmiljenje poravna otipano premico.
 condition-basic-rotation-chosen = se poševni položaj izravna z osnovno rotacijo ({ $q-misalignment-compensation } = 0)
 condition-rotary-table-chosen = se poševni položaj izravna z vrtenjem okrogle mize ({ $q-misalignment-compensation } = 1)
 condition-rotary-display-zeroed = je { $q-zero-after-alignment } = 1
 condition-c-axis-compensates = je izbrana rotacijska os C ({ $q-compensation-axis } = 6)
 parameter-probing-centre-minor__rotation-by-c-axis =
-    .help = Središče vrtine na pomožni osi obdelovalne ravnine. Pri vrednosti 0 krmiljenje središče vrtine izravna s pozitivno osjo Y, pri vsaki drugi vrednosti z želenim položajem (kotom, ki izhaja iz središča vrtine).
+    .help = Središče vrtine na pomožni osi obdelovalne ravnine. Pri vrednosti 0 krmiljenje središče vrtine poravna s pozitivno osjo Y, pri vsaki drugi vrednosti z želenim položajem (kotom, ki izhaja iz središča vrtine).
 parameter-probing-nominal-diameter__rotation-by-c-axis =
     .help = Približni premer krožnega žepa (vrtine). Vnesite raje premajhno kot preveliko vrednost.
 

@@ -117,5 +117,5 @@ choice-taper-end-point-start-diameter-angle = s končno točko, začetkom X in k
 choice-taper-end-point-start-z-angle = s končno točko, začetkom Z in kotom stožca
 choice-taper-start-point-end-diameter-angle = z začetno točko, koncem X in kotom stožca
 choice-taper-start-point-end-z-angle = z začetno točko, koncem Z in kotom stožca
-choice-thread-constant-chip-cross-section = nespremenljiv presek ostružka (primik se z globino zmanjšuje)
-choice-thread-constant-infeed-depth = nespremenljiva globina primika
+choice-thread-constant-chip-cross-section = stalen presek ostružka (primik se z globino zmanjšuje)
+choice-thread-constant-infeed-depth = stalna globina primika

@@ -121,13 +121,13 @@ parameter-blank-oversize = Nadmera surovca
 parameter-cutting-lines = Rezne črte
     .label = REZNE ČRTE
     .help = Vrsta reznih črt.
-choice-constant-chip-cross-section = rezi z nespremenljivim presekom ostružka
+choice-constant-chip-cross-section = rezi s stalnim presekom ostružka
 choice-equidistant-cuts = enakomerna porazdelitev rezov
 
 # --- orientation of the tool ---
 parameter-precession-angle = Precesijski kot
     .label = PRECESIJSKI KOT
-    .help = Kot, na katerega krmiljenje izravna orodje.
+    .help = Kot, na katerega krmiljenje usmeri orodje.
 parameter-tool-reversal = Obračanje orodja
     .label = OBRAČANJE ORODJA
     .help = Zrcaljenje orodja za notranjo ali zunanjo obdelavo.

@@ -13,9 +13,9 @@ step-leave-wall-and-return = Orodje se dvigne na { -set-up-clearance(case: "accu
 until-roughing-depth-reached = ni dosežena globina { $q-depth }, zmanjšana za globinsko nadmero { $q-floor-allowance }
 group-finishing = Fino rezkanje
 step-rapid-to-first-plunging-depth = Če je programirano samo fino rezkanje ({ $q-machining-operation } = 2), krmiljenje orodje v središču žepa v hitrem teku spusti na prvo { -plunging-depth(case: "accusative") }.
-step-finish-side = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka steno žepa, ki se ji približa tangencialno; če je vnesen primik { $q-finishing-infeed }, v več primikih.
+step-finish-side = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka steno žepa; če je vnesen primik { $q-finishing-infeed }, v več primikih. Orodje se steni približa tangencialno.
 until-side-finished = stena ni fino rezkana do globine { $q-depth }
-step-finish-floor = Če je definirana globinska nadmera { $q-floor-allowance }, krmiljenje nato fino rezka dno žepa od sredine navzven; dnu se približa tangencialno.
+step-finish-floor = Če je definirana globinska nadmera { $q-floor-allowance }, krmiljenje nato fino rezka dno žepa od sredine navzven; orodje se dnu približa tangencialno.
 step-leave-pocket = Orodje se iz žepa umakne v hitrem teku:
 step-return-to-starting-point = Krmiljenje vrne orodje na začetno točko v { -working-plane(case: "locative") }.
 guard-plunging-depth-zero = Globina primika mora biti večja od 0.

@@ -7,7 +7,7 @@ step-move-to-measuring-height = Tipalni sistem se premakne na { -measuring-heigh
 step-probe-outward = Tipalni sistem izvede tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }). Smer tipanja krmiljenje določi iz začetnega kota { $q-probing-starting-angle } in kotnega koraka { $q-probing-stepping-angle }.
 step-probe-outward__tnc426-430 = Tipalni sistem izvede tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }). Smer tipanja krmiljenje določi iz začetnega kota { $q-probing-starting-angle } in kotnega koraka { $q-probing-stepping-angle }.
 step-travel-to-next-touch-point = Tipalni sistem se premakne na naslednjo { -touch-point(case: "accusative") }:
-say-start-again-from-centre = če je žep ob upoštevanju varnostne razdalje premajhen za predpozicioniranje blizu tipalnih točk, ostane v središču in se ne premakne na { -clearance-height(case: "accusative") }
+say-start-again-from-centre = iz središča in brez premika na { -clearance-height(case: "accusative") }, če je žep ob upoštevanju varnostne razdalje premajhen za predpozicioniranje blizu tipalnih točk
 say-travel-straight-at-clearance-height = pri { $q-traverse-to-clearance-height } = 1 in { $q-probing-traverse-type } = 0 premočrtno na { -clearance-height(case: "locative") } { $q-clearance-height }
 say-travel-on-circle-at-clearance-height = pri { $q-traverse-to-clearance-height } = 1 po krožnem loku na { -clearance-height(case: "locative") } { $q-clearance-height }
 say-travel-on-circle-at-clearance-height__tnc640 = pri { $q-traverse-to-clearance-height } = 1 in { $q-probing-traverse-type } = 1 po krožnem loku na { -clearance-height(case: "locative") } { $q-clearance-height }

@@ -12,7 +12,7 @@ note-known-reference-direction = S parametrom { $q-reference-line-angle } krmilj
 cycle-basic-rotation = Osnovna rotacija
     .nc = OSNOVNO VRTENJE
     .nc-aliases = OSNOVNA ROTACIJA
-    .purpose = Z merjenjem dveh točk, ki morata ležati na premici, določi poševni položaj obdelovanca. Krmiljenje ga izravna z osnovno rotacijo.
+    .purpose = Z merjenjem dveh točk, ki morata ležati na isti premici obdelovanca, določi poševni položaj obdelovanca. Krmiljenje ga izravna z osnovno rotacijo.
 step-store-basic-rotation = Krmiljenje shrani osnovno rotacijo:
 say-rotation-into-preset-row = če { $q-basic-rotation-row } ni 0, v vrstico { $q-basic-rotation-row } preglednice prednastavitev
 say-rotation-into-rot-menu = pri { $q-basic-rotation-row } = 0 v meni ROT ročnega načina
@@ -50,7 +50,7 @@ title-rotation-from-two-holes = Določitev osnovne rotacije z dvema vrtinama
 # --- 403 ---
 cycle-rotation-by-rotary-axis = Izravnava osnovne rotacije z rotacijsko osjo
     .nc = ROT Z ROTACIJSKO OSJO
-    .purpose = Z merjenjem dveh točk, ki morata ležati na premici, določi poševni položaj obdelovanca. Krmiljenje ga izravna z vrtenjem osi A, B ali C. Obdelovanec je lahko na okrogli mizi vpet kjer koli.
+    .purpose = Z merjenjem dveh točk, ki morata ležati na isti premici obdelovanca, določi poševni položaj obdelovanca. Krmiljenje ga izravna z vrtenjem osi A, B ali C. Obdelovanec je lahko na okrogli mizi vpet kjer koli.
 step-retract-and-turn-rotary-axis = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in zavrti rotacijsko os { $q-compensation-axis } za izračunano vrednost. Kot shrani tudi v parameter rezultata. Na zahtevo po izravnavi nastavi prikaz na 0.
 step-retract-and-turn-rotary-axis__tnc426-430 = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in zavrti rotacijsko os { $q-compensation-axis } za izračunano vrednost.
 note-compensation-may-be-turned-180 = Nevarnost kolizije! Krmiljenje le okvirno preveri, ali so tipalne točke in izravnalna os skupaj smiselne. Izravnalni premiki so zato lahko zasukani za 180°.

@@ -46,11 +46,11 @@ cycle-tool-radius-old__tnc426-430 =
 step-position-tool-beside-setter = Krmiljenje pozicionira orodje ob tipalno glavo, tako da je njegova čelna ploskev za vrednost { $mp-setter-axis-offset } pod zgornjim robom glave; če je v { -tool-table(case: "locative") } vnesen dodatni zamik dolžine { $mp-setter-offset-length }, pa še za to vrednost nižje.
 step-probe-rotating-tool-radially = Krmiljenje radialno otipa vrteče se orodje.
 step-measure-teeth-radially = Krmiljenje ugotovi polmer:
-say-measure-radii-of-teeth = pri vrednosti { $q-tooth-measurement } = 1 nato s spreminjanjem usmeritve vretena izmeri polmere vseh rezil
-say-radius-of-rotating-tool = pri vrednosti { $q-tooth-measurement } = 0 velja polmer, izmerjen z vrtečim se orodjem
+say-measure-radii-of-teeth = pri { $q-tooth-measurement } = 1 nato s spreminjanjem usmeritve vretena izmeri polmere vseh rezil
+say-radius-of-rotating-tool = pri { $q-tooth-measurement } = 0 velja polmer, izmerjen z vrtečim se orodjem
 step-store-tool-radius = Krmiljenje shrani rezultat:
-say-overwrite-tool-radius = pri vrednosti { $q-tool-check } = 0 prepiše polmer orodja { $mp-tool-radius } v TOOL.T in nastavi vrednost delta { $mp-delta-radius } na 0
-say-enter-delta-radius = pri vrednosti { $q-tool-check } = 1 izmerjeni polmer primerja s polmerom orodja { $mp-tool-radius }, odstopanje s predznakom vnese kot vrednost delta { $mp-delta-radius } in v Q116 ter orodje blokira (stanje L), če je presežena toleranca obrabe ali toleranca loma
+say-overwrite-tool-radius = pri { $q-tool-check } = 0 prepiše polmer orodja { $mp-tool-radius } v TOOL.T in nastavi vrednost delta { $mp-delta-radius } na 0
+say-enter-delta-radius = pri { $q-tool-check } = 1 izmerjeni polmer primerja s polmerom orodja { $mp-tool-radius }, odstopanje s predznakom vnese kot vrednost delta { $mp-delta-radius } in v Q116 ter orodje blokira (stanje L), če je presežena toleranca obrabe ali toleranca loma
 result-tool-radius-deviation = Odstopanje polmera orodja
 note-diamond-coated-cylinders = Valjasta orodja z diamantno površino je mogoče izmeriti z mirujočim vretenom. V ta namen v preglednici orodij število rezil { $mp-teeth } definirajte kot 0 in prilagodite strojni parameter { $mp-tool-measurement-config }. Upoštevajte priročnik za stroj.
 note-diamond-coated-cylinders__itnc530 = Valjasta orodja z diamantno površino je mogoče izmeriti z mirujočim vretenom. V ta namen v preglednici orodij število rezil { $mp-teeth } definirajte kot 0 in prilagodite strojni parameter { $mp-calibration-behaviour }. Upoštevajte priročnik za stroj.
@@ -67,11 +67,11 @@ cycle-tool-complete-old = Popolno merjenje orodja
     .purpose = Z namiznim tipalnim sistemom izmeri ali preveri dolžino in polmer orodja: z vrtečim se orodjem in po želji nato še rezilo za rezilom. Krmiljenje rezultate shrani v preglednico orodij TOOL.T in jih po koncu cikla samodejno upošteva. Stara oblika cikla 483.
 cycle-tool-complete-old__tnc426-430 =
     .purpose = Z namiznim tipalnim sistemom izmeri ali preveri dolžino in polmer orodja: z vrtečim se orodjem in po želji nato še rezilo za rezilom. Krmiljenje rezultate shrani v preglednico orodij TOOL.T in jih uporabi pri naslednjem priklicu orodja. Stara oblika cikla 483.
-step-measure-radius-first = Krmiljenje izmeri orodje v nespremenljivem zaporedju. Najprej izmeri polmer, tako kot cikla 32 in 482: orodje pozicionira ob tipalno glavo, tako da je njegova čelna ploskev pod zgornjim robom glave, in sicer za vrednosti { $mp-setter-axis-offset } in { $mp-setter-offset-length }, ter radialno otipa vrteče se orodje:
+step-measure-radius-first = Krmiljenje izmeri orodje v vedno enakem zaporedju. Najprej izmeri polmer, tako kot cikla 32 in 482: orodje pozicionira ob tipalno glavo, tako da je njegova čelna ploskev pod zgornjim robom glave, in sicer za vrednosti { $mp-setter-axis-offset } in { $mp-setter-offset-length }, ter radialno otipa vrteče se orodje:
 step-then-measure-length = Nato izmeri dolžino, tako kot cikla 31 in 481:
 step-store-radius-and-length = Krmiljenje shrani rezultate:
-say-overwrite-radius-and-length = pri vrednosti { $q-tool-check } = 0 prepiše polmer orodja { $mp-tool-radius } in dolžino orodja { $mp-tool-length } v TOOL.T ter nastavi vrednosti delta { $mp-delta-radius } in { $mp-delta-length } na 0
-say-enter-both-delta-values = pri vrednosti { $q-tool-check } = 1 izmerjene podatke primerja s podatki v TOOL.T, odstopanja s predznakom vnese kot vrednosti delta { $mp-delta-radius } in { $mp-delta-length } ter v Q116 (polmer) in Q115 (dolžina), orodje pa blokira (stanje L), če je presežena katera od toleranc obrabe ali loma
+say-overwrite-radius-and-length = pri { $q-tool-check } = 0 prepiše polmer orodja { $mp-tool-radius } in dolžino orodja { $mp-tool-length } v TOOL.T ter nastavi vrednosti delta { $mp-delta-radius } in { $mp-delta-length } na 0
+say-enter-both-delta-values = pri { $q-tool-check } = 1 izmerjene podatke primerja s podatki v TOOL.T, odstopanja s predznakom vnese kot vrednosti delta { $mp-delta-radius } in { $mp-delta-length } ter v Q116 (polmer) in Q115 (dolžina), orodje pa blokira (stanje L), če je presežena katera od toleranc obrabe ali loma
 note-complete-measurement-saves-time = Cikel je primeren zlasti za prvo merjenje orodij: v primerjavi z ločenim merjenjem dolžine in polmera prihrani precej časa.
 title-first-measurement-rotating = Prvo merjenje z vrtečim se orodjem
 title-check-teeth = Preverjanje z merjenjem posameznih rezil
