@@ -11,7 +11,7 @@ note-known-reference-direction = With { $q-reference-line-angle } the control co
 # --- 400 ---
 cycle-basic-rotation = Basic rotation
     .nc = BASIC ROTATION
-    .purpose = Determines the misalignment of a workpiece by measuring two points that must lie on a straight line. The control compensates it by a basic rotation.
+    .purpose = Determines the misalignment of a workpiece by measuring two points of a straight edge. The control compensates it by a basic rotation.
 step-store-basic-rotation = The control stores the basic rotation:
 say-rotation-into-preset-row = with { $q-basic-rotation-row } not 0 in row { $q-basic-rotation-row } of the preset table
 say-rotation-into-rot-menu = with { $q-basic-rotation-row }=0 in the ROT menu of the Manual operation mode
@@ -49,7 +49,7 @@ title-rotation-from-two-holes = Determine a basic rotation from two holes
 # --- 403 ---
 cycle-rotation-by-rotary-axis = Basic rotation compensated by a rotary axis
     .nc = ROT IN ROTARY AXIS
-    .purpose = Determines the misalignment of a workpiece by measuring two points that must lie on a straight line. The control compensates it by turning the A, B or C axis. The workpiece may be clamped anywhere on the rotary table.
+    .purpose = Determines the misalignment of a workpiece by measuring two points of a straight edge. The control compensates it by turning the A, B or C axis. The workpiece may be clamped anywhere on the rotary table.
 step-retract-and-turn-rotary-axis = The control returns the touch probe to the clearance height { $q-clearance-height } and turns the rotary axis { $q-compensation-axis } by the calculated value. It also stores the angle in the result parameter. If selected, it sets the display to 0 after the alignment.
 step-retract-and-turn-rotary-axis__tnc426-430 = The control returns the touch probe to the clearance height { $q-clearance-height } and turns the rotary axis { $q-compensation-axis } by the calculated value.
 note-compensation-may-be-turned-180 = Danger of collision! The control only checks roughly whether the touch points and the compensating axis make sense together. Compensating movements may therefore be turned by 180°.
