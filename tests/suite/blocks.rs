@@ -1,6 +1,7 @@
 //! NC blocks, labels and dialogs: the printed blocks of the manuals byte for byte, values that are
 //! refused, and what a dialog says.
 use std::path::Path;
+use std::sync::LazyLock;
 
 use ciklo::base::data;
 use ciklo::base::expr::QRef;
@@ -19,13 +20,16 @@ struct Data {
 
 impl Data {
     /// The small catalogue of `tests/small`, with the texts that do not belong to cycles.
-    fn small() -> Self {
-        let mut files = Vec::new();
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/small");
-        collect(&root, &root, &mut files);
-        let general = ["locales/en/text.ftl", "locales/en/units.ftl"];
-        files.extend(data::embedded().into_iter().filter(|(path, _)| general.contains(&path.as_str())));
-        Self::of(files)
+    fn small() -> &'static Self {
+        static SMALL: LazyLock<Data> = LazyLock::new(|| {
+            let mut files = Vec::new();
+            let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/small");
+            collect(&root, &root, &mut files);
+            let general = ["locales/en/text.ftl", "locales/en/units.ftl"];
+            files.extend(data::embedded().into_iter().filter(|(path, _)| general.contains(&path.as_str())));
+            Data::of(files)
+        });
+        &SMALL
     }
 
     fn of(files: Vec<(String, String)>) -> Self {
@@ -60,7 +64,7 @@ fn block(number: u32, values: &[(&str, &str)], first: Option<u32>) -> Result<Str
     let values: Vec<(String, String)> = values.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
     let request = Request { values: &values, number: first, ..Request::default() };
     let language = data.locales.language("en").expect("English is there");
-    let result = label::block(data.on("small"), small_cycle(&data, number), language, &request);
+    let result = label::block(data.on("small"), small_cycle(data, number), language, &request);
     result.map_err(|faults| faults.iter().map(|fault| fault.code.to_owned()).collect())
 }
 
@@ -184,7 +188,7 @@ laws! {
 fn a_dialog_asks_in_the_order_of_the_block_and_says_all_there_is() {
     let data = Data::small();
     let language = data.locales.language("en").expect("English is there");
-    let dialog = dialog::dialog(data.on("small"), small_cycle(&data, 901), language).expect("all texts are there");
+    let dialog = dialog::dialog(data.on("small"), small_cycle(data, 901), language).expect("all texts are there");
     let shown = dialog::render(&dialog, language).expect("all captions are there");
     assert_eq!(shown, include_str!("../small/dialog-901.txt"));
 }

@@ -61,8 +61,10 @@ fn values(path: &str, text: &str, wanted: &[&str]) -> Vec<(String, String)> {
 
 #[test]
 fn every_page_of_a_book_is_well_formed_and_its_links_lead_somewhere() {
-    for book in books("tnc640", &["en", "fi", "it", "pt", "sl"]).iter().chain(&books("tnc426-430", &["fi"])) {
-        let files = unpacked(book);
+    // Every control and every language once; the largest book has all kinds of pages.
+    let some = [("tnc640", "en"), ("tnc320", "it"), ("itnc530", "pt"), ("tnc320", "sl"), ("tnc426-430", "fi")];
+    for book in some.into_iter().flat_map(|(control, language)| books(control, &[language])) {
+        let files = unpacked(&book);
         let (mut places, mut links) = (BTreeSet::new(), Vec::new());
         for (path, text) in files.iter().filter(|(path, _)| path.ends_with(".xhtml")) {
             let file = path.trim_start_matches("book/");

@@ -83,6 +83,20 @@ fn elements_that_a_tool_has_laid_out_in_lines_are_read_as_they_were() {
 }
 
 #[test]
+fn blanks_between_codes_that_a_tool_loses_are_put_back() {
+    let files = files(FINNISH);
+    for form in [Form::Xliff, Form::Xliff2] {
+        let text = export(&files, "fi", form);
+        let lost = text.replace("</ph> <ph", "</ph><ph").replace("/> <ph", "/><ph");
+        assert_ne!(lost, text, "{form:?}: there is such a blank");
+        let imported = import(&files, "fi", &lost);
+        assert!(imported.refused.is_empty() && imported.files.is_empty(), "{form:?} {imported:?}");
+        let edited = import(&files, "fi", &lost.replace("Aja ", "Siirry "));
+        assert_eq!(edited.files, [("locales/fi/a.ftl".to_owned(), FINNISH.replace("Aja ", "Siirry "))], "{form:?}");
+    }
+}
+
+#[test]
 fn an_edit_changes_its_own_bytes_and_no_others() {
     let files = files(FINNISH);
     let edits = [

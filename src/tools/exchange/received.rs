@@ -37,9 +37,14 @@ impl Received {
         self.is_final |= is_translated;
     }
 
-    /// The same unit without the line breaks and blanks with which a tool has laid out its elements. Only where the source
-    /// is then that of today, and neither text has lines of its own, is that certain.
-    pub(super) fn as_laid_out(self, source: &[Piece], target: &[Piece]) -> Self {
+    /// The same unit as it was exported, but for what a translator has changed: with the blanks between codes, if the tool
+    /// does not keep them, and without the line breaks and blanks with which it has laid out its elements. Only where the
+    /// source is then that of today, and neither text has lines of its own, is that certain.
+    pub(super) fn as_exported(mut self, source: &[Piece], target: &[Piece], keeps_blanks: bool) -> Self {
+        if !keeps_blanks {
+            self.source = self.source.map(|own| with_blanks(&own, [source, &[]]));
+            self.target = self.target.map(|own| with_blanks(&own, [target, source]));
+        }
         let has_lines =
             |pieces: &[Piece]| pieces.iter().any(|piece| matches!(piece, Piece::Text(words) if words.contains('\n')));
         if self.source.as_deref() == Some(source) || has_lines(source) || has_lines(target) {
@@ -51,6 +56,33 @@ impl Received {
         }
         Self { source: own, target: self.target.as_deref().map(without_layout), ..self }
     }
+}
+
+/// Whether a tool has kept blanks that are all there is between two codes. Some lose them, everywhere in a file.
+pub(super) fn keeps_blanks(received: &[Received]) -> bool {
+    let has = |pieces: &Option<Vec<Piece>>| pieces.as_ref().is_some_and(|own| own.windows(3).any(is_blank_between));
+    received.iter().any(|unit| has(&unit.source) || has(&unit.target))
+}
+
+fn is_blank_between(pieces: &[Piece]) -> bool {
+    matches!(pieces, [Piece::Code(_), Piece::Text(blank), Piece::Code(_)] if blank.trim_matches(' ').is_empty())
+}
+
+/// Puts back the blanks that one of the models has between two codes.
+fn with_blanks(pieces: &[Piece], models: [&[Piece]; 2]) -> Vec<Piece> {
+    let mut all: Vec<Piece> = Vec::with_capacity(pieces.len());
+    for piece in pieces {
+        if let (Some(Piece::Code(before)), Piece::Code(after)) = (all.last(), piece) {
+            let is_here = |own: &&[Piece]| {
+                is_blank_between(own)
+                    && matches!(own, [Piece::Code(one), _, Piece::Code(other)] if one == before && other == after)
+            };
+            let found = models.iter().find_map(|model| model.windows(3).find(is_here));
+            all.extend(found.and_then(|own| own.get(1)).cloned());
+        }
+        all.push(piece.clone());
+    }
+    all
 }
 
 /// Whether there is a sign in the words that nobody sees: a control character, or one that turns the direction of what follows.
