@@ -84,7 +84,7 @@ impl DryRun<'_> {
         }
         let neighbours = Neighbours::new(path, against.catalogue);
         let guess = execution::guess(against.on, &file.program, &neighbours, self.files, tools).ok()?;
-        guess.blank?;
+        guess.blank.as_ref()?;
         if guess.tools.iter().any(|tool| tool.origin == Origin::Assumed && !tool.probes) {
             return None;
         }

@@ -149,7 +149,7 @@ pub(super) fn guess(
     table: Option<&Table>,
 ) -> Result<Guess, Failure> {
     let nothing = Scene::parse(&Source::new("scene", NOTHING), files).map_err(Failure::Data)?;
-    let blank = Blank::find(program, &nothing).ok().map(|blank| blank.bounds);
+    let blank = Blank::find(program, &nothing).ok().and_then(|blank| blank.guessed());
     let mut programs: Vec<&Program> = vec![program];
     let mut seen = BTreeSet::new();
     let mut next = 0;

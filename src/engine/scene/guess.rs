@@ -5,8 +5,6 @@
 //! read as any other.
 use std::fmt::Write as _;
 
-use glam::DVec3;
-
 use super::super::geometry::INCH;
 use crate::base::expr::QRef;
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, CycleDef, CycleKeyword, Program, ToolRef, ValueKind};
@@ -67,13 +65,22 @@ pub struct GuessedTool {
     pub origin: Origin,
 }
 
+/// The blank of a program.
+#[derive(Clone, Debug)]
+pub struct GuessedBlank {
+    /// Its shape as a scene writes a solid.
+    pub solid: String,
+    /// The highest Z in it, mm.
+    pub top: f64,
+}
+
 /// What is guessed.
 #[derive(Clone, Debug, Default)]
 pub struct Guess {
     /// The tools in the order of their first calls.
     pub tools: Vec<GuessedTool>,
-    /// The lower and upper corner of the blank, mm.
-    pub blank: Option<[DVec3; 2]>,
+    /// The blank.
+    pub blank: Option<GuessedBlank>,
     /// Rotary axes that the programs move.
     rotary: [bool; 3],
     /// The machine for programs that turn.
@@ -101,7 +108,7 @@ impl Guess {
     pub fn of(
         on: &OnControl,
         programs: &[&Program],
-        blank: Option<[DVec3; 2]>,
+        blank: Option<GuessedBlank>,
         table: Option<&Table>,
         machines: &[(String, String)],
     ) -> Self {
@@ -266,11 +273,9 @@ impl Guess {
             let ball = ball.map_or(BALL, |tool| tool.size[1]);
             let _ = writeln!(text, "probe: {{NO: 1, ball_radius: {ball}}}{}", comment(Line::Probe));
         }
-        let top = self.blank.map_or(0.0, |[_, max]| max.z);
+        let top = self.blank.as_ref().map_or(0.0, |blank| blank.top);
         let _ = writeln!(text, "start: {{X: 0, Y: 0, Z: {}}}", top + ABOVE);
-        if let Some([min, max]) = self.blank {
-            let corner = |p: DVec3| format!("[{}, {}, {}]", p.x, p.y, p.z);
-            let solid = format!("{{box: {{min: {}, max: {}}}}}", corner(min), corner(max));
+        if let Some(GuessedBlank { solid, .. }) = &self.blank {
             let _ = writeln!(text, "stock: {solid}{}", comment(Line::Blank));
             if self.tools.iter().any(|tool| tool.probes) {
                 let _ = writeln!(text, "parts:\n  - solid: {solid}");

@@ -8,6 +8,7 @@ use super::{FARTHEST, Stock};
 use crate::base::diag::{self, Diagnostic};
 use crate::engine::geometry::{Axis, Frame, INCH, WorkingPlane};
 use crate::engine::scene::Scene;
+use crate::engine::scene::guess::GuessedBlank;
 use crate::engine::solid::{Shape, SolidError};
 use crate::program::syntax::{self, Amount, Block, BlockKind, Coord, Program, Statement, StatementKind, ValueKind};
 
@@ -133,6 +134,37 @@ impl Blank {
     pub fn uncut(&self) -> Result<Stock, StockTrouble> {
         let [min, max] = self.bounds;
         Stock::new(&self.shape, self.bounds, self.frame, self.axis, (max - min).max_element() / 200.0)
+    }
+
+    /// What a scene says of it.
+    pub fn guessed(&self) -> Option<GuessedBlank> {
+        let [_, max] = self.bounds;
+        Some(GuessedBlank { solid: self.solid()?, top: max.z })
+    }
+
+    /// Its shape as a scene writes a solid (docs/scene.md); nothing for shapes that no blank form has.
+    fn solid(&self) -> Option<String> {
+        let one = |shape: &Shape| match shape {
+            Shape::Box { min, max } => {
+                let corner = |p: &DVec3| format!("[{}, {}, {}]", p.x, p.y, p.z);
+                Some(format!("{{box: {{min: {}, max: {}}}}}", corner(min), corner(max)))
+            }
+            Shape::Cylinder { from, to, radius } => {
+                let axis = self.axis;
+                let is_centred = *from == axis.unit() * axis.of(*from) && *to == axis.unit() * axis.of(*to);
+                let (from, to, letter) = (axis.of(*from), axis.of(*to), axis.letter());
+                is_centred
+                    .then(|| format!("{{cylinder: {{axis: {letter}, radius: {radius}, from: {from}, to: {to}}}}}"))
+            }
+            _ => None,
+        };
+        match &self.shape {
+            Shape::Difference(shapes) => {
+                let all: Option<Vec<String>> = shapes.iter().map(one).collect();
+                Some(format!("{{difference: [{}]}}", all?.join(", ")))
+            }
+            shape => one(shape),
+        }
     }
 
     /// The blank form of a program, in the coordinates of its own; nothing if it has none. `spindle` is the tool axis where

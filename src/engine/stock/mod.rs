@@ -12,7 +12,7 @@
 //! Moves are collected and carried out by several threads, each of which owns rows of its own: the result does not
 //! depend on their number to the last bit. Memory depends on the grid and not on the number of moves.
 //!
-//! Invariant: nothing here knows a control or a program; `follow` alone reads events.
+//! Invariant: nothing here knows a control; `blank` alone reads a program, `follow` alone events.
 mod arc_sweep;
 mod ball_continuation;
 mod blank;

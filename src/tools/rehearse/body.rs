@@ -4,7 +4,6 @@ use glam::DVec3;
 use crate::engine::geometry::{Axis, WorkingPlane};
 use crate::engine::solid::Shape;
 use crate::engine::stock::Blank;
-use crate::program::syntax::Program;
 
 /// A blank: a box, or a cylinder about the tool axis; lengths in mm.
 #[derive(Clone, Copy, Debug)]
@@ -20,9 +19,8 @@ pub(super) struct Body {
 }
 
 impl Body {
-    /// The blank that a program names, if its size is certain.
-    pub(super) fn of(program: &Program) -> Option<Self> {
-        let blank = Blank::of_program(program, Axis::Z)?.ok()?;
+    /// The body of a blank form.
+    pub(super) fn of(blank: &Blank) -> Self {
         let plane = WorkingPlane::of_tool_axis(blank.axis);
         let [low, high] = blank.bounds.map(|corner| plane.flat(corner).extend(plane.tool.of(corner)));
         let bore = match &blank.shape {
@@ -33,13 +31,7 @@ impl Body {
             },
             _ => None,
         };
-        Some(Self { axis: blank.axis, low, high, bore })
-    }
-
-    /// The corners of the box that holds it, in the order of the axes.
-    pub(super) fn corners(&self) -> [DVec3; 2] {
-        let plane = WorkingPlane::of_tool_axis(self.axis);
-        [self.low, self.high].map(|own| plane.lift(own.truncate(), own.z))
+        Self { axis: blank.axis, low, high, bore }
     }
 
     /// How far a place is beside it in the plane; 0 inside.

@@ -20,6 +20,7 @@ use self::body::Body;
 use self::watcher::Watcher;
 use crate::base::diag::Source;
 use crate::check::{Observed, ToolKind};
+use crate::engine::geometry::Axis;
 use crate::engine::run::{Engine, Limits, NoTexts, Programs, Status};
 use crate::engine::scene::Scene;
 use crate::engine::scene::guess::{Guess, GuessedTool, Origin};
@@ -59,12 +60,13 @@ impl Rehearsal<'_> {
         if program.blocks().len() > MOST_BLOCKS {
             return None;
         }
-        let body = Body::of(program);
+        let blank = Blank::of_program(program, Axis::Z).and_then(Result::ok);
+        let body = blank.as_ref().map(Body::of);
         if body.is_none() && !calls_a_tool(program) {
             return None;
         }
         let on = self.describing(program);
-        let mut guess = Guess::of(on, &[program], body.as_ref().map(Body::corners), self.tools, self.files);
+        let mut guess = Guess::of(on, &[program], blank.and_then(|own| own.guessed()), self.tools, self.files);
         for tool in &mut guess.tools {
             tool.plunges = !tool.probes && !tool.turns;
         }
