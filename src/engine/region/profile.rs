@@ -230,7 +230,12 @@ impl Envelope {
                 at = end;
                 continue;
             }
-            for x in piece.shape.meets_line(DVec2::new(0.0, level), 0.0).chain([end]) {
+            // An arc whose lowest place is just above the level meets it nowhere, and is not free on either side of it.
+            let turn = match piece.shape {
+                Shape::Arc { centre, upper: false, .. } => Some(centre.x),
+                _ => None,
+            };
+            for x in piece.shape.meets_line(DVec2::new(0.0, level), 0.0).chain(turn).chain([end]) {
                 if at <= x && x <= end {
                     if piece.shape.height(at.midpoint(x)) <= level + SAME {
                         free(at, x);
