@@ -82,6 +82,15 @@ fn job() -> impl Strategy<Value = Job> {
         }
         let end: DVec2 = steps.iter().map(|(step, _)| *step).sum();
         steps.push((DVec2::new(0.0, (14.0 - end.y).max(4.0)), (0, 0.0)));
+        // A rounding in a sharp corner takes more of its sides than its radius: no more than there is room for.
+        for at in 1..steps.len() {
+            let (into, (kind, size), out) = (steps[at - 1].0, steps[at - 1].1, steps[at].0);
+            let turned = into.angle_to(out).abs();
+            let most = 0.45 * into.length().min(out.length()) / (turned / 2.0).tan();
+            if kind == 2 && size > most {
+                steps[at - 1].1 = if most < 0.1 { (0, 0.0) } else { (2, (most * 100.0).floor() / 100.0) };
+            }
+        }
         Job {
             face: how.0,
             inside: how.1 && !how.0,
