@@ -20,7 +20,9 @@ use crate::built::{Built, built};
 const NEAR: f64 = 0.0035;
 /// How far above the rotary axis the tool is at the start, mm.
 const START: f64 = 250.0;
-/// Between two places of the tool that are looked at, mm.
+/// Between two places of the tool that are looked at, mm on the surface of the cylinder, where they are farther apart than
+/// on a floor. Half of it must be less than what the smallest tool of 1.5 has beside its centre [`NEAR`] below its rim:
+/// the root of 1.5² - (1.5 - 0.0035)² is 0.102.
 const STEP: f64 = 0.2;
 
 /// A machine: its name in scenes, how the program lays the tool across the rotary axis, and the directions while that is
@@ -90,8 +92,8 @@ impl Pose {
     }
 }
 
-/// A move of all axes: its poses, in steps.
-fn poses(events: &[EventKind], machine: &Machine, centre: DVec3) -> Vec<Vec<Pose>> {
+/// A move of all axes over a cylinder of a radius: its poses, in steps.
+fn poses(events: &[EventKind], machine: &Machine, centre: DVec3, radius: f64) -> Vec<Vec<Pose>> {
     let mut angle = 0.0;
     let mut all = Vec::new();
     // Without a move before the cycle the tool has not left where the scene puts it.
@@ -116,7 +118,8 @@ fn poses(events: &[EventKind], machine: &Machine, centre: DVec3) -> Vec<Vec<Pose
             },
             _ => continue,
         };
-        let far = (to - from).length() + (after - angle).to_radians().abs() * (to - centre).length();
+        let widest = (to - centre).length().max(radius);
+        let far = (to - from).length() + (after - angle).to_radians().abs() * widest;
         let count = (far / STEP).ceil().max(1.0);
         let pose = |n: usize| {
             let share = n as f64 / count;
@@ -333,7 +336,7 @@ impl Case {
     /// The moves, with what holds for each cycle: at rapid traverse the tool goes along itself, or over the cylinder;
     /// at a feed down, or along a level.
     fn moves(&self, events: &[EventKind]) -> Vec<Vec<Pose>> {
-        let all = poses(events, &machine(self.kind), self.centre);
+        let all = poses(events, &machine(self.kind), self.centre, self.radius);
         for made in &all {
             let (first, last) = (made[0], made[made.len() - 1]);
             let straight = (first.angle - last.angle).abs() < 1e-9

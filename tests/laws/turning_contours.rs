@@ -82,6 +82,15 @@ fn job() -> impl Strategy<Value = Job> {
         }
         let end: DVec2 = steps.iter().map(|(step, _)| *step).sum();
         steps.push((DVec2::new(0.0, (14.0 - end.y).max(4.0)), (0, 0.0)));
+        // A rounding in a sharp corner takes more of its sides than its radius: no more than there is room for.
+        for at in 1..steps.len() {
+            let (into, (kind, size), out) = (steps[at - 1].0, steps[at - 1].1, steps[at].0);
+            let turned = into.angle_to(out).abs();
+            let most = 0.45 * into.length().min(out.length()) / (turned / 2.0).tan();
+            if kind == 2 && size > most {
+                steps[at - 1].1 = if most < 0.1 { (0, 0.0) } else { (2, (most * 100.0).floor() / 100.0) };
+            }
+        }
         Job {
             face: how.0,
             inside: how.1 && !how.0,
@@ -316,8 +325,7 @@ impl Job {
         body.is_sound(self.operation == 1 && !self.parallel, &self.program())?;
         let ring = self.ring();
         let by = if self.operation == 1 { self.allowance() } else { DVec2::ZERO };
-        // Roundings of overhangs turn by more than a right angle.
-        let chord = 1.5 * (1.0 - (std::f64::consts::FRAC_PI_2 / 80.0).cos());
+        let chord = self.chord();
         for pair in contour.windows(2) {
             let ((from, first), (to, second)) = (pair[0], pair[1]);
             if from.distance(to) < 1e-3 {
@@ -337,6 +345,15 @@ impl Job {
             }
         }
         Ok(())
+    }
+
+    /// How far the points of the contour lie beside its roundings at the most, which have 40 chords each.
+    fn chord(&self) -> f64 {
+        let corners = self.steps.windows(2).map(|pair| {
+            let ((into, (kind, size)), (out, _)) = (pair[0], pair[1]);
+            if kind == 2 { size * (1.0 - (into.angle_to(out) / 80.0).cos()) } else { 0.0 }
+        });
+        corners.fold(0.0, f64::max)
     }
 
     fn allowance(&self) -> DVec2 {

@@ -230,7 +230,12 @@ impl Envelope {
                 at = end;
                 continue;
             }
-            for x in piece.shape.meets_line(DVec2::new(0.0, level), 0.0).chain([end]) {
+            // An arc whose lowest place is just above the level meets it nowhere, and is not free on either side of it.
+            let turn = match piece.shape {
+                Shape::Arc { centre, upper: false, .. } => Some(centre.x),
+                _ => None,
+            };
+            for x in piece.shape.meets_line(DVec2::new(0.0, level), 0.0).chain(turn).chain([end]) {
                 if at <= x && x <= end {
                     if piece.shape.height(at.midpoint(x)) <= level + SAME {
                         free(at, x);
@@ -276,16 +281,25 @@ impl Envelope {
     }
 
     /// The lowest height between two places.
-    pub fn lowest(&self, [from, to]: [f64; 2]) -> Option<f64> {
-        let mut least: Option<f64> = None;
+    pub fn lowest(&self, range: [f64; 2]) -> Option<f64> {
+        self.lowest_place(range).map(|place| place.y)
+    }
+
+    /// The lowest place between two places, the first one of several, with its height.
+    pub fn lowest_place(&self, [from, to]: [f64; 2]) -> Option<DVec2> {
+        let mut least: Option<DVec2> = None;
         for piece in self.pieces.iter().filter(|piece| piece.to > from && piece.from < to) {
             let (a, b) = (piece.from.max(from), piece.to.min(to));
             let low = match piece.shape {
                 Shape::Arc { centre, upper: false, .. } => centre.x.clamp(a, b),
                 _ => a,
             };
-            let here = [a, low, b].into_iter().map(|x| piece.shape.height(x)).fold(f64::INFINITY, f64::min);
-            least = Some(least.map_or(here, |least| least.min(here)));
+            for x in [a, low, b] {
+                let here = DVec2::new(x, piece.shape.height(x));
+                if least.is_none_or(|least| here.y < least.y) {
+                    least = Some(here);
+                }
+            }
         }
         least
     }

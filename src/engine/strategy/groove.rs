@@ -134,6 +134,12 @@ impl Reach {
         if is_point {
             found = self.envelope.below(level + SPARE, wide);
         }
+        // Between a wall and a steep flank it is too narrow to be found.
+        if found.is_empty()
+            && let Some(lowest) = self.envelope.lowest_place(range).filter(|lowest| lowest.y <= level + SPARE)
+        {
+            found.push([lowest.x; 2]);
+        }
         let one_place = |[from, to]: [f64; 2]| match is_point || to - from < ONE {
             true => [from.midpoint(to); 2],
             false => [from.max(range[0]), to.min(range[1])],

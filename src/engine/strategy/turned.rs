@@ -8,11 +8,12 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::pen::Pen;
+use crate::base::expr::tand;
 use crate::engine::region::profile::{Allowance, Envelope, GoesBack, Insert, monotone};
 use crate::engine::region::{Edge, Way};
 
-/// The direction in which an insert is retracted from the contour, counted from the feed, degrees.
-const RETRACTED: f64 = 135.0;
+/// An edge that leans back further from upright is reckoned as this, degrees.
+const MOST_LEANING: f64 = 89.0;
 /// From the centre of the nose to the tip, in nose radii, where no orientation of the tool is known.
 pub(super) const TIP: DVec2 = DVec2::new(1.0, -1.0);
 /// Places that are nearer to each other are one, mm.
@@ -125,8 +126,8 @@ pub struct Turned {
     pub along_contour: bool,
     /// What is left of the blank, where turning updates it: the heights at which the tip touches it.
     pub material: Option<Arc<Envelope>>,
-    /// Whether the edge in front leans further back than the way on which the insert is retracted.
-    pub leans_back: bool,
+    /// How far back the edge in front of the insert leans, by the mm that it goes up; 0 where it does not.
+    pub leans_back: f64,
 }
 
 /// A cut at a level.
@@ -240,7 +241,7 @@ impl Turned {
             blank: 0.0,
             along_contour: false,
             material: None,
-            leans_back: insert.edges.is_some_and(|(front, _)| front > RETRACTED),
+            leans_back: insert.edges.map_or(0.0, |(front, _)| tand((front - 90.0).clamp(0.0, MOST_LEANING))),
         })
     }
 

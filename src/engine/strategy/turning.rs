@@ -327,8 +327,10 @@ impl OverContours for ReturnToTurningStart {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let turned = turned(contours)?;
         let (here, to) = (turned.here(pen), turned.start);
-        // What an insert leaves that leans back from a wall is above it there.
-        let back = turned.leans_back && is_free(turned, here);
+        // Of what is above the end of the contour, an insert leaves what its edge in front leans away from: a wedge that is
+        // the wider the higher up.
+        let wedge = (to.y - turned.end.y) * turned.leans_back;
+        let back = wedge > turned.end.x - here.x && is_free(turned, here);
         let over = if back { here.y } else { here.y.max(to.y) };
         turned.line(pen, DVec2::new(here.x, over), RAPID);
         turned.line(pen, DVec2::new(to.x, over), RAPID);

@@ -246,31 +246,24 @@ fn turned_by(way: &Way) -> f64 {
 fn within(way: &Way, tool: DVec2, place: f64) -> Result<Way, Fault> {
     let top = highest(way).max(tool.y);
     let wall = DVec2::new(place, top);
-    let (mut at, mut before, mut after) = (way.start, Vec::new(), None);
+    if tool.x <= place {
+        return before(way, wall);
+    }
+    let (mut at, mut after) = (way.start, None);
     for edge in &way.edges {
         let (from, to) = (at, edge.to());
         at = to;
-        let crosses = (from.x - place) * (to.x - place) < 0.0;
-        let point = if crosses { crossing(from, edge, place) } else { to };
-        let (first, second) = parts(from, edge, point);
         match &mut after {
             None if from.x > place => after = Some((from, vec![*edge])),
             None if to.x > place => {
-                if crosses {
-                    before.push(first);
-                }
-                after = Some(if crosses { (point, vec![second]) } else { (from, vec![*edge]) });
+                let crosses = from.x < place;
+                let point = if crosses { crossing(from, edge, place) } else { from };
+                let rest = if crosses { parts(from, edge, point).1 } else { *edge };
+                after = Some((point, vec![rest]));
             }
-            None => before.push(*edge),
+            None => {}
             Some((_, edges)) => edges.push(*edge),
         }
-    }
-    if tool.x <= place {
-        let mut found = Way { start: way.start, edges: before };
-        if after.is_some() && found.end().y < top {
-            found.edges.push(Edge::Line(wall));
-        }
-        return if found.edges.is_empty() || way.start.x > place { Err(shape_impossible(0.0, 0.0)) } else { Ok(found) };
     }
     match after {
         None => Err(shape_impossible(0.0, 0.0)),
@@ -280,6 +273,36 @@ fn within(way: &Way, tool: DVec2, place: f64) -> Result<Way, Fault> {
             Ok(Way { start: wall, edges: down.into_iter().chain(edges).collect() })
         }
     }
+}
+
+/// The part of a way that is before a wall, from its beginning there; where it comes back from behind the wall, as an
+/// overhang does, it goes on up the wall.
+fn before(way: &Way, wall: DVec2) -> Result<Way, Fault> {
+    let place = wall.x;
+    if way.start.x > place {
+        return Err(shape_impossible(0.0, 0.0));
+    }
+    let (mut at, mut found) = (way.start, Way { start: way.start, edges: Vec::new() });
+    for edge in &way.edges {
+        let (from, to) = (at, edge.to());
+        at = to;
+        let crosses = (from.x - place) * (to.x - place) < 0.0;
+        let point = if crosses { crossing(from, edge, place) } else { to };
+        let (begin, piece) = match (crosses, to.x <= place) {
+            (false, true) if from.x <= place => (from, *edge),
+            (true, false) => (from, parts(from, edge, point).0),
+            (true, true) => (point, parts(from, edge, point).1),
+            (false, _) => continue,
+        };
+        if found.end().distance(begin) > SAME {
+            found.edges.push(Edge::Line(begin));
+        }
+        found.edges.push(piece);
+    }
+    if at.x > place && found.end().y < wall.y {
+        found.edges.push(Edge::Line(wall));
+    }
+    if found.edges.is_empty() { Err(shape_impossible(0.0, 0.0)) } else { Ok(found) }
 }
 
 /// Where an edge that does not turn back is at a place between its ends.

@@ -137,4 +137,32 @@ mod found {
         );
         assert!(last.to.distance(DVec2::new(25.0, 0.0)) < 1e-6);
     }
+
+    /// Of an arc the end, the radius and the angle are known, and of its beginning only the height: it lies a chord of
+    /// 2 · 96.66905513846112 · sin 10° = 33.572811 from the end, so in two places, root of 33.572811² - 31.961996² = 10.274456 on
+    /// either side of it.
+    #[test]
+    fn an_arc_that_begins_a_chord_from_its_end() {
+        let program = |choice: &str| {
+            format!(
+                "BEGIN PGM LAW MM\nTOOL CALL 1 Z S1000 F500\n99 L X+25 Y+0 R0 FMAX\n\
+                100 FC DR- Y+10.311360474278821 CCA20 CLSD+\n\
+                101 FC DR+ X-12.50000000000001 CCA20 Y-21.65063509461096 R96.66905513846112\n{choice}\
+                102 FL  P1X+7.4185842870420835 P1Y-10.150635094610966 CLSD-\nEND PGM LAW MM\n"
+            )
+        };
+        assert_eq!(run(&program("")).code, "free-contour-several");
+        let mut begins: Vec<f64> = (1..=2)
+            .map(|choice| {
+                let ran = run(&program(&format!("FSELECT {choice}\n")));
+                assert_eq!(ran.code, "", "{choice}");
+                ran.elements[1].from.x
+            })
+            .collect();
+        begins.sort_by(f64::total_cmp);
+        let chord = 2.0 * 96.669_055_138_461_12 * 10.0_f64.to_radians().sin();
+        let half = (chord * chord - (10.311_360_474_278_821_f64 + 21.650_635_094_610_96).powi(2)).sqrt();
+        assert!((begins[0] + 12.5 + half).abs() < 1e-6 && (begins[1] + 12.5 - half).abs() < 1e-6, "{begins:?}");
+        assert_eq!(run(&program("FSELECT 3\n")).code, "free-contour-selection");
+    }
 }

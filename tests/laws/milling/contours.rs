@@ -334,10 +334,13 @@ fn leaves(job: &Job, case: &Case) -> Result<(), TestCaseError> {
     for (from, to) in walls.iter().filter(|(from, to)| from.truncate().distance(to.truncate()) > 0.5) {
         let way = (to - from).truncate().normalize();
         let depth = job.surface - from.z / scale;
-        let wall = (from + (to - from) / 2.0).truncate() - way.perp() * right * (job.radius + 2.0 * SLACK);
-        // Back to the program.
-        let back = places_of(job, wall);
-        let inside = Case::inside(&known, depth - LEVEL, back);
+        // On the wall, and behind it; where an island runs out into a point it is thinner than that.
+        let behind = |more: f64| {
+            let wall = (from + (to - from) / 2.0).truncate() - way.perp() * right * (job.radius + more);
+            // Back to the program.
+            Case::inside(&known, depth - LEVEL, places_of(job, wall))
+        };
+        let inside = behind(0.0).min(behind(2.0 * SLACK));
         prop_assert!(inside < SLACK, "the wall beside {} to {} is on the other side: {}{}", from, to, inside, both);
     }
     Ok(())
@@ -384,6 +387,44 @@ fn the_way_onto_a_wall_stays_in_a_nook() {
     let case = Case {
         first: Star { centre: DVec2::new(2.62, -5.97), radii },
         more: vec![More { star: island, is_pocket: false, depth: None }],
+        listed: false,
+        overlap: 0.3,
+        side: 0.0,
+        floor: 0.0,
+        rounding: 0.0,
+        strokes: false,
+        finishes: true,
+    };
+    if let Err(error) = leaves(&job, &case) {
+        panic!("{error}");
+    }
+}
+
+/// The point of an island at (11.235, 0.744) is 0.020 wide where the tool begins along its upper side, at x = 10.82: from
+/// 0.744 · (10.82 - 3) / 8.235 = 0.706 to 0.396 + 0.348 · (10.82 - 2.974) / 8.261 = 0.727.
+#[test]
+fn the_wall_of_an_island_may_be_its_point() {
+    let job = Job {
+        axis: Axis::X,
+        view: View::PLAIN,
+        radius: 1.6,
+        corner: 0.0,
+        angle: 2.0,
+        edges: 60.0,
+        surface: 0.0,
+        clearance: 1.0,
+        second: 0.0,
+        depth: 0.5,
+        infeed: 0.8,
+        climb: -1.0,
+        half: DVec2::splat(55.0),
+        round: false,
+    };
+    let mut radii = vec![3.0; 95];
+    (radii[1], radii[5]) = (11.26, 9.62);
+    let case = Case {
+        first: Star { centre: DVec2::ZERO, radii: vec![19.33] },
+        more: vec![More { star: Star { centre: DVec2::ZERO, radii }, is_pocket: false, depth: None }],
         listed: false,
         overlap: 0.3,
         side: 0.0,

@@ -266,13 +266,14 @@ impl State {
         if (joint..joint + run.len()).any(|joint| self.at(joint).is_some()) {
             return None;
         }
-        let (mut of_data, mut of_curves) = (Vec::new(), Vec::new());
+        let (mut of_data, mut of_curves, mut of_chords) = (Vec::new(), Vec::new(), Vec::new());
         for (joint, offset) in (joint..).zip(run) {
             of_data.extend(self.loci_of_data(given, joint).into_iter().map(|locus| locus.moved(-*offset)));
             let curves = [joint.checked_sub(1).and_then(|before| self.curve(before)), self.curve(joint)];
             of_curves.extend(curves.into_iter().flatten().map(|curve| curve.locus().moved(-*offset)));
+            of_chords.extend(self.loci_of_chords(joint).map(|locus| locus.moved(-*offset)));
         }
-        let loci: Vec<Locus> = of_data.into_iter().chain(of_curves).collect();
+        let loci: Vec<Locus> = of_data.into_iter().chain(of_curves).chain(of_chords).collect();
         if let Some(Locus::Point(at)) = loci.iter().find(|locus| matches!(locus, Locus::Point(_))) {
             return Some(vec![*at]);
         }
@@ -317,5 +318,19 @@ impl State {
         let after = given.get(joint).and_then(|own| own.length).zip(self.at(joint + 1));
         loci.extend(after.map(|(radius, centre)| Locus::Circle { centre, radius }));
         loci
+    }
+
+    /// Where the end of an element can be by the angle and the radius of the arcs on both sides, whose circles are open: on
+    /// a circle about their other end.
+    fn loci_of_chords(&self, joint: usize) -> impl Iterator<Item = Locus> {
+        let before = joint.checked_sub(1).and_then(|before| self.chord(before).zip(self.at(before)));
+        let after = self.chord(joint).zip(self.at(joint + 1));
+        before.into_iter().chain(after).map(|(radius, centre)| Locus::Circle { centre, radius })
+    }
+
+    /// How far the ends of an arc are from each other whose radius and angle are known, but not its circle.
+    fn chord(&self, i: usize) -> Option<f64> {
+        let Known { curve: None, radius, sweep, .. } = self.elements.get(i)? else { return None };
+        Some((2.0 * (*radius)? * sind((*sweep)? / 2.0)).abs()).filter(|chord| *chord > AGREE)
     }
 }
