@@ -251,7 +251,7 @@ impl Blank {
         let shape = match radius("RI", "DI")? {
             Some(inner) if inner >= outer => return Err(StockTrouble::Blank),
             // The bore is longer than the blank, so that it leaves no skin at the ends.
-            Some(inner) if inner > 0.0 => Shape::Difference(vec![body, cylinder(inner, bottom - outer, top + outer)]),
+            Some(inner) if inner > 0.0 => Shape::Difference(vec![body, cylinder(inner, bottom - 1.0, top + 1.0)]),
             _ => body,
         };
         Self::within(shape, bounds, axis)
