@@ -170,6 +170,7 @@ diag-guard = The control does not accept these values.
 diag-hole-outside-blank =
     { $what ->
         [beside] The hole at { $value }, { $other } is beside the blank.
+        [edge] The hole at { $value }, { $other } is cut by the edge of the blank.
         [surface] The surface at { $value } is far from the blank.
        *[through] The hole goes down to { $value }, far through the blank.
     }
@@ -311,6 +312,7 @@ diag-repeat-count-wrong = The number of repeats must be a whole number from 0 to
 diag-repeat-of-later-label = The label { $label } must come before the repeat, not after it.
 diag-repeated-infeed =
     { $what ->
+        [absolute] The transformation in the repeated part is absolute: from its second pass on it does the same each time.
         [deep] The repetitions lead down to { $value }, far below the blank.
        *[same] Each repetition goes to { $value } again and does the same as the first pass.
     }
@@ -406,10 +408,15 @@ diag-uncalculable-contour =
         [crossing] the contour crosses itself
        *[approach] the contour cannot be approached like this
     }.
-diag-value-unlike-others = The value is { $value } here, and { $other } in all other places of this kind.
+diag-value-unlike-others =
+    { $what ->
+        [feed] The feed is { $value } here, and { $other } in the tool call.
+       *[others] The value is { $value } here, and { $other } in all other places of this kind.
+    }
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } probes here with the tool that has just machined.
+        [measured] { $cycle } measures the tool that has just probed here.
         [contour] The tool that has just probed moves along a contour here.
        *[mill] { $cycle } machines here with the tool that has just probed.
     }
@@ -431,7 +438,11 @@ diag-transformation-forbidden =
         [turning] the control is in turning mode (FUNCTION MODE TURN)
        *[tilting] the working plane is tilted
     }, which its manual forbids.
-diag-transformation-without-effect = { $other } ends the transformation of { $cycle } before anything uses it.
+diag-transformation-without-effect =
+    { $what ->
+        [again] { $cycle } defines the transformation that is active already, and the same subprogram is called again.
+       *[ended] { $other } ends the transformation of { $cycle } before anything uses it.
+    }
 diag-transformation-left-on =
     The program ends here with an active { $what ->
         [datum-shift] datum shift
@@ -443,6 +454,7 @@ diag-feed-unit =
     { $what ->
         [revolution] { $parameter }={ $value } is a feed per revolution here, because M136 is active.
         [revolving] { $parameter }{ $value } is a feed per revolution here, because M136 is active.
+        [large] { $parameter }={ $value } is a feed per revolution here, and far too large for turning.
         [moving] { $parameter }{ $value } is a feed per minute here, because M136 is not active.
        *[minute] { $parameter }={ $value } is a feed per minute here, because M136 is not active.
     }
@@ -511,3 +523,52 @@ diag-wrong-value-kind =
         [0] {""}
        *[other] {" "}or { $words }
     }.
+diag-coolant-forgotten = This tool cuts without coolant; all other tools of the program turn it on.
+diag-decimal-comma = This value has a decimal comma, other values of the program have a decimal point.
+diag-definitions-differ =
+    { $what ->
+        [deep] The infeed { $value } takes the whole depth { $other } at once, which is more than the diameter of the tool.
+        [infeed] The infeed is { $value } here, and { $other } in the other definition of the same pocket or slot.
+        [operation] Both definitions of this pocket or slot only rough: the allowance of { $other } stays.
+       *[size] The value is { $value } here, and { $other } in the definition that roughs the same pocket or slot.
+    }
+diag-helix-too-steep = The helix goes down by { $value } in one turn; more than { $other } no tool cuts here.
+diag-holes-differ =
+    { $what ->
+        [stray] The hole at { $value }, { $other } was not centred, and a place that was centred has no hole.
+        [untapped] The core hole at { $value }, { $other } is not tapped, but others of the same row are.
+        [gap] The circle of holes lacks the one at { $value }, { $other }.
+        [corner] This hole does not lie at the corner { $value }, { $other } of the rectangle that the three others form.
+        [passed] The tool stops at { $value }, { $other } and does nothing there; the blocks before and after call the cycle.
+       *[arc] The centre misses the hole at { $value }, { $other }; the other arcs lie about holes.
+    }
+diag-probing-place-wrong =
+    { $what ->
+        [centre] Nothing was machined at this centre, but something was at { $value }, { $other }.
+        [corner] The corner is probed on the other side of the blank than the datum { $value }.
+       *[outside] The place { $value }, { $other } is beside the blank: there is nothing to probe.
+    }
+diag-rough-out-tool-other =
+    { $what ->
+        [pilot] Tool { $value } is named here, but tool { $other } roughs out.
+       *[coarse] Tool { $value } has not roughed out before; tool { $other } has.
+    }
+diag-speed-and-feed-exchanged = The tool is called with a speed of { $value } and a feed of { $other }: the two seem to be exchanged.
+diag-stud-in-solid = The raw size { $value } is far less than the blank around the stud, which is { $other } wide here.
+diag-surface-wrong =
+    { $what ->
+        [opposite] The surface at { $value } is above the blank; others begin or end at { $other }.
+       *[faced] The surface is at { $value }, but the face was milled down to { $other }.
+    }
+diag-turned-thread-wrong =
+    { $what ->
+        [pitch] The pitch { $value } is far too large for a thread with the diameter { $other }.
+        [end] The thread goes to { $value }, behind the end of its cylinder at { $other }.
+        [inside] An inside thread is cut at the diameter { $value }, which was turned outside.
+       *[diameter] The thread has the diameter { $value }, but { $other } was turned there.
+    }
+diag-tilted-work =
+    { $what ->
+        [beside] In the tilted plane this cycle meets nothing of the blank.
+       *[stands] The cycle begins at { $value }, but in the tilted plane the blank stands up to { $other } here.
+    }

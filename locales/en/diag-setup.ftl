@@ -2,6 +2,7 @@
 diag-approach-wrong =
     { $what ->
         [arc] The arc with the radius { $value } does not fit between this point and the contour.
+        [left] The tool leaves the contour along its axis, without DEP.
        *[plunged] The contour begins where the tool has plunged.
     }
 diag-config-unknown-machine = There is no machine setting “{ $key }”; there are { $expected }.
@@ -99,6 +100,8 @@ diag-turned-contour-wrong =
         [narrow] The recess is { $value } wide, the tool { $limit }.
         [side] The recess goes from the diameter { $limit } to { $value }; elsewhere the same tool recesses in the other direction.
         [dip] The contour falls to the diameter { $value }, below its first diameter { $limit }, and the cycle machines no undercuts.
+        [deep] The recess is { $value } deep, and the tool cuts only { $limit }.
+        [ridge] The face rises to the diameter { $value } and falls to { $limit } at once: an edge without any width stays.
        *[rounding] The rounding { $value } needs more of a line than there is; at most { $limit } is possible.
     }
 diag-called-program-wants =

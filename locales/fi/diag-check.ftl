@@ -170,6 +170,7 @@ diag-guard = Ohjaus ei hyväksy näitä arvoja.
 diag-hole-outside-blank =
     { $what ->
         [beside] Reikä kohdassa { $value }; { $other } on aihion vieressä.
+        [edge] Aihion reuna leikkaa reikää kohdassa { $value }; { $other }.
         [surface] Pinta { $value } on kaukana aihiosta.
        *[through] Reikä ulottuu arvoon { $value }, kauas aihion läpi.
     }
@@ -311,6 +312,7 @@ diag-repeat-count-wrong = Toistojen määrän on oltava kokonaisluku 0–65534.
 diag-repeat-of-later-label = Labelin { $label } on oltava ennen toistoa, ei sen jäljessä.
 diag-repeated-infeed =
     { $what ->
+        [absolute] Toistettavan osan muunnos on absoluuttinen: toisesta kierroksesta alkaen se tekee aina saman.
         [deep] Toistot vievät arvoon { $value }, kauas aihion alapuolelle.
        *[same] Jokainen toisto menee uudelleen arvoon { $value } ja tekee saman kuin ensimmäinen kierros.
     }
@@ -405,10 +407,15 @@ diag-uncalculable-contour =
         [crossing] muoto leikkaa itsensä
        *[approach] muotoon ei voi ajaa näin
     }.
-diag-value-unlike-others = Arvo on tässä { $value } ja kaikissa muissa vastaavissa paikoissa { $other }.
+diag-value-unlike-others =
+    { $what ->
+        [feed] Syöttöarvo on tässä { $value } ja työkalukutsussa { $other }.
+       *[others] Arvo on tässä { $value } ja kaikissa muissa vastaavissa paikoissa { $other }.
+    }
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.
+        [measured] { $cycle } mittaa tässä työkalun, jolla on juuri kosketettu.
         [contour] Työkalu, jolla on juuri kosketettu, kulkee tässä muotoa pitkin.
        *[mill] { $cycle } koneistaa tässä työkalulla, jolla on juuri kosketettu.
     }
@@ -430,7 +437,11 @@ diag-transformation-forbidden =
         [turning] ohjaus on sorvauskäytössä (FUNCTION MODE TURN)
        *[tilting] koneistustaso on käännetty
     }; käsikirja kieltää sen.
-diag-transformation-without-effect = { $other } peruuttaa työkierron { $cycle } muunnoksen, ennen kuin mikään käyttää sitä.
+diag-transformation-without-effect =
+    { $what ->
+        [again] { $cycle } määrittelee muunnoksen, joka on jo voimassa, ja sama aliohjelma kutsutaan uudelleen.
+       *[ended] { $other } peruuttaa työkierron { $cycle } muunnoksen, ennen kuin mikään käyttää sitä.
+    }
 diag-transformation-left-on =
     Ohjelman päättyessä on vielä voimassa { $what ->
         [datum-shift] nollapisteen siirto
@@ -442,6 +453,7 @@ diag-feed-unit =
     { $what ->
         [revolution] { $parameter }={ $value } on tässä syöttöarvo kierrosta kohti, koska M136 on voimassa.
         [revolving] { $parameter }{ $value } on tässä syöttöarvo kierrosta kohti, koska M136 on voimassa.
+        [large] { $parameter }={ $value } on tässä syöttöarvo kierrosta kohti ja sorvaukseen aivan liian suuri.
         [moving] { $parameter }{ $value } on tässä syöttöarvo minuutissa, koska M136 ei ole voimassa.
        *[minute] { $parameter }={ $value } on tässä syöttöarvo minuutissa, koska M136 ei ole voimassa.
     }
@@ -510,3 +522,52 @@ diag-wrong-value-kind =
         [0] {""}
        *[other] {" "}tai { $words }
     }.
+diag-coolant-forgotten = Tämä työkalu lastuaa ilman jäähdytysnestettä; ohjelman kaikki muut työkalut kytkevät sen.
+diag-decimal-comma = Tässä arvossa on desimaalipilkku, ohjelman muissa arvoissa desimaalipiste.
+diag-definitions-differ =
+    { $what ->
+        [deep] Asetussyvyys { $value } lastuaa koko syvyyden { $other } kerralla; se on enemmän kuin työkalun halkaisija.
+        [infeed] Asetussyvyys on tässä { $value } ja saman taskun tai uran toisessa määrittelyssä { $other }.
+        [operation] Tämän taskun tai uran molemmat määrittelyt vain rouhivat: työvara { $other } jää jäljelle.
+       *[size] Arvo on tässä { $value } ja saman taskun tai uran rouhivassa määrittelyssä { $other }.
+    }
+diag-helix-too-steep = Kierukka laskeutuu kierroksella { $value }; enempää kuin { $other } ei työkalu tässä lastua.
+diag-holes-differ =
+    { $what ->
+        [stray] Reikä kohdassa { $value }; { $other } on ilman keskiöporausta, ja yhdessä keskiöporauksen kohdassa ei ole reikää.
+        [untapped] Esireikää kohdassa { $value }; { $other } ei kierteitetä, vaikka saman rivin muita kierteitetään.
+        [gap] Reikäympyrästä puuttuu reikä kohdassa { $value }; { $other }.
+        [corner] Tämä reikä ei ole kolmen muun muodostaman suorakulmion nurkassa { $value }; { $other }.
+        [passed] Työkalu pysähtyy kohtaan { $value }; { $other } eikä tee siinä mitään; edeltävä ja seuraava lause kutsuvat työkierron.
+       *[arc] Keskipiste ei osu reikään kohdassa { $value }; { $other }; muut kaaret ovat reikien ympärillä.
+    }
+diag-probing-place-wrong =
+    { $what ->
+        [centre] Tässä keskipisteessä ei ole koneistettu mitään, mutta kohdassa { $value }; { $other } on.
+        [corner] Nurkka kosketetaan aihion toiselta puolelta kuin peruspiste { $value }.
+       *[outside] Paikka { $value }; { $other } on aihion vieressä: siinä ei ole mitään kosketettavaa.
+    }
+diag-rough-out-tool-other =
+    { $what ->
+        [pilot] Tässä nimetään työkalu { $value }, mutta rouhinnan tekee työkalu { $other }.
+       *[coarse] Työkalu { $value } ei ole rouhinut aikaisemmin; työkalu { $other } on.
+    }
+diag-speed-and-feed-exchanged = Työkalu kutsutaan kierrosluvulla { $value } ja syöttöarvolla { $other }: ne näyttävät vaihtuneen keskenään.
+diag-stud-in-solid = Koneistamaton mitta { $value } on paljon pienempi kuin aihio kaulan ympärillä, jonka leveys tässä on { $other }.
+diag-surface-wrong =
+    { $what ->
+        [opposite] Pinta { $value } on aihion yläpuolella; muut alkavat tai päättyvät arvoon { $other }.
+       *[faced] Pinta on { $value }, mutta taso on jyrsitty arvoon { $other }.
+    }
+diag-turned-thread-wrong =
+    { $what ->
+        [pitch] Nousu { $value } on aivan liian suuri kierteelle, jonka halkaisija on { $other }.
+        [end] Kierre ulottuu arvoon { $value }, lieriönsä pään { $other } taakse.
+        [inside] Halkaisijalle { $value }, joka on sorvattu ulkopuolelta, tehdään sisäkierre.
+       *[diameter] Kierteen halkaisija on { $value }, mutta siihen on sorvattu { $other }.
+    }
+diag-tilted-work =
+    { $what ->
+        [beside] Käännetyssä tasossa tämä työkierto ei osu aihioon lainkaan.
+       *[stands] Työkierto alkaa arvosta { $value }, mutta käännetyssä tasossa aihio ulottuu tässä arvoon { $other }.
+    }

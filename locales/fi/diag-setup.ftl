@@ -2,6 +2,7 @@
 diag-approach-wrong =
     { $what ->
         [arc] Kaari, jonka säde on { $value }, ei mahdu tämän pisteen ja muodon väliin.
+        [left] Työkalu poistuu muodolta akselinsa suunnassa ilman DEP-lausetta.
        *[plunged] Muoto alkaa siitä, missä työkalu on tunkeutunut materiaaliin.
     }
 diag-config-unknown-machine = Koneasetusta ”{ $key }” ei ole; asetukset ovat { $expected }.
@@ -98,6 +99,8 @@ diag-turned-contour-wrong =
         [narrow] Uran leveys on { $value }, työkalun { $limit }.
         [side] Ura ulottuu halkaisijasta { $limit } halkaisijaan { $value }; muualla sama työkalu sorvaa uraa toiseen suuntaan.
         [dip] Muoto laskee halkaisijaan { $value }, joka on pienempi kuin sen ensimmäinen halkaisija { $limit }, eikä työkierto koneista takaleikkauksia.
+        [deep] Uran syvyys on { $value }, ja työkalu lastuaa vain { $limit }.
+        [ridge] Otsapinta nousee halkaisijaan { $value } ja laskee heti halkaisijaan { $limit }: jäljelle jää terävä harja.
        *[rounding] Pyöristykselle { $value } suora on liian lyhyt; suurin mahdollinen on { $limit }.
     }
 diag-called-program-wants =

@@ -170,6 +170,7 @@ diag-guard = Il controllo non accetta questi valori.
 diag-hole-outside-blank =
     { $what ->
         [beside] Il foro in { $value }; { $other } è fuori dal pezzo grezzo.
+        [edge] Il bordo del pezzo grezzo taglia il foro in { $value }; { $other }.
         [surface] La superficie a { $value } è lontana dal pezzo grezzo.
        *[through] Il foro arriva a { $value }, ben oltre il pezzo grezzo.
     }
@@ -311,6 +312,7 @@ diag-repeat-count-wrong = Il numero di ripetizioni deve essere un numero intero 
 diag-repeat-of-later-label = Il label { $label } deve trovarsi prima della ripetizione, non dopo.
 diag-repeated-infeed =
     { $what ->
+        [absolute] La conversione nella parte ripetuta è assoluta: dalla seconda passata in poi fa ogni volta lo stesso.
         [deep] Le ripetizioni arrivano a { $value }, molto al di sotto del pezzo grezzo.
        *[same] Ogni ripetizione va di nuovo a { $value } e fa lo stesso della prima passata.
     }
@@ -405,10 +407,15 @@ diag-uncalculable-contour =
         [crossing] il profilo interseca sé stesso
        *[approach] non è possibile avvicinarsi così al profilo
     }.
-diag-value-unlike-others = Qui il valore è { $value }, in tutti gli altri punti simili { $other }.
+diag-value-unlike-others =
+    { $what ->
+        [feed] Qui l’avanzamento è { $value }, nella chiamata utensile { $other }.
+       *[others] Qui il valore è { $value }, in tutti gli altri punti simili { $other }.
+    }
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.
+        [measured] { $cycle } misura qui l’utensile che ha appena tastato.
         [contour] L’utensile che ha appena tastato si muove qui lungo un profilo.
        *[mill] { $cycle } lavora qui con l’utensile che ha appena tastato.
     }
@@ -430,7 +437,11 @@ diag-transformation-forbidden =
         [turning] il controllo sia nel modo tornitura (FUNCTION MODE TURN)
        *[tilting] il piano di lavoro sia ruotato
     }: il manuale lo vieta.
-diag-transformation-without-effect = { $other } annulla la conversione di { $cycle } prima che qualcosa la utilizzi.
+diag-transformation-without-effect =
+    { $what ->
+        [again] { $cycle } definisce la conversione che è già attiva, e lo stesso sottoprogramma viene chiamato di nuovo.
+       *[ended] { $other } annulla la conversione di { $cycle } prima che qualcosa la utilizzi.
+    }
 diag-transformation-left-on =
     Il programma termina qui con { $what ->
         [datum-shift] uno spostamento origine attivo
@@ -442,6 +453,7 @@ diag-feed-unit =
     { $what ->
         [revolution] { $parameter }={ $value } è qui un avanzamento al giro, perché M136 è attivo.
         [revolving] { $parameter }{ $value } è qui un avanzamento al giro, perché M136 è attivo.
+        [large] { $parameter }={ $value } è qui un avanzamento al giro, troppo grande per la tornitura.
         [moving] { $parameter }{ $value } è qui un avanzamento al minuto, perché M136 non è attivo.
        *[minute] { $parameter }={ $value } è qui un avanzamento al minuto, perché M136 non è attivo.
     }
@@ -510,3 +522,52 @@ diag-wrong-value-kind =
         [0] {""}
        *[other] {" "}oppure { $words }
     }.
+diag-coolant-forgotten = Questo utensile lavora senza refrigerante; tutti gli altri utensili del programma lo inseriscono.
+diag-decimal-comma = Questo valore ha la virgola decimale, altri valori del programma il punto decimale.
+diag-definitions-differ =
+    { $what ->
+        [deep] L’accostamento { $value } asporta in una volta tutta la profondità { $other }, maggiore del diametro dell’utensile.
+        [infeed] L’accostamento è qui { $value }, nell’altra definizione della stessa tasca o scanalatura { $other }.
+        [operation] Entrambe le definizioni di questa tasca o scanalatura sgrossano soltanto: rimane il sovrametallo di { $other }.
+       *[size] Il valore è qui { $value }, nella definizione che sgrossa la stessa tasca o scanalatura { $other }.
+    }
+diag-helix-too-steep = L’elica scende di { $value } in un giro; più di { $other } qui nessun utensile taglia.
+diag-holes-differ =
+    { $what ->
+        [stray] Il foro in { $value }; { $other } non è stato centrato, e un punto centrato è senza foro.
+        [untapped] Il preforo in { $value }; { $other } non viene filettato, altri della stessa serie sì.
+        [gap] Nel cerchio di fori manca quello in { $value }; { $other }.
+        [corner] Questo foro non è nel vertice { $value }; { $other } del rettangolo formato dagli altri tre.
+        [passed] L’utensile si ferma in { $value }; { $other } e non vi fa nulla; i blocchi prima e dopo chiamano il ciclo.
+       *[arc] Il centro manca il foro in { $value }; { $other }; gli altri archi sono intorno a fori.
+    }
+diag-probing-place-wrong =
+    { $what ->
+        [centre] In questo centro non è stato lavorato nulla, in { $value }; { $other } invece sì.
+        [corner] Lo spigolo viene tastato sul lato del pezzo grezzo opposto all’origine { $value }.
+       *[outside] Il punto { $value }; { $other } è fuori dal pezzo grezzo: lì non c’è nulla da tastare.
+    }
+diag-rough-out-tool-other =
+    { $what ->
+        [pilot] Qui è indicato l’utensile { $value }, ma svuota l’utensile { $other }.
+       *[coarse] L’utensile { $value } non ha svuotato prima; lo ha fatto l’utensile { $other }.
+    }
+diag-speed-and-feed-exchanged = L’utensile è chiamato con { $value } giri e un avanzamento di { $other }: i due valori sembrano scambiati.
+diag-stud-in-solid = La misura grezza { $value } è molto minore del pezzo grezzo intorno all’isola, largo qui { $other }.
+diag-surface-wrong =
+    { $what ->
+        [opposite] La superficie a { $value } è sopra il pezzo grezzo; altre lavorazioni iniziano o finiscono a { $other }.
+       *[faced] La superficie è a { $value }, ma la faccia è stata fresata fino a { $other }.
+    }
+diag-turned-thread-wrong =
+    { $what ->
+        [pitch] Il passo { $value } è troppo grande per una filettatura del diametro { $other }.
+        [end] La filettatura arriva a { $value }, oltre la fine del suo cilindro a { $other }.
+        [inside] Al diametro { $value }, tornito all’esterno, viene eseguita una filettatura interna.
+       *[diameter] La filettatura ha il diametro { $value }, ma lì è stato tornito { $other }.
+    }
+diag-tilted-work =
+    { $what ->
+        [beside] Nel piano ruotato questo ciclo non incontra in nessun punto il pezzo grezzo.
+       *[stands] Il ciclo inizia a { $value }, ma nel piano ruotato qui il pezzo grezzo arriva a { $other }.
+    }

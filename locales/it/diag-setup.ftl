@@ -2,6 +2,7 @@
 diag-approach-wrong =
     { $what ->
         [arc] L’arco di raggio { $value } non trova posto tra questo punto e il profilo.
+        [left] L’utensile lascia il profilo lungo il suo asse, senza DEP.
        *[plunged] Il profilo inizia dove l’utensile è penetrato.
     }
 diag-config-unknown-machine = L’impostazione della macchina «{ $key }» non esiste; esistono { $expected }.
@@ -99,6 +100,8 @@ diag-turned-contour-wrong =
         [narrow] La gola è larga { $value }, l’utensile { $limit }.
         [side] La gola va dal diametro { $limit } a { $value }; altrove lo stesso utensile esegue gole nell’altra direzione.
         [dip] Il profilo scende al diametro { $value }, sotto il suo primo diametro { $limit }, e il ciclo non lavora sottosquadri.
+        [deep] La gola è profonda { $value }, e l’utensile taglia solo { $limit }.
+        [ridge] La faccia sale al diametro { $value } e scende subito a { $limit }: resta uno spigolo senza larghezza.
        *[rounding] Per l’arrotondamento { $value } la retta è troppo corta; è possibile al massimo { $limit }.
     }
 diag-called-program-wants =

@@ -170,6 +170,7 @@ diag-guard = O comando não aceita estes valores.
 diag-hole-outside-blank =
     { $what ->
         [beside] O furo em { $value }; { $other } fica ao lado do bloco.
+        [edge] A borda do bloco corta o furo em { $value }; { $other }.
         [surface] A superfície em { $value } está longe do bloco.
        *[through] O furo desce até { $value }, muito para além do bloco.
     }
@@ -311,6 +312,7 @@ diag-repeat-count-wrong = O número de repetições tem de ser um número inteir
 diag-repeat-of-later-label = O label { $label } tem de vir antes da repetição, não depois dela.
 diag-repeated-infeed =
     { $what ->
+        [absolute] A conversão na parte repetida é absoluta: a partir da segunda passagem faz sempre o mesmo.
         [deep] As repetições descem até { $value }, muito abaixo do bloco.
        *[same] Cada repetição volta a { $value } e faz o mesmo que a primeira passagem.
     }
@@ -406,10 +408,15 @@ diag-uncalculable-contour =
         [crossing] o contorno cruza-se a si próprio
        *[approach] não é possível aproximar-se assim do contorno
     }.
-diag-value-unlike-others = O valor é aqui { $value }, e { $other } em todos os outros sítios deste tipo.
+diag-value-unlike-others =
+    { $what ->
+        [feed] O avanço é aqui { $value }, e { $other } na chamada da ferramenta.
+       *[others] O valor é aqui { $value }, e { $other } em todos os outros sítios deste tipo.
+    }
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } apalpa aqui com a ferramenta que acabou de maquinar.
+        [measured] { $cycle } mede aqui a ferramenta que acabou de apalpar.
         [contour] A ferramenta que acabou de apalpar move-se aqui ao longo de um contorno.
        *[mill] { $cycle } maquina aqui com a ferramenta que acabou de apalpar.
     }
@@ -431,7 +438,11 @@ diag-transformation-forbidden =
         [turning] o comando esteja em modo de torneamento (FUNCTION MODE TURN)
        *[tilting] o plano de maquinação esteja inclinado
     }, o que o seu manual proíbe.
-diag-transformation-without-effect = { $other } anula a conversão de { $cycle } antes de alguma coisa a utilizar.
+diag-transformation-without-effect =
+    { $what ->
+        [again] { $cycle } define a conversão que já está ativa, e o mesmo subprograma é chamado outra vez.
+       *[ended] { $other } anula a conversão de { $cycle } antes de alguma coisa a utilizar.
+    }
 diag-transformation-left-on =
     O programa termina aqui com { $what ->
         [datum-shift] uma deslocação do ponto zero ativa
@@ -443,6 +454,7 @@ diag-feed-unit =
     { $what ->
         [revolution] Aqui { $parameter }={ $value } é um avanço por rotação, porque M136 está ativa.
         [revolving] Aqui { $parameter }{ $value } é um avanço por rotação, porque M136 está ativa.
+        [large] Aqui { $parameter }={ $value } é um avanço por rotação, demasiado grande para o torneamento.
         [moving] Aqui { $parameter }{ $value } é um avanço por minuto, porque M136 não está ativa.
        *[minute] Aqui { $parameter }={ $value } é um avanço por minuto, porque M136 não está ativa.
     }
@@ -511,3 +523,52 @@ diag-wrong-value-kind =
         [0] {""}
        *[other] {" "}ou { $words }
     }.
+diag-coolant-forgotten = Esta ferramenta corta sem refrigerante; todas as outras ferramentas do programa ligam-no.
+diag-decimal-comma = Este valor tem vírgula decimal, outros valores do programa têm ponto decimal.
+diag-definitions-differ =
+    { $what ->
+        [deep] A penetração { $value } corta de uma vez toda a profundidade { $other }, que é maior do que o diâmetro da ferramenta.
+        [infeed] A penetração é aqui { $value }, e { $other } na outra definição da mesma caixa ou ranhura.
+        [operation] As duas definições desta caixa ou ranhura só desbastam: a medida excedente de { $other } fica.
+       *[size] O valor é aqui { $value }, e { $other } na definição que desbasta a mesma caixa ou ranhura.
+    }
+diag-helix-too-steep = A hélice desce { $value } numa volta; mais de { $other } nenhuma ferramenta corta aqui.
+diag-holes-differ =
+    { $what ->
+        [stray] O furo em { $value }; { $other } não foi centrado, e um lugar centrado está sem furo.
+        [untapped] O furo prévio em { $value }; { $other } não é roscado, mas outros da mesma série são.
+        [gap] No círculo de furos falta o furo em { $value }; { $other }.
+        [corner] Este furo não está no canto { $value }; { $other } do retângulo que os outros três formam.
+        [passed] A ferramenta para em { $value }; { $other } e não faz lá nada; as frases antes e depois chamam o ciclo.
+       *[arc] O centro falha o furo em { $value }; { $other }; os outros arcos estão à volta de furos.
+    }
+diag-probing-place-wrong =
+    { $what ->
+        [centre] Neste centro nada foi maquinado, mas em { $value }; { $other } foi.
+        [corner] O canto é apalpado no lado do bloco oposto ao ponto de referência { $value }.
+       *[outside] O lugar { $value }; { $other } fica ao lado do bloco: não há lá nada para apalpar.
+    }
+diag-rough-out-tool-other =
+    { $what ->
+        [pilot] Aqui é indicada a ferramenta { $value }, mas quem desbasta é a ferramenta { $other }.
+       *[coarse] A ferramenta { $value } não desbastou antes; quem desbastou foi a ferramenta { $other }.
+    }
+diag-speed-and-feed-exchanged = A ferramenta é chamada com { $value } rotações e um avanço de { $other }: os dois valores parecem trocados.
+diag-stud-in-solid = A medida em bruto { $value } é muito menor do que o bloco à volta da ilha, que tem aqui a largura { $other }.
+diag-surface-wrong =
+    { $what ->
+        [opposite] A superfície em { $value } está acima do bloco; outras maquinações começam ou terminam em { $other }.
+       *[faced] A superfície está em { $value }, mas a face foi fresada até { $other }.
+    }
+diag-turned-thread-wrong =
+    { $what ->
+        [pitch] O passo { $value } é demasiado grande para uma rosca com o diâmetro { $other }.
+        [end] A rosca vai até { $value }, para lá do fim do seu cilindro em { $other }.
+        [inside] No diâmetro { $value }, torneado por fora, é aberta uma rosca interior.
+       *[diameter] A rosca tem o diâmetro { $value }, mas ali foi torneado { $other }.
+    }
+diag-tilted-work =
+    { $what ->
+        [beside] No plano inclinado este ciclo não encontra o bloco em nenhum ponto.
+       *[stands] O ciclo começa em { $value }, mas no plano inclinado o bloco chega aqui a { $other }.
+    }

@@ -2,6 +2,7 @@
 diag-approach-wrong =
     { $what ->
         [arc] O arco com o raio { $value } não cabe entre este ponto e o contorno.
+        [left] A ferramenta sai do contorno ao longo do seu eixo, sem DEP.
        *[plunged] O contorno começa onde a ferramenta penetrou.
     }
 diag-config-unknown-machine = Não há a definição da máquina «{ $key }»; há { $expected }.
@@ -99,6 +100,8 @@ diag-turned-contour-wrong =
         [narrow] A ranhura tem { $value } de largura, a ferramenta { $limit }.
         [side] A ranhura vai do diâmetro { $limit } a { $value }; noutro lugar a mesma ferramenta faz ranhuras na outra direção.
         [dip] O contorno desce ao diâmetro { $value }, abaixo do seu primeiro diâmetro { $limit }, e o ciclo não maquina rebaixos.
+        [deep] A ranhura tem { $value } de profundidade, e a ferramenta só corta { $limit }.
+        [ridge] A face sobe ao diâmetro { $value } e desce logo a { $limit }: fica uma aresta sem largura.
        *[rounding] Para o arredondamento { $value } a reta é demasiado curta; é possível no máximo { $limit }.
     }
 diag-called-program-wants =

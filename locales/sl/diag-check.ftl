@@ -170,6 +170,7 @@ diag-guard = Krmiljenje teh vrednosti ne sprejme.
 diag-hole-outside-blank =
     { $what ->
         [beside] Vrtina pri { $value }; { $other } je ob surovcu.
+        [edge] Rob surovca reže vrtino pri { $value }; { $other }.
         [surface] Površina pri { $value } je daleč od surovca.
        *[through] Vrtina sega do { $value }, daleč skozi surovec.
     }
@@ -315,6 +316,7 @@ diag-repeat-count-wrong = Število ponovitev mora biti celo število od 0 do 655
 diag-repeat-of-later-label = Oznaka LBL { $label } mora stati pred ponovitvijo, ne za njo.
 diag-repeated-infeed =
     { $what ->
+        [absolute] Preračunavanje v ponavljanem delu je absolutno: od drugega prehoda naprej naredi vsakič isto.
         [deep] Ponovitve vodijo do { $value }, daleč pod surovec.
        *[same] Vsaka ponovitev gre znova na { $value } in naredi isto kot prvi prehod.
     }
@@ -409,10 +411,15 @@ diag-uncalculable-contour =
         [crossing] kontura seka samo sebe
        *[approach] na konturo tako ni mogoče primakniti
     }.
-diag-value-unlike-others = Vrednost je tu { $value }, na vseh drugih takih mestih pa { $other }.
+diag-value-unlike-others =
+    { $what ->
+        [feed] Pomik je tu { $value }, v priklicu orodja pa { $other }.
+       *[others] Vrednost je tu { $value }, na vseh drugih takih mestih pa { $other }.
+    }
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.
+        [measured] { $cycle } tu meri orodje, ki je pravkar tipalo.
         [contour] Orodje, ki je pravkar tipalo, se tu premika po konturi.
        *[mill] { $cycle } tu obdeluje z orodjem, ki je pravkar tipalo.
     }
@@ -434,7 +441,11 @@ diag-transformation-forbidden =
         [turning] aktiven način struženja (FUNCTION MODE TURN)
        *[tilting] obdelovalna ravnina zavrtena
     }, kar priročnik prepoveduje.
-diag-transformation-without-effect = { $other } konča preračunavanje cikla { $cycle }, preden ga karkoli uporabi.
+diag-transformation-without-effect =
+    { $what ->
+        [again] { $cycle } definira preračunavanje, ki je že aktivno, isti podprogram pa se prikliče še enkrat.
+       *[ended] { $other } konča preračunavanje cikla { $cycle }, preden ga karkoli uporabi.
+    }
 diag-transformation-left-on =
     Program se tu konča, ko je še { $what ->
         [datum-shift] aktiven zamik ničelne točke
@@ -446,6 +457,7 @@ diag-feed-unit =
     { $what ->
         [revolution] { $parameter }={ $value } je tu pomik na vrtljaj, ker je M136 aktiven.
         [revolving] { $parameter }{ $value } je tu pomik na vrtljaj, ker je M136 aktiven.
+        [large] { $parameter }={ $value } je tu pomik na vrtljaj in za struženje veliko prevelik.
         [moving] { $parameter }{ $value } je tu pomik na minuto, ker M136 ni aktiven.
        *[minute] { $parameter }={ $value } je tu pomik na minuto, ker M136 ni aktiven.
     }
@@ -514,3 +526,52 @@ diag-wrong-value-kind =
         [0] {""}
        *[other] {" "}ali { $words }
     }.
+diag-coolant-forgotten = To orodje reže brez hladilne tekočine; vsa druga orodja programa jo vklopijo.
+diag-decimal-comma = Ta vrednost ima decimalno vejico, druge vrednosti programa pa decimalno piko.
+diag-definitions-differ =
+    { $what ->
+        [deep] Globina primika { $value } vzame vso globino { $other } naenkrat, kar je več od premera orodja.
+        [infeed] Globina primika je tu { $value }, v drugi definiciji istega žepa ali utora pa { $other }.
+        [operation] Obe definiciji tega žepa ali utora samo grobo rezkata: dodatek { $other } ostane.
+       *[size] Vrednost je tu { $value }, v definiciji, ki grobo rezka isti žep ali utor, pa { $other }.
+    }
+diag-helix-too-steep = Vijačnica se v enem obratu spusti za { $value }; več kot { $other } tu ne reže nobeno orodje.
+diag-holes-differ =
+    { $what ->
+        [stray] Vrtina pri { $value }; { $other } ni bila centrirana, eno centrirano mesto pa je brez vrtine.
+        [untapped] V izvrtino pri { $value }; { $other } se ne vreže navoj, v druge iste vrste pa se.
+        [gap] V krogu vrtin manjka vrtina pri { $value }; { $other }.
+        [corner] Ta vrtina ne leži v oglišču { $value }; { $other } pravokotnika, ki ga tvorijo druge tri.
+        [passed] Orodje se ustavi pri { $value }; { $other } in tam ne naredi ničesar; stavka pred njim in za njim prikličeta cikel.
+       *[arc] Središče zgreši vrtino pri { $value }; { $other }; drugi loki ležijo okrog vrtin.
+    }
+diag-probing-place-wrong =
+    { $what ->
+        [centre] Pri tem središču ni bilo nič obdelano, pri { $value }; { $other } pa je bilo.
+        [corner] Vogal se tipa na drugi strani surovca kot referenčna točka { $value }.
+       *[outside] Mesto { $value }; { $other } je ob surovcu: tam ni česa otipati.
+    }
+diag-rough-out-tool-other =
+    { $what ->
+        [pilot] Tu je navedeno orodje { $value }, prazni pa orodje { $other }.
+       *[coarse] Orodje { $value } prej ni praznilo; praznilo je orodje { $other }.
+    }
+diag-speed-and-feed-exchanged = Orodje se prikliče s številom vrtljajev { $value } in pomikom { $other }: videti je, da sta zamenjana.
+diag-stud-in-solid = Surova mera { $value } je veliko manjša od surovca okrog čepa, ki je tu širok { $other }.
+diag-surface-wrong =
+    { $what ->
+        [opposite] Površina pri { $value } je nad surovcem; druge obdelave se začnejo ali končajo pri { $other }.
+       *[faced] Površina je pri { $value }, ploskev pa je bila rezkana do { $other }.
+    }
+diag-turned-thread-wrong =
+    { $what ->
+        [pitch] Korak { $value } je veliko prevelik za navoj s premerom { $other }.
+        [end] Navoj sega do { $value }, za konec svojega valja pri { $other }.
+        [inside] Na premeru { $value }, ki je bil stružen zunaj, se reže notranji navoj.
+       *[diameter] Navoj ima premer { $value }, tam pa je bilo struženo { $other }.
+    }
+diag-tilted-work =
+    { $what ->
+        [beside] V zavrteni ravnini ta cikel nikjer ne zadene surovca.
+       *[stands] Cikel se začne pri { $value }, v zavrteni ravnini pa surovec tu sega do { $other }.
+    }

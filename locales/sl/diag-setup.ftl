@@ -2,6 +2,7 @@
 diag-approach-wrong =
     { $what ->
         [arc] Lok s polmerom { $value } nima prostora med to točko in konturo.
+        [left] Orodje zapusti konturo vzdolž svoje osi, brez DEP.
        *[plunged] Kontura se začne tam, kjer se je orodje spustilo v material.
     }
 diag-config-unknown-machine = Nastavitve stroja »{ $key }« ni; na voljo so { $expected }.
@@ -101,6 +102,8 @@ diag-turned-contour-wrong =
         [narrow] Vbod je širok { $value }, orodje { $limit }.
         [side] Vbod sega od premera { $limit } do { $value }; drugje isto orodje vbada v drugo smer.
         [dip] Kontura pade na premer { $value }, pod svoj prvi premer { $limit }, cikel pa spodrezov ne obdeluje.
+        [deep] Vbod je globok { $value }, orodje pa reže samo { $limit }.
+        [ridge] Čelna ploskev se dvigne na premer { $value } in takoj pade na { $limit }: ostane rob brez širine.
        *[rounding] Za zaokrožitev { $value } je premica prekratka; možno je največ { $limit }.
     }
 diag-called-program-wants =

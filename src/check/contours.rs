@@ -5,9 +5,10 @@
 use std::collections::{HashMap, HashSet};
 
 use super::flow::{Pending, Way};
+use super::program::is_silent;
 use super::{Defined, Facts};
 use crate::base::expr::{atan2d, cosd, sind};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensation, Motion, Path, StatementKind};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, CallForm, Compensation, Motion, Path, StatementKind};
 use crate::spec::{ContourWanted, ParameterKind};
 
 /// A list of contours, the definition that holds it, and the cycles that machine them.
@@ -310,6 +311,41 @@ fn number(motion: &Motion, axis: Axis) -> Option<Option<(f64, bool)>> {
             _ => None,
         },
     }
+}
+
+/// The place in the plane that a block of a call names with both coordinates, or one of the few movements before a call
+/// without any.
+pub(super) fn place_of_call(facts: &Facts<'_>, call: usize) -> Option<[f64; 2]> {
+    /// So many blocks are looked back through.
+    const BACK: usize = 8;
+    let blocks = facts.program.blocks().get(..=call)?;
+    let mut found: [Option<f64>; 2] = [None; 2];
+    for block in blocks.iter().rev().filter(|own| !is_silent(own)).take(BACK) {
+        let coords = match &block.kind {
+            BlockKind::Motion(motion) => match motion.path() {
+                Path::L if !motion.functions().iter().any(|own| matches!(own.number, 91 | 92)) => motion.words().coords,
+                _ => return None,
+            },
+            BlockKind::CyclCall(call) => match &call.form {
+                CallForm::Position(coords) => coords.clone(),
+                CallForm::Plain => continue,
+                CallForm::Pattern => return None,
+            },
+            BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) | BlockKind::Functions(_) => continue,
+            _ => return None,
+        };
+        for (known, axis) in found.iter_mut().zip([Axis::X, Axis::Y]) {
+            let Some(coord) = coords.iter().find(|own| own.axis == axis).filter(|_| known.is_none()) else { continue };
+            match coord.value.amount {
+                Amount::Number(number) if !coord.incremental => *known = Some(number),
+                _ => return None,
+            }
+        }
+        if let [Some(x), Some(y)] = found {
+            return Some([x, y]);
+        }
+    }
+    None
 }
 
 /// Where a movement leads from a place in X and Y; nothing if that is not certain.

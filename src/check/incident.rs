@@ -136,4 +136,14 @@ pub enum Incident {
     },
     /// A contour that comes back to a corner which it has already.
     Returns([f64; 2]),
+    /// A hole that was not centred, while a place that was centred stays without one.
+    Stray([f64; 2]),
+    /// A core hole in which no thread is cut, although it is cut in others of the same row.
+    Untapped([f64; 2]),
+    /// A place that a circle of holes lacks.
+    Gap([f64; 2]),
+    /// The corner of a rectangle of four holes, of which one lies elsewhere.
+    Corner([f64; 2]),
+    /// A hole that the edge of the blank cuts.
+    Edge([f64; 2]),
 }

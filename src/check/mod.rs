@@ -37,7 +37,7 @@ pub use incident::{Incident, Observed};
 pub use machine::Machine;
 pub use program::{Defined, Definition, Flow, Item, Reading, Unread};
 pub use rule::Rule;
-pub use rules::RULES;
+pub use rules::{RULES, is_slip};
 pub use speech::{Speech, speech};
 pub use tools::COARSE;
 pub use toolwords::{ToolKind, diameter_of, is_reaming};

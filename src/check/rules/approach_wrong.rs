@@ -1,12 +1,15 @@
 //! An approach or a departure that the control cannot calculate, or that spoils the contour: the start or end point is
-//! inside of the arc that leads to the contour, or the tool has plunged at the first point of a contour.
+//! inside of the arc that leads to the contour, or the tool has plunged at the first point of a contour. Also a contour that
+//! is approached with APPR and not left with DEP before the tool moves along its axis.
 //!
 //! Places are followed from label to label in programs with a box as their blank. Without a known radius of the tool it is
 //! taken to be at most 10 mm. Each is said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
+use crate::check::program::is_silent;
 use crate::check::travel::incidents;
-use crate::check::{Facts, Rule};
+use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::program::syntax::{Axis, Block, BlockKind, Compensates, Path};
 
 pub(super) const RULE: Rule = Rule { code: "approach-wrong", severity: Severity::Warning, run };
 
@@ -22,4 +25,41 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.at(facts, *span).arg("what", what).arg("value", Arg::Number(radius)));
         }
     }
+    if let Some(block) = left(facts) {
+        found.push(rule.at(facts, facts.content(block)).arg("what", "left").arg("value", Arg::Number(0.0)));
+    }
+}
+
+/// The first block that moves the tool along its axis, without compensation, from a contour that was approached with APPR.
+fn left<'a>(facts: &Facts<'a>) -> Option<&'a Block> {
+    facts.shaped().next()?;
+    let mut open = false;
+    for (from, to, modal) in facts.run.stretches() {
+        let upright = modal.is_some_and(|modal| modal.is(Aspect::OtherAxis) != Tri::Yes);
+        for block in facts.program.blocks().get(from..to).unwrap_or_default().iter().filter(|own| !is_silent(own)) {
+            let motion = match &block.kind {
+                BlockKind::Motion(motion) if upright && !block.skip => motion,
+                // A repeated part goes on with what follows it.
+                BlockKind::CallLbl(call) if call.repeat.is_some() => continue,
+                BlockKind::Functions(_) if !facts.ends(block) => continue,
+                _ => {
+                    open = false;
+                    continue;
+                }
+            };
+            let compensates = motion.outline().compensates();
+            match motion.path() {
+                Path::Appr(_) => open = compensates == Compensates::Beside,
+                Path::Dep(_) => open = false,
+                _ if open && compensates == Compensates::Off => {
+                    open = false;
+                    if matches!(motion.words().coords.as_slice(), [only] if only.axis == Axis::Z) {
+                        return Some(block);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+    None
 }

@@ -2,11 +2,13 @@
 //! come into it, and the control refuses the block.
 //!
 //! The radius of the tool is that of TOOL DEF or of the tool table, where it is named. Only corners and arcs are looked
-//! at whose points are written as numbers.
+//! at whose points are written as numbers. Of contours that cycles read, the narrowest tool that mills their walls decides.
+//! Rectangular pockets that are finished are looked at, too: 0 is the radius of the tool.
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::contours::led;
+use crate::check::contours::{led, listed};
+use crate::check::program::{number, with_meaning};
 use crate::check::tools::Tools;
-use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{Amount, BlockKind, Compensation, Path};
 
 pub(super) const RULE: Rule = Rule { code: "arc-too-narrow", severity: Severity::Warning, run };
@@ -30,6 +32,8 @@ struct Course {
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(tools) = Tools::of(facts) else { return };
+    listed_contours(rule, facts, &tools, found);
+    pockets(rule, facts, &tools, found);
     let blocks = facts.program.blocks();
     for (from, to, modal) in facts.run.stretches() {
         let Some(modal) = modal.filter(|modal| modal.is(Aspect::OtherAxis) == Tri::No) else { continue };
@@ -43,6 +47,69 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let finding = rule.at(facts, facts.content(&blocks[place])).arg("radius", Arg::Number(radius));
                 found.push(finding.arg("tool", Arg::Number(tool.radius)));
             }
+        }
+    }
+}
+
+/// The meanings of what cycles have that mill the wall of a contour.
+const WALLS: [&str; 2] = ["remaining-side-allowance", "coarse-roughing-tool"];
+
+/// Contours that cycles read: the narrowest tool that mills their walls says what fits.
+fn listed_contours(rule: &Rule, facts: &Facts<'_>, tools: &Tools, found: &mut Vec<Diagnostic>) {
+    let mut seen = std::collections::HashSet::new();
+    for list in listed(facts) {
+        let mills = |own: &&Defined<'_>| {
+            own.related_cycle().is_some_and(|cycle| WALLS.iter().any(|wall| with_meaning(cycle, wall).is_some()))
+        };
+        let mut narrowest: Option<f64> = None;
+        let mut open = false;
+        for reader in list.readers.iter().copied().filter(|own| mills(own)) {
+            for call in &facts.run.calls {
+                let Pending::Definition(index) = call.modal.pending else { continue };
+                let same = facts.definitions.get(index as usize).is_some_and(|own| own.view.first == reader.view.first);
+                if same {
+                    let radius = tools.get(call.modal.loaded).map(|tool| tool.radius);
+                    open |= radius.is_none();
+                    narrowest = radius.map(|own| narrowest.map_or(own, |other| other.min(own))).or(narrowest);
+                }
+            }
+        }
+        let Some(tool) = narrowest.filter(|_| !open) else { continue };
+        for contour in &list.contours {
+            let mut course = Course::default();
+            for (at, block) in contour.iter().enumerate() {
+                let Some((place, radius)) = course.go_on(at, &block.kind) else { continue };
+                if radius < tool - TOLERANCE && seen.insert(contour[place].span.start) {
+                    let finding = rule.at(facts, facts.content(&contour[place])).arg("radius", Arg::Number(radius));
+                    found.push(finding.arg("tool", Arg::Number(tool)));
+                }
+            }
+        }
+    }
+}
+
+/// Rectangular pockets that are finished: the control makes their corners as round as the tool.
+fn pockets(rule: &Rule, facts: &Facts<'_>, tools: &Tools, found: &mut Vec<Diagnostic>) {
+    let mut seen = std::collections::HashSet::new();
+    for call in &facts.run.calls {
+        let Pending::Definition(index) = call.modal.pending else { continue };
+        let Some(own) = facts.definitions.get(index as usize) else { continue };
+        let Some(tool) = tools.get(call.modal.loaded) else { continue };
+        let has = |meaning: &str| own.related_cycle().is_some_and(|cycle| with_meaning(cycle, meaning).is_some());
+        if !has("corner-radius") || !has("pocket-position") || !seen.insert(index) {
+            continue;
+        }
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        // Roughing may be done with a larger tool.
+        let roughs = read.item("machining-operation").and_then(number) == Some(1.0);
+        let Some((item, radius)) = read.item("corner-radius").and_then(|item| Some((item, number(item)?))) else {
+            continue;
+        };
+        // 0 is the radius of the tool.
+        if !roughs && radius > 0.0 && radius < tool.radius - TOLERANCE {
+            let finding = rule.at(facts, item.value_span).arg("radius", Arg::Number(radius));
+            found.push(finding.arg("tool", Arg::Number(tool.radius)));
         }
     }
 }

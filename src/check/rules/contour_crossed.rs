@@ -46,7 +46,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         let motion = match &block.kind {
             _ if is_silent(block) => continue,
-            BlockKind::Motion(motion) if upright && !block.skip => motion,
+            BlockKind::Motion(motion) if upright && !block.skip && !facts.ends(block) => motion,
+            // A part that is repeated begins and ends within the course.
+            BlockKind::Lbl(_) if !block.ends_subprogram() => continue,
+            BlockKind::CallLbl(call) if call.repeat.is_some() => continue,
             _ => {
                 line.lose();
                 course = None;

@@ -296,6 +296,14 @@ fn is_open(points: &[[f64; 2]]) -> bool {
         return false;
     }
     let Some(second) = points.get(1) else { return true };
+    // What goes towards the first point does not stop before it.
+    if let [.., before, _] = points {
+        let end = [last[0] - before[0], last[1] - before[1]];
+        let (aside, on) = (gap[0] * end[1] - gap[1] * end[0], gap[0] * end[0] + gap[1] * end[1]);
+        if on > 0.0 && libm::fabs(aside) <= TOLERANCE * libm::hypot(end[0], end[1]) && points.len() > 3 {
+            return true;
+        }
+    }
     let begin = [second[0] - first[0], second[1] - first[1]];
     let across = gap[0] * begin[1] - gap[1] * begin[0];
     let along = gap[0] * begin[0] + gap[1] * begin[1];

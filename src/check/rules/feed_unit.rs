@@ -16,6 +16,8 @@ pub(super) const RULE: Rule = Rule { code: "feed-unit", severity: Severity::Warn
 const TURNING: [&str; 2] = ["turning-roughing-feed", "turning-finishing-feed"];
 /// Less than this is no feed of a minute, mm.
 const LEAST: f64 = 1.0;
+/// More than this turns nothing in a revolution, mm.
+const LARGE: f64 = 1.5;
 /// More than this is no feed of a revolution, mm.
 const GREATEST: f64 = 20.0;
 
@@ -66,14 +68,17 @@ fn of_cycle(
             Some(ValueKind::Number(number)) => Some(number),
             _ => item.number,
         };
-        if number.is_some_and(|number| is_wrong(number, revolution))
+        // No insert turns with so much for a revolution.
+        let large = turning && revolution && number.is_some_and(|number| (LARGE..=GREATEST).contains(&number));
+        if number.is_some_and(|number| is_wrong(number, revolution) || large)
             // The feeds of a milling cycle are one finding.
             && (turning || found.len() == first)
             && reported.insert(item.value_span.start)
         {
             let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref());
             let finding = finding.arg("value", item.printed.as_ref());
-            found.push(finding.arg("what", if revolution { "revolution" } else { "minute" }));
+            let what = if large { "large" } else { "minute" };
+            found.push(finding.arg("what", if revolution && !large { "revolution" } else { what }));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! A hole next to the blank, one that begins well above it or below it, or one that goes far through it.
+//! A hole next to the blank or cut by its edge, one that begins well above it or below it, or one that goes far through it.
 //!
 //! Only cycles for holes at places that are known, in programs with a box as their blank and without transformations.
 //! A hole next to the blank is said once a program, the others once a definition.
@@ -16,6 +16,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         match own {
             Incident::Beside([x, y]) if !std::mem::replace(&mut beside, true) => {
                 let finding = finding.arg("what", "beside").arg("value", Arg::Number(*x));
+                found.push(finding.arg("other", Arg::Number(*y)));
+            }
+            Incident::Edge([x, y]) => {
+                let finding = finding.arg("what", "edge").arg("value", Arg::Number(*x));
                 found.push(finding.arg("other", Arg::Number(*y)));
             }
             Incident::Surface(height) => {

@@ -8,10 +8,11 @@
 use std::collections::HashMap;
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::blank::is_unmoved;
+use crate::check::contours::place_of_call;
 use crate::check::guards::Written;
-use crate::check::program::bits;
-use crate::check::program::with_meaning;
-use crate::check::{Definition, Facts, Rule};
+use crate::check::program::{bits, number, with_meaning};
+use crate::check::{Definition, Facts, Pending, Rule};
 use crate::program::syntax::ValueKind;
 use crate::spec::{Cycle, Group, Known};
 
@@ -32,6 +33,73 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if facts.flow.programs || facts.flow.opaque {
         return;
     }
+    called(rule, facts, found);
+    by_definition(rule, facts, found);
+}
+
+/// The meanings of the surface of a cycle, and of depths.
+const SURFACE: &str = "surface-coordinate";
+const DEPTHS: [&str; 2] = ["depth", "thread-depth"];
+
+/// Pockets and holes at places that the blocks of their calls name, and the height at which their middle is probed then:
+/// below the lowest floor there.
+fn called(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let contours = facts.shaped().next().map_or(usize::MAX, |(index, _)| index);
+    for (definition, cycle) in facts.described() {
+        let block = definition.view.first;
+        let written = Written::of(facts, &definition, cycle);
+        let [Some(main), Some(minor), Some(height)] = MEASURED.map(|meaning| with_meaning(cycle, meaning)) else {
+            continue;
+        };
+        let value = |param| written.number_of(param);
+        let (Some(main), Some(minor), Some(measured)) = (value(main), value(minor), value(height)) else { continue };
+        // Contours may be of any depth.
+        if contours < block || !facts.run.before(block).is_some_and(|modal| is_unmoved(&modal)) {
+            continue;
+        }
+        let mut lowest: Option<(f64, String)> = None;
+        let mut open = false;
+        for call in facts.run.calls.iter().filter(|call| call.block < block) {
+            let own = match call.modal.pending {
+                Pending::Definition(index) => facts.definitions.get(index as usize),
+                Pending::None | Pending::Unknown => None,
+            };
+            let Some(own) = own.filter(|_| is_unmoved(&call.modal)) else {
+                open = true;
+                continue;
+            };
+            let related = own.as_related_cycle();
+            let read = facts.read(&related);
+            let value = |meaning: &str| read.item(meaning).and_then(number);
+            let floor = value(SURFACE).zip(DEPTHS.into_iter().find_map(value)).map(|(surface, depth)| surface + depth);
+            let place = place_of_call(facts, call.block);
+            let here = place.is_some_and(|[x, y]| (x - main).abs() <= SAME && (y - minor).abs() <= SAME);
+            match floor {
+                Some(floor) if here => {
+                    if lowest.as_ref().is_none_or(|(own, _)| floor < *own) {
+                        lowest = Some((floor, own.key.to_string()));
+                    }
+                }
+                // What ends above the height is no matter, wherever it is.
+                Some(floor) => open |= floor <= measured && place.is_none(),
+                None => open = true,
+            }
+        }
+        let Some((floor, milling)) = lowest.filter(|(floor, _)| measured < *floor && !open) else { continue };
+        let item = definition.items.iter().find(|item| item.param.is_some_and(|own| std::ptr::eq(own, height)));
+        if let Some(item) = item {
+            let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref());
+            let finding = finding.arg("cycle", definition.key.to_string()).arg("value", item.printed.as_ref());
+            found.push(finding.arg("milling", milling).arg("floor", Arg::Number(floor)));
+        }
+    }
+}
+
+/// Places that are so near are the same, mm or inch.
+const SAME: f64 = 0.01;
+
+/// Cycles that name the centre about which they mill.
+fn by_definition(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // The lowest floor about each centre.
     let mut floors: HashMap<[u64; 2], Floor> = HashMap::new();
     for definition in &facts.definitions {
@@ -48,8 +116,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     for (definition, cycle) in facts.described() {
         let written = Written::of(facts, &definition, cycle);
-        let is = |meaning: &&str| with_meaning(cycle, meaning);
-        let [Some(main), Some(minor), Some(height)] = MEASURED.each_ref().map(is) else { continue };
+        let is = |meaning: &str| with_meaning(cycle, meaning);
+        let [Some(main), Some(minor), Some(height)] = MEASURED.map(is) else { continue };
         let value = |param| written.number_of(param);
         let (Some(main), Some(minor), Some(measured)) = (value(main), value(minor), value(height)) else { continue };
         let Some(floor) = floors.get(&[main, minor].map(bits)) else { continue };

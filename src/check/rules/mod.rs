@@ -36,6 +36,7 @@ mod contour_not_selected;
 mod contour_returns;
 mod contour_undeclared;
 mod contour_wrong;
+mod coolant_forgotten;
 mod coordinate_out_of_place;
 mod coordinate_out_of_range;
 mod core_hole_too_large;
@@ -53,7 +54,9 @@ mod cycle_not_described;
 mod cycle_not_on_control;
 mod cycle_of_previous_tool;
 mod datum_table_late;
+mod decimal_comma;
 mod defined_but_never_called;
+mod definitions_differ;
 mod differs_from_other_control;
 mod digitizing_wrong;
 mod division_by_zero;
@@ -73,7 +76,9 @@ mod function_not_on_control;
 mod functions_contradict;
 mod global_def_wrong;
 mod guard;
+mod helix_too_steep;
 mod hole_outside_blank;
+mod holes_differ;
 mod holes_overlap;
 mod insert_points_away;
 mod iso_incomplete;
@@ -131,6 +136,7 @@ mod preset_row_wrong;
 mod probe_while_turning;
 mod probed_axis_missing;
 mod probing_direction_wrong;
+mod probing_place_wrong;
 mod program_begin_missing;
 mod program_begin_twice;
 mod program_calls_itself;
@@ -149,26 +155,31 @@ mod reserved_parameter;
 mod reset_order_wrong;
 mod retract_missing;
 mod rotary_axis_jumps;
+mod rough_out_tool_other;
 mod row_not_in_table;
 mod same_datum_twice;
 mod selected_table_missing;
 mod slot_too_narrow;
+mod speed_and_feed_exchanged;
 mod speed_missing;
 mod speed_out_of_range;
 mod spindle_direction;
 mod spindle_off;
 mod spindle_start_wrong;
 mod sql_handle_missing;
+mod stud_in_solid;
 mod subprogram_end_without_label;
 mod subprogram_recursive;
 mod subprogram_runs_on;
 mod subprogram_without_end;
+mod surface_wrong;
 mod tap_without_hole;
 mod tcpm_left_on;
 mod tcpm_missing;
 mod text_for_number;
 mod text_wrong;
 mod thread_pitch_unusual;
+mod tilted_work;
 mod tool_axis_missing;
 mod tool_axis_other;
 mod tool_called_twice;
@@ -186,6 +197,7 @@ mod transformation_forbidden;
 mod transformation_left_on;
 mod transformation_without_effect;
 mod turned_contour_wrong;
+mod turned_thread_wrong;
 mod turning_start_wrong;
 mod turning_system_missing;
 mod two_signs;
@@ -199,6 +211,8 @@ mod word_twice;
 mod word_wrong;
 mod wrong_tool_type;
 mod wrong_value_kind;
+
+pub use value_unlike_others::is_slip;
 
 use super::{Definition, Facts, Rule};
 use crate::base::diag::Diagnostic;
@@ -243,6 +257,7 @@ pub const RULES: &[&Rule] = &[
     &contour_returns::RULE,
     &contour_undeclared::RULE,
     &contour_wrong::RULE,
+    &coolant_forgotten::RULE,
     &coordinate_out_of_place::RULE,
     &coordinate_out_of_range::RULE,
     &core_hole_too_large::RULE,
@@ -260,7 +275,9 @@ pub const RULES: &[&Rule] = &[
     &cycle_not_on_control::RULE,
     &cycle_of_previous_tool::RULE,
     &datum_table_late::RULE,
+    &decimal_comma::RULE,
     &defined_but_never_called::RULE,
+    &definitions_differ::RULE,
     &differs_from_other_control::RULE,
     &digitizing_wrong::RULE,
     &division_by_zero::RULE,
@@ -280,7 +297,9 @@ pub const RULES: &[&Rule] = &[
     &functions_contradict::RULE,
     &global_def_wrong::RULE,
     &guard::RULE,
+    &helix_too_steep::RULE,
     &hole_outside_blank::RULE,
+    &holes_differ::RULE,
     &holes_overlap::RULE,
     &insert_points_away::RULE,
     &iso_incomplete::RULE,
@@ -338,6 +357,7 @@ pub const RULES: &[&Rule] = &[
     &probe_while_turning::RULE,
     &probed_axis_missing::RULE,
     &probing_direction_wrong::RULE,
+    &probing_place_wrong::RULE,
     &program_begin_missing::RULE,
     &program_begin_twice::RULE,
     &program_calls_itself::RULE,
@@ -356,26 +376,31 @@ pub const RULES: &[&Rule] = &[
     &reset_order_wrong::RULE,
     &retract_missing::RULE,
     &rotary_axis_jumps::RULE,
+    &rough_out_tool_other::RULE,
     &row_not_in_table::RULE,
     &same_datum_twice::RULE,
     &selected_table_missing::RULE,
     &slot_too_narrow::RULE,
+    &speed_and_feed_exchanged::RULE,
     &speed_missing::RULE,
     &speed_out_of_range::RULE,
     &spindle_direction::RULE,
     &spindle_off::RULE,
     &spindle_start_wrong::RULE,
     &sql_handle_missing::RULE,
+    &stud_in_solid::RULE,
     &subprogram_end_without_label::RULE,
     &subprogram_recursive::RULE,
     &subprogram_runs_on::RULE,
     &subprogram_without_end::RULE,
+    &surface_wrong::RULE,
     &tap_without_hole::RULE,
     &tcpm_left_on::RULE,
     &tcpm_missing::RULE,
     &text_for_number::RULE,
     &text_wrong::RULE,
     &thread_pitch_unusual::RULE,
+    &tilted_work::RULE,
     &tool_axis_missing::RULE,
     &tool_axis_other::RULE,
     &tool_called_twice::RULE,
@@ -393,6 +418,7 @@ pub const RULES: &[&Rule] = &[
     &transformation_left_on::RULE,
     &transformation_without_effect::RULE,
     &turned_contour_wrong::RULE,
+    &turned_thread_wrong::RULE,
     &turning_start_wrong::RULE,
     &turning_system_missing::RULE,
     &two_signs::RULE,

@@ -70,8 +70,8 @@ fn of_cycles(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
 /// The parameters of cycles (001: 12441-12455).
 const OF_CYCLES: std::ops::RangeInclusive<u16> = 200..=599;
 
-/// Where cycles put what they measure (001: 12562).
-const RESULTS: std::ops::RangeInclusive<u16> = 141..=199;
+/// Where cycles put what they measure (001: 12562); no manual gives those from 123 on anything else.
+const RESULTS: std::ops::RangeInclusive<u16> = 123..=199;
 /// So many parameters a cycle fills from the one on that its definition names.
 const FILLED: u16 = 4;
 

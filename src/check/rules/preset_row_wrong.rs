@@ -47,9 +47,11 @@ struct Activated {
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    if facts.flow.jumps || facts.flow.programs || facts.flow.unread.any() {
+    if facts.flow.programs || facts.flow.unread.any() {
         return;
     }
+    // What comes before the first label and the first jump is carried out in the order of the text.
+    let straight = if facts.flow.jumps { first_turn(facts) } else { usize::MAX };
     let (mut written, mut activated): (Vec<Written>, Vec<Activated>) = (Vec::new(), Vec::new());
     let names_row = |own: &&Defined<'_>| {
         own.cycle().is_some_and(|cycle| cycle.params.iter().any(|param| matches!(param.is.as_str(), ROW | PRESET)))
@@ -57,13 +59,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in facts.definitions.iter().filter(names_row) {
         let definition = facts.read(definition);
         let block = definition.view.first;
+        if block > straight {
+            return;
+        }
         if let Some(item) = definition.item(PRESET) {
             let Some(row) = number(item) else { return };
             activated.push(Activated { block, row, span: item.value_span });
         }
         written.extend(writes(facts, &definition));
     }
-    datums(rule, facts, found);
+    if !facts.flow.jumps {
+        datums(rule, facts, found);
+    }
     for (at, own) in written.iter().enumerate() {
         let active = |before: usize, row: f64| activated.iter().any(|other| other.row == row && other.block > before);
         let again = written.iter().take(at).rev().find(|before| {
@@ -100,6 +107,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             None => {}
         }
     }
+}
+
+/// The first label or jump of a program.
+fn first_turn(facts: &Facts<'_>) -> usize {
+    let turns = |block: &Block| matches!(block.kind, BlockKind::FnJump(_) | BlockKind::Lbl(_) | BlockKind::CallLbl(_));
+    facts.marked().find(|(_, block)| turns(block)).map_or(usize::MAX, |(index, _)| index)
 }
 
 /// The rows of a selected datum table that are probed and never activated, of controls whose cycles have no choice

@@ -1,14 +1,15 @@
 //! A repeated part of a program that does the same in each pass although it goes into the blank, or that goes deeper in
-//! each pass and ends far below the blank.
+//! each pass and ends far below the blank; also one that calls cycles under a transformation which is absolute.
 //!
 //! A part that infeeds in each pass needs an incremental value or one that a parameter changes. Only parts are looked at
-//! that consist of movements with numbers, which are repeated several times, in programs with a box as their blank.
+//! that consist of movements with numbers, which are repeated several times, in programs with a box as their blank; once is
+//! enough where the tool was brought at a feed to the height from which they are to infeed.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, Motion, Path};
-use crate::spec::MM_PER_INCH;
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Coord, Motion, Path};
+use crate::spec::{Group, MM_PER_INCH};
 
 pub(super) const RULE: Rule = Rule { code: "repeated-infeed", severity: Severity::Warning, run };
 
@@ -16,6 +17,9 @@ pub(super) const RULE: Rule = Rule { code: "repeated-infeed", severity: Severity
 const LEAST: f64 = 2.0;
 /// So far below the blank nobody machines, in millimetres.
 const BELOW: f64 = 25.0;
+
+/// So far through the blank the pass before the last one may go, in millimetres.
+const THROUGH: f64 = 2.0;
 
 /// What a pass does along the tool axis.
 #[derive(Default)]
@@ -31,29 +35,46 @@ struct Pass {
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
+    if !facts.begins() {
+        return;
+    }
+    let blank = Blank::of(facts.program);
     let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
     let blocks = facts.program.blocks();
     for (index, block) in facts.marked() {
         let BlockKind::CallLbl(call) = &block.kind else { continue };
-        let times = call.repeat.as_ref().and_then(|own| facts.number(own)).filter(|times| *times >= LEAST);
+        let times = call.repeat.as_ref().and_then(|own| facts.number(own)).filter(|times| *times >= 1.0);
         let (Some(times), false) = (times, block.skip) else { continue };
         let uses = facts.run.graph.uses_in(index);
         let start = uses.first().and_then(|own| facts.run.graph.block_of(own.mark.as_ref()?));
         let Some(start) = start.filter(|start| *start < index) else { continue };
+        if times >= LEAST && is_absolute(facts, start + 1..index) {
+            let finding = rule.at(facts, facts.content(block)).arg("what", "absolute");
+            found.push(finding.arg("value", Arg::Number(times)));
+            continue;
+        }
         let usual = facts.run.before(index).is_some_and(|modal| is_unmoved(&modal));
         let Some(pass) = blocks.get(start + 1..index).and_then(|part| pass(facts, part)).filter(|_| usual) else {
             continue;
         };
+        let Some(blank) = &blank else { continue };
         let finding = rule.at(facts, facts.content(block));
         match pass.lowest {
-            Some(lowest) if !pass.changes && pass.feeds && lowest < blank.high[2] => {
+            // One repetition may be a finishing pass, unless the tool was brought to a height for the infeed.
+            Some(lowest)
+                if !pass.changes
+                    && pass.feeds
+                    && lowest < blank.high[2]
+                    && (times >= LEAST || is_led(facts, blocks, start)) =>
+            {
                 found.push(finding.arg("what", "same").arg("value", Arg::Number(lowest)));
             }
             None if pass.sum < 0.0 => {
                 let before = blocks.get(..start).and_then(|before| height(facts, before));
                 let end = before.map(|height| height + pass.sum * (times + 1.0));
-                if let Some(end) = end.filter(|end| *end < blank.low[2] - BELOW * unit) {
+                // Nobody machines far below the blank, and no pass is left for what lies wholly below it.
+                let begins = |end: f64| end - pass.sum < blank.low[2] - THROUGH * unit;
+                if let Some(end) = end.filter(|end| *end < blank.low[2] - BELOW * unit || begins(*end)) {
                     found.push(finding.arg("what", "deep").arg("value", Arg::Number(end)));
                 }
             }
@@ -62,13 +83,52 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// Whether a part calls cycles and defines a transformation, and all of it is absolute: from its second pass on it does the
+/// same each time.
+fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>) -> bool {
+    if !facts.run.calls.iter().any(|call| part.contains(&call.block)) {
+        return false;
+    }
+    let mut transforms = false;
+    let all = facts.program.blocks().get(part.clone()).unwrap_or_default().iter().zip(part);
+    for (block, index) in all.filter(|(block, _)| !is_silent(block)) {
+        let text = || facts.text(facts.content(block)).split(';').next().unwrap_or_default();
+        match &block.kind {
+            BlockKind::Motion(motion) if !block.skip => {
+                let absolute = |own: &Coord| !own.incremental && matches!(own.value.amount, Amount::Number(_));
+                if !motion.words().coords.iter().all(absolute) {
+                    return false;
+                }
+            }
+            BlockKind::OldCycleLine(_) => {
+                if let Some(own) = facts.definition_at(index) {
+                    if own.related_cycle().is_none_or(|cycle| cycle.file.group != Group::Transforms) {
+                        return false;
+                    }
+                    transforms = true;
+                }
+                let moves = |word: &str| {
+                    word.starts_with(['I', 'Q']) && word.bytes().any(|byte| byte.is_ascii_digit()) || word.contains('Q')
+                };
+                if text().split_whitespace().skip(3).any(moves) {
+                    return false;
+                }
+            }
+            BlockKind::CyclCall(_) | BlockKind::Functions(_) => {}
+            _ => return false,
+        }
+    }
+    transforms
+}
+
 /// What one pass of a part does; nothing if it has anything but movements.
 fn pass(facts: &Facts<'_>, part: &[Block]) -> Option<Pass> {
     let mut pass = Pass::default();
     for block in part.iter().filter(|block| !is_silent(block)) {
         let BlockKind::Motion(motion) = &block.kind else { return None };
         let words = motion.words();
-        let plain = matches!(words.path, Path::L | Path::C | Path::Cr | Path::Cc | Path::Ct | Path::Rnd | Path::Chf);
+        let plain = matches!(words.path, Path::L | Path::C | Path::Cr | Path::Cc | Path::Ct | Path::Rnd | Path::Chf)
+            || matches!(words.path, Path::Appr(_) | Path::Dep(_));
         if block.skip || !plain || words.functions.iter().any(|own| !matches!(own.number, 3 | 4 | 8 | 9 | 13 | 14)) {
             return None;
         }
@@ -93,6 +153,23 @@ fn note(facts: &Facts<'_>, words: &Motion, pass: &mut Pass) -> Option<()> {
         }
     }
     Some(())
+}
+
+/// Whether the tool is moved along its axis alone, at a feed, directly before a part that begins with such a movement: the
+/// height from which the part is to infeed.
+fn is_led(facts: &Facts<'_>, blocks: &[Block], start: usize) -> bool {
+    let plunge = |block: Option<&Block>| match block.map(|block| &block.kind) {
+        Some(BlockKind::Motion(motion)) if motion.path() == Path::L && !motion.outline().is_rapid() => {
+            match motion.words().coords.as_slice() {
+                [only] if only.axis == Axis::Z && !only.incremental => facts.number(&only.value),
+                _ => None,
+            }
+        }
+        _ => None,
+    };
+    let before = blocks.get(..start).unwrap_or_default().iter().rev().find(|block| !is_silent(block));
+    let first = blocks.get(start + 1..).unwrap_or_default().iter().find(|block| !is_silent(block));
+    plunge(before).zip(plunge(first)).is_some_and(|(from, to)| to < from)
 }
 
 /// The height that was reached last before a part.

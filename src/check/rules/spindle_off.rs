@@ -3,11 +3,12 @@
 //!
 //! Reported once a program. The spindle is still at the beginning, after M0, M2, M5, M6 and M30, and after a cycle
 //! that stops it (TNC 640, 001: 2581 and 2656); after a tool call and M functions of the machine builder no one knows.
-//! FUNCTION MODE TURN goes on with another spindle, which is still until it is turned on (TNC 640, 001: 7314-7321).
+//! FUNCTION MODE TURN goes on with another spindle, which is still until it is turned on (TNC 640, 001: 7314-7321),
+//! and after M305 again, in programs that turn it on with M303 or M304 elsewhere.
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::cycle::{probes, removes_material, stops_spindle};
 use crate::check::incident::Incident;
-use crate::check::program::with_meaning;
+use crate::check::program::{each_function, with_meaning};
 use crate::check::travel::incidents;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, Tri};
 use crate::program::syntax::{Block, BlockKind, Compensates, StatementKind};
@@ -32,7 +33,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let standing = standing.map(|(span, _)| *span);
     let still = incidents(facts).iter().find(|(_, own)| *own == Incident::Still { unstarted: false });
     let still = still.map(|(span, _)| *span);
-    let all = calls.map(|call| call.span).chain(contour(facts)).chain(standing).chain(still).chain(turning(facts));
+    let all = calls
+        .map(|call| call.span)
+        .chain(contour(facts))
+        .chain(standing)
+        .chain(still)
+        .chain(turning(facts))
+        .chain(stopped(facts));
     let first = all.min_by_key(|span| span.start);
     if let Some(span) = first {
         found.push(rule.at(facts, span));
@@ -60,6 +67,38 @@ fn turning(facts: &Facts<'_>) -> Option<Span> {
         Pending::None | Pending::Unknown => false,
     })?;
     Some(call.span)
+}
+
+/// M functions that turn the turning spindle on, and off.
+const ON: [u16; 2] = [303, 304];
+const OFF: u16 = 305;
+
+/// The first call of a turning cycle after M305, in a program that turns the spindle on again for others.
+fn stopped(facts: &Facts<'_>) -> Option<Span> {
+    if facts.flow.jumps || facts.flow.programs || facts.flow.unread.any() {
+        return None;
+    }
+    let (mut on, mut off, mut calls) = (false, false, facts.run.calls.iter().peekable());
+    for (index, block) in facts.program.blocks().iter().enumerate() {
+        each_function(block, |number| {
+            if ON.contains(&number) {
+                (on, off) = (true, false);
+            }
+        });
+        while let Some(call) = calls.next_if(|call| call.block <= index) {
+            let Pending::Definition(at) = call.modal.pending else { continue };
+            let turns = facts.definitions.get(at as usize).and_then(Defined::related_cycle);
+            let turns = turns.is_some_and(|cycle| cycle.file.group == Group::Turning);
+            if call.block == index && turns && on && off && call.modal.is(Aspect::Turning) == Tri::Yes {
+                return Some(call.span);
+            }
+        }
+        each_function(block, |number| off |= number == OFF);
+        if facts.ends(block) {
+            break;
+        }
+    }
+    None
 }
 
 /// Whether the tool of a movement is there to cut: it was called with a speed, and nothing is probed in the program.

@@ -52,6 +52,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         others = called_otherwise(facts, usual);
     }
     let Some(blank) = blank.or(usual) else { return };
+    // The blank of a part that is turned lies in the plane of turning, whatever is drilled into it.
+    if facts.run.stretches().any(|(.., modal)| modal.is_some_and(|own| own.is(Aspect::Turning) != Tri::No)) {
+        return;
+    }
     if let (Some((block, _)), false, None) = (first, fits, usual) {
         found.push(rule.at(facts, facts.content(block)).arg("what", "blank").arg("axis", blank.name()));
         return;

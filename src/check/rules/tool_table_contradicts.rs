@@ -34,6 +34,9 @@ const THREADED: &str = "turned-thread-pitch";
 /// The meaning of the set-up clearance that only recesses have.
 const RECESSED: &str = "recess-clearance";
 
+/// The meaning of the tool for which a contour cycle only drills.
+const PILOT: &str = "rough-out-tool";
+
 /// The word in the column TL of a tool that is locked.
 const LOCKED: &str = "L";
 /// The meaning of the choice between a depth and a diameter, and its value for the diameter.
@@ -249,6 +252,8 @@ fn of_cycle(cycle: &Cycle) -> Option<Use> {
         Group::Drilling => Some(Use::Drilling),
         Group::Threads if mills => Some(Use::ThreadMilling),
         Group::Threads => Some(Use::Tapping),
+        // It drills for another tool that roughs out.
+        Group::Contours if with_meaning(cycle, PILOT).is_some() => Some(Use::Drilling),
         _ => Some(Use::Milling),
     }
 }

@@ -1,13 +1,16 @@
-//! A transformation that a preset ends before anything uses it.
+//! A transformation that a preset ends before anything uses it, or that is defined a second time as it already is before the
+//! same subprogram is called again.
 //!
 //! Activating a preset resets datum shift, mirroring, rotation and scaling (TNC 640, 001: 6478). A transformation that is
 //! programmed directly before it acts on nothing: the program was meant the other way round. Only reported where nothing
 //! but definitions of transformations comes between the two, and where the control certainly resets it.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::{Effect, Then};
+use crate::check::incident::Incident;
 use crate::check::program::is_silent;
+use crate::check::travel::incidents;
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
-use crate::program::syntax::BlockKind;
+use crate::program::syntax::{Block, BlockKind};
 use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "transformation-without-effect", severity: Severity::Warning, run };
@@ -28,8 +31,70 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let begun = before.iter().rev().find(|own| does(own, aspect, |then| matches!(then, Then::Written)));
             if let Some(begun) = begun.filter(|begun| idle(facts, begun, own)) {
                 let finding = rule.at(facts, begun.view.head).arg("cycle", begun.key.to_string());
-                found.push(finding.arg("other", own.key.to_string()));
+                found.push(finding.arg("what", "ended").arg("other", own.key.to_string()));
             }
+        }
+    }
+    again(rule, facts, found);
+}
+
+/// Definitions that say word for word what the one of the same cycle before them has said, between two calls of the same
+/// subprogram: another value was meant.
+fn again(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    // What is machined twice in the same place is said there.
+    let twice = |own: &Incident| matches!(own, Incident::Again(_) | Incident::PathTwice);
+    if facts.flow.programs || facts.flow.unread.any() || incidents(facts).iter().any(|(_, own)| twice(own)) {
+        return;
+    }
+    let blocks = facts.program.blocks();
+    // Up to the first label and the first jump the order of the text is that of the run.
+    let turns = |block: &Block| match &block.kind {
+        BlockKind::CallLbl(call) => call.repeat.is_some(),
+        BlockKind::FnJump(_) | BlockKind::Lbl(_) => true,
+        _ => false,
+    };
+    let straight = facts.marked().find(|(_, block)| turns(block)).map_or(usize::MAX, |(index, _)| index);
+    let all: Vec<&Defined<'_>> = facts
+        .definitions
+        .iter()
+        .filter(|own| own.view.first < straight && own.related_cycle().is_some_and(transforms))
+        .collect();
+    let words = |own: &Defined<'_>| -> Vec<&str> {
+        let lines = blocks.get(own.view.first..=own.view.last).unwrap_or_default().iter();
+        let code = |block| facts.text(facts.content(block)).split(';').next().unwrap_or_default();
+        lines.filter(|block| !is_silent(block)).flat_map(|block| code(block).split_whitespace()).collect()
+    };
+    let incremental = |words: &[&str]| {
+        words.iter().any(|word| word.starts_with('I') && word.bytes().any(|byte| byte.is_ascii_digit()))
+    };
+    let moves = |own: &Defined<'_>| {
+        let modal = facts.run.before(own.view.last + 1);
+        modal.is_some_and(|modal| {
+            RESET.iter().any(|aspect| does(own, *aspect, |_| true) && modal.is(*aspect) == Tri::Yes)
+        })
+    };
+    let calls = |from: usize, to: usize| {
+        let part = blocks.get(from..to).unwrap_or_default().iter();
+        part.filter(|block| !is_silent(block)).map(|block| match &block.kind {
+            BlockKind::CallLbl(call) if call.repeat.is_none() => Some(facts.text(facts.content(block))),
+            _ => None,
+        })
+    };
+    for (at, own) in all.iter().enumerate() {
+        let Some(before) = at.checked_sub(1).and_then(|at| all.get(at)).filter(|before| before.key == own.key) else {
+            continue;
+        };
+        let said = words(own);
+        if said != words(before) || incremental(&said) || !moves(own) || !moves(before) {
+            continue;
+        }
+        let between: Vec<_> = calls(before.view.last + 1, own.view.first).collect();
+        let after = calls(own.view.last + 1, blocks.len()).next().flatten();
+        if let [Some(call)] = between.as_slice()
+            && after == Some(*call)
+        {
+            let finding = rule.at(facts, own.view.head).arg("what", "again").arg("cycle", own.key.to_string());
+            found.push(finding.arg("other", before.key.to_string()));
         }
     }
 }

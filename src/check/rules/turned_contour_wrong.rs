@@ -1,6 +1,6 @@
 //! Turning to a contour that cannot be meant: its end is above the blank, a recess is narrower than the tool, the same tool
 //! recesses inwards and outwards, a contour without undercuts falls below the diameter with which it begins, a rounding
-//! needs more of a line than there is.
+//! needs more of a line than there is, a recess is deeper than the tool is long, a face ends in an edge without any width.
 //!
 //! The width of the tool is that of the table of turning tools. The tool position that a cycle takes as the start of the
 //! contour is known where movements directly before the call name it as numbers.
@@ -66,6 +66,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let item = if axial { END[0] } else { END[1] };
             found.push(report(item, "narrow", width).arg("limit", Arg::Number(rounded(tool / unit))));
         }
+        if let (Some(depth), Some(tool)) = (across(usize::from(axial)), cutting_length(facts, call.modal.loaded))
+            && depth > tool / unit + NEAR
+        {
+            let item = if axial { END[1] } else { END[0] };
+            found.push(report(item, "deep", depth).arg("limit", Arg::Number(rounded(tool / unit))));
+        }
         if let (false, [Some(start), _], [Some(end), _], Loaded::By(block)) =
             (axial, contour.start, contour.end, call.modal.loaded)
         {
@@ -129,11 +135,21 @@ fn position(facts: &Facts<'_>, block: usize) -> [Option<f64>; 2] {
 
 /// The width of the cutting edge of the tool in the spindle, in mm.
 fn cutting_width(facts: &Facts<'_>, loaded: Loaded) -> Option<f64> {
+    recessing(facts, loaded, "CUTWIDTH")
+}
+
+/// How deep the tool in the spindle recesses, in mm.
+fn cutting_length(facts: &Facts<'_>, loaded: Loaded) -> Option<f64> {
+    recessing(facts, loaded, "CUTLENGTH")
+}
+
+/// What a column says of the tool in the spindle, if it recesses.
+fn recessing(facts: &Facts<'_>, loaded: Loaded, column: &str) -> Option<f64> {
     let Loaded::By(block) = loaded else { return None };
     let BlockKind::ToolCall(call) = &facts.program.blocks().get(block as usize)?.kind else { return None };
     let (name, project) = (named(facts, call.tool?)?, facts.project?);
     let recesses = project.turning_type(name).is_some_and(|kind| matches!(kind, "RECESS" | "RECTURN"));
-    project.turning_value(name, "CUTWIDTH").filter(|width| recesses && *width > 0.0)
+    project.turning_value(name, column).filter(|width| recesses && *width > 0.0)
 }
 
 /// The contours that cycles for turning read from subprograms.
@@ -165,6 +181,8 @@ fn contours(rule: &Rule, facts: &Facts<'_>, unit: f64, found: &mut Vec<Diagnosti
                 if let Some((block, own)) = narrowest(&lines).filter(|(_, own)| *own < tool / unit - NEAR) {
                     found.push(report(block, "narrow", own, tool / unit));
                 }
+            } else if let Some((block, top, other)) = ridge(&lines) {
+                found.push(report(block, "ridge", top, other));
             } else if straight(first)
                 && let Some((block, diameter, begin)) = dip(&lines)
             {
@@ -236,6 +254,22 @@ fn narrowest<'a>(points: &[Point<'a>]) -> Option<(&'a Block, f64)> {
         recess.then(|| (other.block, along[1 - axis].abs()))
     });
     bottoms.min_by(|one, other| one.1.total_cmp(&other.1))
+}
+
+/// The first point at which a contour of lines that grows in all other places comes back at once from a face, so that an edge
+/// without any width stays: its block, its diameter and the one to which it falls.
+fn ridge<'a>(points: &[Point<'a>]) -> Option<(&'a Block, f64, f64)> {
+    if !points.iter().all(|point| point.straight) {
+        return None;
+    }
+    let falls: Vec<usize> = (1..points.len()).filter(|at| points[*at].at[1] < points[*at - 1].at[1] - NEAR).collect();
+    let [only] = falls.as_slice() else { return None };
+    let [from, top, end] = points.get(only.checked_sub(2)?..=*only)? else { return None };
+    let (face, back) = (way(from, top), way(top, end));
+    // A rounding of the edge would be a shape that somebody wants.
+    let sharp = top.rounding.is_none() && face[0].abs() <= NEAR && face[1] > NEAR && back[0].abs() > NEAR;
+    // An undercut goes below the diameter before the face.
+    (sharp && end.at[1] > from.at[1] + NEAR).then_some((top.block, 2.0 * top.at[1], 2.0 * end.at[1]))
 }
 
 /// The point at which a contour that has grown falls below its first diameter, with that and the first one.

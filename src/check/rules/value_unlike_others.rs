@@ -1,13 +1,16 @@
 //! A value that differs only by its sign, by a factor of ten or by two exchanged digits from the one that all other
 //! definitions of the same cycle have there, or a depth of a plain plunge that differs so from all others.
 //!
-//! At least two others, and all of them equal. Coordinates, angles and choices are not compared. Each is reported.
-use std::collections::BTreeMap;
+//! At least two others, and all of them equal. Coordinates, angles and choices are not compared. The clearance heights of
+//! all touch-probe cycles are compared with each other, and so are those of all that measure tools. Of polar coordinates
+//! in a row of blocks the radius is compared, and the angle, if it grows by the same in all the others. The feeds of cycles
+//! and of contours are compared with that of the tool call. Each is reported.
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
-use crate::check::program::number;
-use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, BlockKind, Path, ValueKind};
+use crate::check::program::{is_silent, number, with_meaning};
+use crate::check::{Facts, Loaded, Pending, Rule};
+use crate::program::syntax::{Amount, Axis, BlockKind, Compensates, FeedKind, Path, ValueKind};
 use crate::spec::{CycleKey, Group, Quantity, Reference};
 
 pub(super) const RULE: Rule = Rule { code: "value-unlike-others", severity: Severity::Warning, run };
@@ -41,10 +44,164 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if let Some(own) = odd(plunges(facts)) {
         tell(rule, facts, own, found);
     }
+    for meaning in HEIGHTS {
+        let told = |(span, ..): &(Span, f64, f64), found: &[Diagnostic]| {
+            let same = |own: &Diagnostic| own.place.as_ref().is_some_and(|place| place.span.start == span.start);
+            found.iter().any(|own| own.code == rule.code && same(own))
+        };
+        if let Some(own) = odd(heights(facts, meaning)).filter(|own| !told(own, found)) {
+            tell(rule, facts, own, found);
+        }
+    }
+    for own in polar(facts) {
+        tell(rule, facts, own, found);
+    }
+    let told: BTreeSet<usize> = found
+        .iter()
+        .filter(|own| own.code == rule.code)
+        .filter_map(|own| own.place.as_ref().map(|place| place.span.start))
+        .collect();
+    for (span, value, other) in feeds(facts).into_iter().filter(|(span, ..)| !told.contains(&span.start)) {
+        let finding = rule.at(facts, span).arg("what", "feed").arg("value", Arg::Number(value));
+        found.push(finding.arg("other", Arg::Number(other)));
+    }
+}
+
+/// The feed of milling, and that of drilling.
+const FEEDS: [&str; 2] = ["milling-feed", "plunging-feed"];
+
+/// Feeds of cycles and contours that are ten times that of the tool call, or a tenth of it.
+fn feeds(facts: &Facts<'_>) -> Vec<(Span, f64, f64)> {
+    let blocks = facts.program.blocks();
+    let called = |loaded: Loaded| {
+        let Loaded::By(block) = loaded else { return None };
+        let BlockKind::ToolCall(call) = &blocks.get(block as usize)?.kind else { return None };
+        match call.feed.as_ref()?.kind {
+            FeedKind::Value(value) => facts.number(&value).filter(|feed| *feed > 0.0),
+            _ => None,
+        }
+    };
+    let slips = |own: f64, feed: f64| [10.0, 0.1].iter().any(|factor| (own - feed * factor).abs() <= 1e-6 * own);
+    let mut found: Vec<(Span, f64, f64)> = Vec::new();
+    let mut seen = BTreeSet::new();
+    for call in &facts.run.calls {
+        let (Pending::Definition(index), Some(feed)) = (call.modal.pending, called(call.modal.loaded)) else {
+            continue;
+        };
+        let Some(own) = facts.definitions.get(index as usize).filter(|_| seen.insert(index)) else { continue };
+        let meaning = match own.related_cycle().map(|cycle| cycle.file.group) {
+            Some(Group::Pockets | Group::Surfaces) => FEEDS[0],
+            Some(Group::Drilling)
+                if own.related_cycle().is_some_and(|own| with_meaning(own, "milling-type").is_none()) =>
+            {
+                FEEDS[1]
+            }
+            _ => continue,
+        };
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let Some((item, value)) = read.item(meaning).and_then(|item| Some((item, number(item)?))) else { continue };
+        if slips(value, feed) {
+            found.push((item.value_span, value, feed));
+        }
+    }
+    for (index, block) in facts.shaped().filter(|_| blocks.len() <= MOST) {
+        let BlockKind::Motion(motion) = &block.kind else { continue };
+        if motion.outline().compensates() != Compensates::Beside || !motion.outline().has_feed() {
+            continue;
+        }
+        let Some(feed) = facts.run.before(index).and_then(|modal| called(modal.loaded)) else { continue };
+        let Some(own) = motion.words().feed else { continue };
+        let FeedKind::Value(value) = own.kind else { continue };
+        if let Some(number) = facts.number(&value).filter(|number| slips(*number, feed)) {
+            found.push((own.span, number, feed));
+        }
+    }
+    found
+}
+
+/// The meanings of the heights and clearances to which a probe or a tool is lifted.
+const HEIGHTS: [&str; 4] = ["clearance-height", "tool-clearance-height", "set-up-clearance", "second-set-up-clearance"];
+
+/// The clearance heights that the definitions of all cycles have.
+fn heights(facts: &Facts<'_>, meaning: &str) -> Vec<(f64, Span)> {
+    let mut heights = Vec::new();
+    for own in &facts.definitions {
+        if own.related_cycle().is_none_or(|cycle| with_meaning(cycle, meaning).is_none()) {
+            continue;
+        }
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let Some(item) = read.item(meaning) else { continue };
+        if let Some(ValueKind::Number(height)) = item.value.map(|value| value.kind) {
+            heights.push((height, item.value_span));
+        }
+    }
+    heights
+}
+
+/// What differs from the others in rows of polar coordinates: a radius, or an angle between equal steps.
+fn polar(facts: &Facts<'_>) -> Vec<(Span, f64, f64)> {
+    let mut found = Vec::new();
+    let (mut radii, mut angles): (Vec<(f64, Span)>, Vec<(f64, Span)>) = (Vec::new(), Vec::new());
+    let blocks = facts.program.blocks();
+    for block in blocks.iter().filter(|own| blocks.len() <= MOST && !is_silent(own)) {
+        let words = match &block.kind {
+            BlockKind::Motion(motion) if motion.path() == Path::Lp && !block.skip => motion.words(),
+            _ => {
+                found.extend(odd(std::mem::take(&mut radii)));
+                found.extend(step(&std::mem::take(&mut angles)));
+                continue;
+            }
+        };
+        for (axis, row) in [(Axis::Pr, &mut radii), (Axis::Pa, &mut angles)] {
+            match words.coord(axis) {
+                Some(own) if !own.incremental => match own.value.amount {
+                    Amount::Number(number) => row.push((number, own.value.span)),
+                    _ => row.clear(),
+                },
+                Some(_) => row.clear(),
+                None => {}
+            }
+        }
+    }
+    found
+}
+
+/// So many angles make a row of which one can differ.
+const ANGLES: usize = 5;
+
+/// The one angle that breaks a row of equal steps, with the one that fits.
+fn step(row: &[(f64, Span)]) -> Option<(Span, f64, f64)> {
+    // Holes all around a circle need fewer.
+    let around = (row.len() > OTHERS).then(|| 360.0 / row.len() as f64);
+    if row.len() <= OTHERS {
+        return None;
+    }
+    let turn = |angle: f64| {
+        let rest = angle.rem_euclid(360.0);
+        rest.min(360.0 - rest)
+    };
+    let many = row.len() >= ANGLES;
+    let steps = row.windows(2).map(|two| two[1].0 - two[0].0).filter(|_| many);
+    let around = around.into_iter().flat_map(|by| [by, -by]).filter(|_| !many);
+    steps.chain(around).filter(|own| own.abs() > 1e-9).find_map(|by| {
+        // The row begins with one that is right.
+        [0, 1].into_iter().find_map(|first| {
+            let begin = row[first].0;
+            let fits = |at: usize| begin + by * (at as f64 - first as f64);
+            let wrong: Vec<usize> = (0..row.len()).filter(|at| turn(row[*at].0 - fits(*at)) > 1e-6).collect();
+            let [only] = wrong.as_slice() else { return None };
+            let (written, span) = row[*only];
+            let meant = fits(*only);
+            (is_slip(written, meant) || is_slip(written, meant.rem_euclid(360.0))).then_some((span, written, meant))
+        })
+    })
 }
 
 fn tell(rule: &Rule, facts: &Facts<'_>, (span, value, other): (Span, f64, f64), found: &mut Vec<Diagnostic>) {
-    found.push(rule.at(facts, span).arg("value", Arg::Number(value)).arg("other", Arg::Number(other)));
+    let finding = rule.at(facts, span).arg("what", "others").arg("value", Arg::Number(value));
+    found.push(finding.arg("other", Arg::Number(other)));
 }
 
 /// The heights to which plain movements along the tool axis alone go at a feed.
@@ -80,7 +237,7 @@ fn odd(all: Vec<(f64, Span)>) -> Option<(Span, f64, f64)> {
 }
 
 /// Whether somebody who means a value may have written another one.
-fn is_slip(written: f64, meant: f64) -> bool {
+pub fn is_slip(written: f64, meant: f64) -> bool {
     let near = |one: f64, other: f64| (one - other).abs() <= 1e-9 * other.abs();
     if written == 0.0 || meant == 0.0 {
         return false;

@@ -31,6 +31,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let functions = words::functions(facts);
     let mut reported = Telling { rule, facts, found };
     let mut texts: Option<BTreeMap<QRef, &str>> = None;
+    let table = facts.marked().any(
+        |(_, block)| matches!(&block.kind, BlockKind::Sel(own) if facts.text(own.what).eq_ignore_ascii_case("PATTERN")),
+    );
     for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::Sel(_) | BlockKind::CallPgm(_) | BlockKind::Lbl(_) | BlockKind::CallLbl(_)
@@ -55,9 +58,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 }
                 continue;
             }
-            // The way between the points has a feed; the rapid one is none (001: 1663).
+            // The way between the points has a feed; the rapid one is none (001: 1663). With a point table this is a wrong
+            // pattern.
             BlockKind::CyclCall(call) if matches!(call.form, CallForm::Pattern) => {
-                if let Some(feed) = call.feed.filter(|feed| feed.kind == FeedKind::Max) {
+                if let Some(feed) = call.feed.filter(|feed| feed.kind == FeedKind::Max && !table) {
                     reported.report("place", feed.span, "FMAX", "");
                 }
                 if !words::has_function(block, &functions) {

@@ -1,14 +1,19 @@
 //! A workpiece that is probed with the tool that has just machined it,
-//! or machined with the tool that has just probed it.
+//! or machined with the tool that has just probed it; a probe that is measured as a tool.
 //!
 //! A contour with RL or RR at feed is machining, too. A tool call must come between them. Silent after STOP, M0, M6 and M functions of the machine builder, where
 //! another tool may be put in by hand. Each is reported once a program.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::{probes, removes_material};
+use crate::check::program::with_meaning;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{Block, BlockKind, Compensates};
+use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "wrong-tool-type", severity: Severity::Warning, run };
+
+/// The meaning of what only the measurement of a tool that cuts has.
+const MEASURED: &str = "tooth-measurement";
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let probe = facts.definitions.iter().find(|own| {
@@ -17,6 +22,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     });
     if let Some(own) = probe {
         let finding = rule.at(facts, own.view.head).arg("what", "probe");
+        found.push(finding.arg("cycle", own.key.to_string()));
+    }
+    let measured = facts.definitions.iter().find(|own| {
+        own.related_cycle()
+            .is_some_and(|cycle| cycle.file.group == Group::ToolMeasurement && with_meaning(cycle, MEASURED).is_some())
+            && facts.run.before(own.view.first).is_some_and(|modal| modal.is(Aspect::Probed) == Tri::Yes)
+    });
+    if let Some(own) = measured {
+        let finding = rule.at(facts, own.view.head).arg("what", "measured");
         found.push(finding.arg("cycle", own.key.to_string()));
     }
     let mut calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Probed) == Tri::Yes);

@@ -34,6 +34,11 @@ impl Body {
         Self { axis: blank.axis, low, high, bore }
     }
 
+    /// Whether it is a cylinder.
+    pub(super) const fn is_round(&self) -> bool {
+        self.bore.is_some()
+    }
+
     /// How far a place is beside it in the plane; 0 inside.
     pub(super) fn distance(&self, place: DVec3) -> f64 {
         if let Some(bore) = self.bore {

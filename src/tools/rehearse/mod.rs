@@ -8,11 +8,12 @@
 //! without a blank only holes and the use of its tools are followed.
 //!
 //! `mod.rs` sets up the run, `body.rs` is the blank, `watcher.rs` follows the events, `work.rs` judges what a cycle has done,
-//! `path.rs` what plain movements have.
+//! `path.rs` what plain movements have, `series.rs` the holes of the whole program together.
 //!
 //! Invariant: a run is bounded, and ends where the engine cannot go on; what was seen before that holds.
 mod body;
 mod path;
+mod series;
 mod watcher;
 mod work;
 

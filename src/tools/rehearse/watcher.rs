@@ -6,6 +6,7 @@ use glam::DVec3;
 use super::body::Body;
 use super::is_done;
 use super::path::Ways;
+use super::series::Rows;
 use super::work::{Hole, Work};
 use crate::check::{Incident, Observed, ToolKind};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
@@ -18,6 +19,8 @@ use crate::spec::{Catalogue, Cycle, CycleKey, Group, Keyword, MM_PER_INCH, OnCon
 const CELLS: f64 = 64.0;
 /// So many places of a movement are looked at.
 const PLACES: f64 = 128.0;
+/// So many places of a movement say how far it reaches.
+const ROUND: u8 = 8;
 /// So many places may be cut.
 const MOST_PLACES: usize = 400_000;
 /// The radius of a tool that is not known, mm: larger ones are rare.
@@ -41,9 +44,9 @@ pub(super) const SAME: f64 = 0.01;
 pub(super) struct Watcher<'w> {
     on: &'w OnControl,
     catalogue: &'w Catalogue,
-    program: &'w Program,
+    pub(super) program: &'w Program,
     /// The blocks by their lines.
-    blocks: BTreeMap<usize, &'w Block>,
+    pub(super) blocks: BTreeMap<usize, &'w Block>,
     /// A millimetre in the unit of the program.
     pub(super) unit: f64,
     /// The blank, if its size is known.
@@ -58,7 +61,7 @@ pub(super) struct Watcher<'w> {
     /// Whether something may have been removed that is not known.
     pub(super) open: bool,
     /// Whether the blank is elsewhere from now on.
-    lost: bool,
+    pub(super) lost: bool,
     /// Whether the plane is tilted, be it without the axes.
     tilted: bool,
     /// Whether the tool has another axis than the blank.
@@ -88,6 +91,10 @@ pub(super) struct Watcher<'w> {
     pub(super) others: bool,
     pub(super) holes: Vec<Hole>,
     pub(super) machined: HashMap<(CycleKey, u32, [i64; 3]), usize>,
+    /// The pockets that were made: cycle, tool call, line, place and size.
+    pub(super) milled: HashSet<(CycleKey, u32, usize, [i64; 5])>,
+    /// The places of holes, by what was done there.
+    pub(super) series: Rows,
     /// The cycles with which tools have cut, each once.
     used: HashSet<(u64, CycleKey)>,
     /// The plain movements since the last tool call.
@@ -149,6 +156,8 @@ impl<'w> Watcher<'w> {
             others: false,
             holes: Vec::new(),
             machined: HashMap::new(),
+            milled: HashSet::new(),
+            series: Rows::default(),
             used: HashSet::new(),
             ways: Ways::default(),
             found: Vec::new(),
@@ -196,10 +205,17 @@ impl<'w> Watcher<'w> {
             EventKind::Probe(_) => self.worked = true,
             EventKind::Error(fault) => self.fault(fault),
             EventKind::End(status) if is_done(*status) => {
+                self.finish();
+                self.judge_rows();
                 self.judge_ways();
                 if let Some(height) = self.low_at(BESIDE).filter(|_| self.tool.is_some()) {
                     self.report(self.line, Incident::End(height));
                 }
+            }
+            // What can no longer be seen drills nothing.
+            EventKind::End(_) if !self.drills_after(self.line) => {
+                self.finish();
+                self.judge_rows();
             }
             _ => {}
         }
@@ -359,7 +375,9 @@ impl<'w> Watcher<'w> {
             }
             return;
         };
-        self.note(key, line, from, certain && begun);
+        // Enough places of an arc to see how far it reaches.
+        let round: Vec<DVec3> = (0..=ROUND).map(|at| self.place(path.at(f64::from(at) / f64::from(ROUND)))).collect();
+        self.note(key, line, &round, certain && begun);
         if let Some(body) = self.body.filter(|_| certain) {
             let plain = block.is_none_or(|own| matches!(own.kind, BlockKind::Motion(_)));
             self.look_at(&body, (key, plain), begun, from, feed, &places);

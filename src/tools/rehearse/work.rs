@@ -27,13 +27,22 @@ pub(super) struct Work {
     /// Where it is written, be it in a called program.
     pub(super) written: usize,
     pub(super) key: CycleKey,
-    group: Group,
-    milled: bool,
+    pub(super) group: Group,
+    pub(super) milled: bool,
     /// Where its first cut begins, and whether that is certain.
-    start: DVec3,
+    pub(super) start: DVec3,
     known: bool,
-    low: DVec3,
-    high: DVec3,
+    pub(super) low: DVec3,
+    pub(super) high: DVec3,
+}
+
+impl Work {
+    /// The middle of what was milled: where the tool has plunged, if that is near to it.
+    pub(super) fn middle(&self) -> DVec3 {
+        let middle = (self.low + self.high) / 2.0;
+        let near = (middle - self.start).truncate().length() <= 0.1 * (self.high - self.low).truncate().length();
+        if near { self.start.with_z(middle.z) } else { middle }
+    }
 }
 
 /// A hole that was made.
@@ -87,7 +96,8 @@ pub(super) fn job(cycle: &Cycle) -> Option<Job> {
 
 impl Watcher<'_> {
     /// Adds a cut to what a cycle does; `written` is the line of its call.
-    pub(super) fn note(&mut self, key: Option<CycleKey>, written: usize, from: DVec3, known: bool) {
+    pub(super) fn note(&mut self, key: Option<CycleKey>, written: usize, path: &[DVec3], known: bool) {
+        let Some(from) = path.first().copied() else { return };
         let Some((key, cycle)) = key.and_then(|key| Some((key, self.cycle(key)?))) else { return };
         let (at, line) = (self.at, self.line);
         let group = cycle.file.group;
@@ -103,8 +113,11 @@ impl Watcher<'_> {
         }
         let new = Work { line, written, key, group, milled, start: from, known, low: at, high: at };
         let work = self.work.get_or_insert(new);
-        work.low = work.low.min(at);
-        work.high = work.high.max(at);
+        // The way to the first place is none of its size.
+        for place in path.iter().skip(1) {
+            work.low = work.low.min(*place);
+            work.high = work.high.max(*place);
+        }
     }
 
     /// A cycle has done what it does at a place.
@@ -112,8 +125,14 @@ impl Watcher<'_> {
         // What does not go down is a way between, or cuts from below.
         let down =
             |own: &Work| own.low.z < own.start.z - SKIN || !matches!(own.group, Group::Drilling | Group::Threads);
-        let Some(work) = self.work.take().filter(|own| own.known && down(own)) else { return };
+        let Some(work) = self.work.take().filter(|own| down(own)) else { return };
         if self.away() {
+            self.series.open |= matches!(work.group, Group::Drilling | Group::Threads);
+            return;
+        }
+        // Where the tool is after a change is where the one before it was.
+        self.note_hole(&work);
+        if !work.known {
             return;
         }
         let hole = matches!(work.group, Group::Drilling | Group::Threads) && !work.milled;
@@ -122,6 +141,8 @@ impl Watcher<'_> {
         }
         if hole {
             self.again(&work);
+        } else if work.group == Group::Pockets {
+            self.milled_again(&work);
         }
         match work.group {
             Group::Threads => self.thread(&work),
@@ -171,6 +192,18 @@ impl Watcher<'_> {
         let place = [work.start.x * self.unit, work.start.y * self.unit];
         let bits = work.start.with_z(work.low.z).to_array().map(|own| (own / SAME).round() as i64);
         if self.machined.insert((work.key, self.calls, bits), work.line).is_some() {
+            self.report(work.line, Incident::Again(place));
+        }
+    }
+
+    /// A pocket that one block has made already at the same place, on another round.
+    fn milled_again(&mut self, work: &Work) {
+        let middle = (work.low + work.high) / 2.0;
+        // Another one may be smaller or turned.
+        let size = work.high - work.low;
+        let all = [middle.x, middle.y, work.low.z, size.x, size.y].map(|own| (own / SAME).round() as i64);
+        if !self.milled.insert((work.key, self.calls, work.written, all)) {
+            let place = [middle.x * self.unit, middle.y * self.unit];
             self.report(work.line, Incident::Again(place));
         }
     }
@@ -243,7 +276,7 @@ impl Watcher<'_> {
     /// A round hole that is milled, as wide as its ways and the tool.
     fn mill(&mut self, work: &Work) {
         let extent = work.high - work.low;
-        let middle = (work.high + work.low) / 2.0;
+        let middle = work.middle();
         let round = (extent.x - extent.y).abs() <= 0.05 * extent.x;
         if let Some(width) = self.width().filter(|_| round && extent.x > 0.0) {
             self.remember(work, Some(extent.x + width), middle);

@@ -1,0 +1,44 @@
+//! A helix in material that goes down by more in one turn than the tool is wide: a digit of the angle is missing, or the
+//! angle is that of a part of the turns.
+//!
+//! Only polar helices with incremental numbers; in inch programs, and where the tool is not known, 20 mm in one turn are too
+//! much. Threads are milled with a feed of many revolutions, but no pitch is so large. Upwards nothing is cut.
+use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::tools::Tools;
+use crate::check::{Facts, Rule};
+use crate::program::syntax::{Axis, BlockKind, Motion, Path};
+use crate::spec::MM_PER_INCH;
+
+pub(super) const RULE: Rule = Rule { code: "helix-too-steep", severity: Severity::Warning, run };
+
+/// So much in a turn is too much for any tool, mm.
+const MOST: f64 = 20.0;
+/// Less than this is a way into a floor, mm.
+const SHALLOW: f64 = 3.0;
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
+    let tools = Tools::of(facts);
+    for (index, block) in facts.program.blocks().iter().enumerate() {
+        let BlockKind::Motion(motion) = &block.kind else { continue };
+        if motion.path() != Path::Cp || motion.outline().is_rapid() {
+            continue;
+        }
+        let words = motion.words();
+        let incremental = |axis: Axis| incremental(facts, &words, axis);
+        let (Some(angle), Some(depth)) = (incremental(Axis::Pa), incremental(Axis::Z)) else { continue };
+        let Some(modal) = facts.run.before(index) else { continue };
+        let width = tools.as_ref().and_then(|tools| tools.get(modal.loaded)).map(|tool| 2.0 * tool.radius);
+        let most = width.unwrap_or(MOST * unit).min(MOST * unit);
+        let each = -depth * 360.0 / angle.abs();
+        if depth < -SHALLOW * unit && angle != 0.0 && each > most + unit / 1e3 {
+            let finding = rule.at(facts, facts.content(block)).arg("value", Arg::Number((each * 1e3).round() / 1e3));
+            found.push(finding.arg("other", Arg::Number(most)));
+        }
+    }
+}
+
+fn incremental(facts: &Facts<'_>, words: &Motion, axis: Axis) -> Option<f64> {
+    let coord = words.coord(axis).filter(|coord| coord.incremental)?;
+    facts.number(&coord.value)
+}

@@ -1,0 +1,83 @@
+//! A cycle that begins at a height at which there is no material or still is some: above a face that the program has milled
+//! lower, or above the blank where the same height with the other sign is the floor on which others work.
+//!
+//! Only where numbers say all of it, in programs with a box as their blank; not after transformations.
+use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::blank::{Blank, is_unmoved};
+use crate::check::program::number;
+use crate::check::{Facts, Pending, Rule};
+use crate::spec::{Group, MM_PER_INCH};
+
+pub(super) const RULE: Rule = Rule { code: "surface-wrong", severity: Severity::Warning, run };
+
+/// The meanings of a face that is milled: where it begins and ends, and its sides.
+const FACE: [&str; 6] = [
+    "starting-point-main",
+    "starting-point-minor",
+    "first-side-length",
+    "second-side-length",
+    "end-point-tool",
+    "starting-point-tool",
+];
+/// The meanings of surface and depth.
+const SURFACE: &str = "surface-coordinate";
+const DEPTHS: [&str; 2] = ["depth", "thread-depth"];
+/// A surface so much higher is no longer the milled one, mm.
+const HIGHER: f64 = 1.0;
+/// So much of the blank a face covers at least.
+const MOST: f64 = 0.9;
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
+    let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
+    let mut seen = std::collections::HashSet::new();
+    // The lowest face over the whole blank, and the surfaces and floors of the cycles.
+    let mut face: Option<f64> = None;
+    let mut told = false;
+    let (mut surfaces, mut floors) = (Vec::new(), Vec::new());
+    for call in facts.run.calls.iter().filter(|call| is_unmoved(&call.modal)) {
+        let Pending::Definition(index) = call.modal.pending else { continue };
+        let Some(own) = facts.definitions.get(index as usize).filter(|_| seen.insert(index)) else { continue };
+        let Some(cycle) = own.related_cycle() else { continue };
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        if cycle.file.group == Group::Surfaces {
+            if let [Some(x), Some(y), Some(long), Some(wide), Some(end), _] = FACE.map(value) {
+                let covers = |axis: usize, from: f64, side: f64| {
+                    let (low, high) = (from.min(from + side), from.max(from + side));
+                    high.min(blank.high[axis]) - low.max(blank.low[axis]) >= MOST * (blank.high[axis] - blank.low[axis])
+                };
+                if covers(0, x, long) && covers(1, y, wide) {
+                    face = Some(face.map_or(end, |lowest| lowest.min(end)));
+                }
+            }
+            continue;
+        }
+        let drills = matches!(cycle.file.group, Group::Drilling | Group::Threads | Group::Pockets);
+        let Some((surface, item)) = read.item(SURFACE).and_then(|item| Some((number(item)?, item))) else { continue };
+        if !drills {
+            continue;
+        }
+        if let Some(face) = face.filter(|face| surface > face + HIGHER * unit && !told) {
+            told = true;
+            let finding = rule.at(facts, item.value_span).arg("what", "faced").arg("value", Arg::Number(surface));
+            found.push(finding.arg("other", Arg::Number(face)));
+        }
+        if let Some(depth) = DEPTHS.into_iter().find_map(value) {
+            floors.push(surface + depth);
+        }
+        surfaces.push((surface, item.value_span));
+    }
+    let top = blank.high[2];
+    let same = |one: f64, other: f64| (one - other).abs() <= 1e-6;
+    let opposite = surfaces.iter().find(|(own, _)| {
+        let below =
+            surfaces.iter().any(|(other, _)| same(-own, *other)) || floors.iter().any(|floor| same(-own, *floor));
+        *own > top + HIGHER * unit && -own < top && below
+    });
+    if let Some((surface, span)) = opposite {
+        let finding = rule.at(facts, *span).arg("what", "opposite").arg("value", Arg::Number(*surface));
+        found.push(finding.arg("other", Arg::Number(-surface)));
+    }
+}

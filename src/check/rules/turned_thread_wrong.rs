@@ -1,0 +1,126 @@
+//! A turned thread that does not fit what was turned before: its pitch is far too large for its diameter, its diameter is
+//! another one than that of the cylinder on which it lies, it goes on behind the end of that cylinder, or it is an inside
+//! thread on a cylinder that was turned outside.
+//!
+//! Cylinders are those of the simple cycles for shoulders, where their end is written as a number. Nothing is said of
+//! threads on contours that cycles read from subprograms.
+use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::program::{number, with_meaning};
+use crate::check::{Defined, Facts, Pending, Rule};
+use crate::spec::{Cycle, Group, MM_PER_INCH};
+
+pub(super) const RULE: Rule = Rule { code: "turned-thread-wrong", severity: Severity::Warning, run };
+
+/// The meanings of values of threads.
+const PITCH: &str = "turned-thread-pitch";
+const DIAMETER: [&str; 2] = ["turned-thread-diameter", "contour-start-diameter"];
+const STARTS: &str = "number-of-thread-starts";
+const POSITION: &str = "thread-position";
+/// That value of the position is an inside thread.
+const INSIDE: f64 = 1.0;
+/// The meanings of the ends of contours, and of their beginning in Z.
+const END: [&str; 2] = ["contour-end-diameter", "contour-end-z"];
+const BEGIN: &str = "contour-start-z";
+/// The greatest part of the diameter that a pitch has: that of the coarsest trapezoidal threads.
+const COARSEST: f64 = 0.35;
+/// So much the cylinder of an outside thread may differ from its diameter: part of the diameter, and mm.
+const NEAR: (f64, f64) = (0.04, 0.5);
+/// So far behind the end of the cylinder a thread may go, mm: its runout.
+const RUNOUT: f64 = 0.5;
+
+/// A cylinder that was turned: its diameter and its end in Z, mm.
+struct Cylinder {
+    diameter: f64,
+    end: f64,
+}
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let unit = if facts.inch { MM_PER_INCH } else { 1.0 };
+    let mut cylinders: Vec<Cylinder> = Vec::new();
+    // Whether something turns what is not known, or inside.
+    let (mut open, mut inside) = (false, false);
+    let mut seen = std::collections::HashSet::new();
+    for call in &facts.run.calls {
+        let Pending::Definition(index) = call.modal.pending else {
+            open = true;
+            continue;
+        };
+        let Some(own) = facts.definitions.get(index as usize).filter(|_| seen.insert(index)) else { continue };
+        let Some(cycle) = own.related_cycle() else {
+            open = true;
+            continue;
+        };
+        inside |= cycle.file.group == Group::Drilling;
+        if cycle.file.group != Group::Turning {
+            continue;
+        }
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let value = |meaning: &str| read.item(meaning).and_then(number).map(|own| own * unit);
+        if with_meaning(cycle, PITCH).is_some() {
+            thread(rule, facts, own, (&cylinders, open, inside), unit, found);
+        } else if is_shoulder(cycle) {
+            match END.map(value) {
+                [Some(diameter), Some(end)] => cylinders.push(Cylinder { diameter, end }),
+                _ => open = true,
+            }
+        } else if !is_face(cycle) && with_meaning(cycle, "recess-clearance").is_none() {
+            open = true;
+        }
+    }
+}
+
+/// Whether a cycle turns a cylinder from the face on.
+fn is_shoulder(cycle: &Cycle) -> bool {
+    let name = cycle.file.name.as_str();
+    name.contains("shoulder") && name.contains("longitudinal")
+}
+
+/// Whether a cycle turns a face.
+fn is_face(cycle: &Cycle) -> bool {
+    cycle.file.name.as_str().contains("face") || with_meaning(cycle, "turning-clearance").is_none()
+}
+
+fn thread(
+    rule: &Rule,
+    facts: &Facts<'_>,
+    own: &Defined<'_>,
+    (cylinders, open, inside): (&[Cylinder], bool, bool),
+    unit: f64,
+    found: &mut Vec<Diagnostic>,
+) {
+    let related = own.as_related_cycle();
+    let read = facts.read(&related);
+    let item = |meaning: &str| read.item(meaning).and_then(|item| Some((number(item)?, item.value_span)));
+    let diameter = DIAMETER.into_iter().find_map(item);
+    let Some((written, place)) = diameter.filter(|(own, _)| *own > 0.0) else { return };
+    let diameter = written * unit;
+    let tell = |span, what: &str, value: f64, other: f64| {
+        let finding = rule.at(facts, span).arg("what", what.to_owned()).arg("value", Arg::Number(value));
+        finding.arg("other", Arg::Number(other))
+    };
+    let starts = item(STARTS).map_or(1.0, |(starts, _)| starts.max(1.0));
+    if let Some((pitch, span)) = item(PITCH)
+        && pitch * unit / starts > COARSEST * diameter
+    {
+        found.push(tell(span, "pitch", pitch, written));
+    }
+    let near = |own: &&Cylinder| (own.diameter - diameter).abs() <= NEAR.0 * diameter + NEAR.1;
+    let (Some((end, last)), begin) = (item(END[1]), item(BEGIN).map_or(0.0, |(own, _)| own * unit)) else { return };
+    if let Some((position, span)) = item(POSITION)
+        && position == INSIDE
+    {
+        if !inside && !open && cylinders.iter().any(|own| near(&own)) {
+            found.push(tell(span, "inside", written, written));
+        }
+        return;
+    }
+    // What is turned where the thread begins.
+    let here = cylinders.iter().filter(|own| own.end < begin - RUNOUT).min_by(|a, b| a.diameter.total_cmp(&b.diameter));
+    let Some(here) = here.filter(|_| !open) else { return };
+    if !near(&here) {
+        found.push(tell(place, "diameter", written, here.diameter / unit));
+    } else if end * unit < here.end - RUNOUT {
+        found.push(tell(last, "end", end, here.end / unit));
+    }
+}
