@@ -18,6 +18,7 @@ use crate::engine::scene::Scene;
 use crate::engine::scene::guess::Origin;
 use crate::engine::stock::{Finding, Machining, Watch};
 use crate::language::locale::Locales;
+use crate::program::syntax::{Block, BlockKind, StatementKind};
 use crate::program::table::TableKind;
 use crate::tools::conform::LogTexts;
 
@@ -103,7 +104,11 @@ impl DryRun<'_> {
         let engine = engine.with_catalogue(against.catalogue).with_programs(&neighbours);
         let mut watch = Watch::new(Machining::new(&file.program, &scene, None).ok()?);
         let outcome = engine.run(&mut |event| watch.see(event, &mut drop));
-        let mut found = of_material(&watch.finish().1.findings, file);
+        // An angle of an axis means another place of a tilted plane on every machine.
+        let tilts =
+            |block: &Block| matches!(&block.kind, BlockKind::Statement(own) if own.kind == StatementKind::Plane);
+        let depends = guess.positions_rotary_axes() && file.program.blocks().iter().any(tilts);
+        let mut found = if depends { Vec::new() } else { of_material(&watch.finish().1.findings, file) };
         let fault = outcome.diagnostic.filter(|_| outcome.status == Status::Error);
         if let Some(fault) = fault.filter(|fault| OF_PROGRAM.contains(&fault.code)) {
             found.push(fault);

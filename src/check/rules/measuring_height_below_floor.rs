@@ -23,6 +23,9 @@ const MEASURED: [&str; 3] = ["probing-centre-main", "probing-centre-minor", "mea
 /// The parameters by which a cycle says where it mills: centre, surface, depth.
 const MILLED: [&str; 4] = ["Q216", "Q217", "Q203", "Q201"];
 
+/// So many cycles that measure are compared with what was milled before.
+const MOST: usize = 200;
+
 /// A floor about a centre.
 struct Floor {
     height: f64,
@@ -45,7 +48,8 @@ const DEPTHS: [&str; 2] = ["depth", "thread-depth"];
 /// below the lowest floor there.
 fn called(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let contours = facts.shaped().next().map_or(usize::MAX, |(index, _)| index);
-    for (definition, cycle) in facts.described() {
+    let measures = |cycle: &Cycle| MEASURED.iter().all(|meaning| with_meaning(cycle, meaning).is_some());
+    for (definition, cycle) in facts.described().filter(|(_, cycle)| measures(cycle)).take(MOST) {
         let block = definition.view.first;
         let written = Written::of(facts, &definition, cycle);
         let [Some(main), Some(minor), Some(height)] = MEASURED.map(|meaning| with_meaning(cycle, meaning)) else {

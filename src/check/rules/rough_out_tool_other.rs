@@ -2,6 +2,8 @@
 //! does not rough out, or a coarse tool that has not.
 //!
 //! Only of numbers, and where a cycle roughs out with a tool that a number calls.
+use std::collections::HashSet;
+
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::program::{number, with_meaning};
 use crate::check::{Facts, Loaded, Pending, Rule};
@@ -18,8 +20,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // The tools that rough out, in the order of the calls.
     let mut roughs: Vec<(usize, Loaded, f64)> = Vec::new();
     let mut wanted = Vec::new();
+    let mut seen = HashSet::new();
     for call in &facts.run.calls {
         let Pending::Definition(index) = call.modal.pending else { return };
+        if !seen.insert((index, call.modal.loaded)) {
+            continue;
+        }
         let Some(own) = facts.definitions.get(index as usize) else { return };
         let Some(cycle) = own.related_cycle() else { continue };
         let (pilot, coarse) = (with_meaning(cycle, PILOT).is_some(), with_meaning(cycle, COARSE).is_some());

@@ -3,7 +3,7 @@
 //!
 //! Only where the feed is greater than the speed, of tools that are called with both as numbers in programs in mm; taps,
 //! whose feed is that of their pitch, are not looked at.
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::program::{number, with_meaning};
@@ -32,9 +32,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     // The feeds of the cycles that are called with a tool, and whether it cuts threads.
     let mut feeds: HashMap<u32, (Vec<f64>, bool)> = HashMap::new();
+    let mut seen = HashSet::new();
     for call in &facts.run.calls {
         let (Pending::Definition(index), Loaded::By(tool)) = (call.modal.pending, call.modal.loaded) else { continue };
-        let Some(own) = facts.definitions.get(index as usize) else { continue };
+        let Some(own) = facts.definitions.get(index as usize).filter(|_| seen.insert((index, tool))) else { continue };
         let related = own.as_related_cycle();
         let read = facts.read(&related);
         let known = feeds.entry(tool).or_default();

@@ -83,6 +83,8 @@ pub struct Guess {
     pub blank: Option<GuessedBlank>,
     /// Rotary axes that the programs move.
     rotary: [bool; 3],
+    /// Whether blocks name positions of rotary axes.
+    positioned: bool,
     /// The machine for programs that turn.
     turning_machine: &'static str,
     /// The rows of the tool table, as a scene writes them.
@@ -134,6 +136,11 @@ impl Guess {
             guess.rows = guess.tools.iter().filter_map(|tool| Some((tool.number, row(table, tool.number)?))).collect();
         }
         guess
+    }
+
+    /// Whether blocks name positions of rotary axes: where these lead to depends on the machine, which is assumed.
+    pub const fn positions_rotary_axes(&self) -> bool {
+        self.positioned
     }
 
     fn read(&mut self, on: &OnControl, program: &Program, table: Option<&Table>) {
@@ -224,6 +231,7 @@ impl Guess {
                     *a |= coord.axis == Axis::A;
                     *b |= coord.axis == Axis::B;
                     *c |= coord.axis == Axis::C;
+                    self.positioned |= matches!(coord.axis, Axis::A | Axis::B | Axis::C);
                 }
             }
             BlockKind::Statement(statement) => {

@@ -302,14 +302,16 @@ impl Stock {
     }
 
     /// Adds a move of the tool tip (machine coordinates) to a batch. `axis` points from the tip to the spindle. A
-    /// move at rapid traverse takes away what is deeper in the material than [`SKIN`].
+    /// move at rapid traverse takes away what is deeper in the material than [`SKIN`], or than a cell if the tool is
+    /// inclined to the columns: nothing is known more exactly then.
     pub fn add(&self, batch: &mut Batch, path: &Path, axis: DVec3, cutter: &Cutter, rapid: bool) {
         let owner = batch.moves;
         batch.moves += 1;
-        let (cutter, lift) = if rapid { (cutter.shrunk(SKIN), SKIN) } else { (cutter.closed(), 0.0) };
         let tool = self.grid.vector(axis).normalize_or_zero();
         // Rounding of turned coordinates is no inclination.
         let upright = (tool - DVec3::Z).length() < 1e-12;
+        let skin = if upright { SKIN } else { self.grid.cell.length() };
+        let (cutter, lift) = if rapid { (cutter.shrunk(skin), skin) } else { (cutter.closed(), 0.0) };
         let up = DVec3::Z * lift;
         let before = batch.last.take();
         // Coordinates that were calculated on two ways differ by their rounding.

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use super::fluent::{Pattern, Piece, flat, merged, written};
 use super::outcome::{Imported, Refusal, Why};
 use super::prose;
-use super::received::{Received, code_length, has_hidden, keeps_blanks};
+use super::received::{Received, code_length, has_hidden};
 use super::unit::{self, Text, Unit};
 use crate::base::diag::{Arg, Diagnostic};
 use crate::language::consistency::{self, Negation};
@@ -36,15 +36,6 @@ pub(super) struct Edit {
     pub(super) pieces: Vec<Piece>,
 }
 
-/// What holds for all units of a file.
-#[derive(Clone, Copy)]
-pub(super) struct Usual<'l> {
-    /// The words with which the language denies.
-    pub(super) negation: Option<&'l Negation>,
-    /// Whether the tool has kept blanks that are all there is between two codes.
-    pub(super) keeps_blanks: bool,
-}
-
 pub(super) type Edits = BTreeMap<String, Edit>;
 
 /// Takes over the final units of a file for a language.
@@ -60,14 +51,13 @@ pub fn import(
     let (locales, before) = Locales::load(files.iter().map(|(path, text)| (path, text)));
     let texts = unit::texts(&locales, tag)?;
     let mut imported = Imported::default();
-    let keeps_blanks = keeps_blanks(&received);
     let (of_pages, received) = received.into_iter().partition(|unit| unit.id.starts_with(prose::TOPICS));
     let negation = Negation::of(&locales, tag);
-    let usual = Usual { negation: negation.as_ref(), keeps_blanks };
-    let mut edits = sift(&texts, tag, received, usual, &mut imported);
+    let negation = negation.as_ref();
+    let mut edits = sift(&texts, tag, received, negation, &mut imported);
     drop_incomplete(&texts, tag, &mut edits, &mut imported);
     settled(catalogue, files, tag, (&locales, before), &texts, edits, &mut imported);
-    prose::import(files, &prose::pages(&locales, tag), of_pages, usual, &mut imported);
+    prose::import(files, &prose::pages(&locales, tag), of_pages, negation, &mut imported);
     imported.refused.sort_by_key(|refusal| refusal.at);
     Ok(imported)
 }
@@ -140,7 +130,13 @@ fn key_of(id: &str) -> &str {
 }
 
 /// Final units that are sound by themselves and differ from what is there.
-fn sift(texts: &[Text], tag: &str, received: Vec<Received>, usual: Usual<'_>, imported: &mut Imported) -> Edits {
+fn sift(
+    texts: &[Text],
+    tag: &str,
+    received: Vec<Received>,
+    negation: Option<&Negation>,
+    imported: &mut Imported,
+) -> Edits {
     let mut known: HashMap<String, (usize, Unit)> = HashMap::new();
     for (index, text) in texts.iter().enumerate() {
         known.extend(unit::units_of(text, tag).into_iter().map(|(unit, _)| (unit.id.clone(), (index, unit))));
@@ -160,7 +156,7 @@ fn sift(texts: &[Text], tag: &str, received: Vec<Received>, usual: Usual<'_>, im
         match known
             .get(&unit.id)
             .ok_or(Why::Unknown)
-            .and_then(|(text, own)| Ok((*text, own, sound(own, unit.clone(), usual, is_twice)?)))
+            .and_then(|(text, own)| Ok((*text, own, sound(own, unit.clone(), negation, is_twice)?)))
         {
             Err(why) => imported.refused.push(Refusal { id: unit.id, at, why }),
             Ok((_, own, None)) => {
@@ -178,11 +174,11 @@ fn sift(texts: &[Text], tag: &str, received: Vec<Received>, usual: Usual<'_>, im
 }
 
 /// The new pieces of a unit; nothing if they are those that are there.
-fn sound(own: &Unit, unit: Received, usual: Usual<'_>, is_twice: bool) -> Result<Option<Vec<Piece>>, Why> {
+fn sound(own: &Unit, unit: Received, negation: Option<&Negation>, is_twice: bool) -> Result<Option<Vec<Piece>>, Why> {
     if is_twice {
         return Err(Why::Twice);
     }
-    let unit = unit.as_exported(&merged(own.source.clone()), &own.target, usual.keeps_blanks);
+    let unit = unit.as_exported(&merged(own.source.clone()), &own.target);
     if unit.source.as_ref() != Some(&merged(own.source.clone())) {
         return Err(Why::SourceChanged);
     }
@@ -194,7 +190,7 @@ fn sound(own: &Unit, unit: Received, usual: Usual<'_>, is_twice: bool) -> Result
         return Ok(None);
     }
     check_codes(own, &pieces)?;
-    if usual.negation.is_some_and(|words| words.is_lost(&flat(&own.source), &flat(&own.target), &flat(&pieces))) {
+    if negation.is_some_and(|words| words.is_lost(&flat(&own.source), &flat(&own.target), &flat(&pieces))) {
         return Err(Why::Negation);
     }
     Ok(Some(pieces))

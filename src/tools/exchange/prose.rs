@@ -7,12 +7,11 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::fluent::{Piece, flat, merged};
-use super::import::Usual;
 use super::markdown::{self, Segment};
 use super::outcome::{Imported, Refusal, Why};
 use super::received::{Received, has_hidden};
 use super::unit::Unit;
-use crate::language::consistency;
+use crate::language::consistency::{self, Negation};
 use crate::language::locale::{Locales, SOURCE_LANGUAGE};
 
 /// What the keys of pages begin with.
@@ -172,7 +171,7 @@ pub(super) fn import(
     files: &[(String, String)],
     pages: &[Page],
     received: Vec<Received>,
-    usual: Usual<'_>,
+    negation: Option<&Negation>,
     imported: &mut Imported,
 ) {
     let by_id: HashMap<&str, (&Page, usize)> = pages
@@ -190,7 +189,7 @@ pub(super) fn import(
         }
         let is_twice = times.get(unit.id.as_str()).is_some_and(|times| *times > 1);
         let found = by_id.get(unit.id.as_str()).ok_or(Why::Unknown);
-        match found.and_then(|(page, at)| Ok((*page, *at, checked(page, *at, unit, usual, is_twice)?))) {
+        match found.and_then(|(page, at)| Ok((*page, *at, checked(page, *at, unit, negation, is_twice)?))) {
             Err(why) => imported.refused.push(Refusal { id: unit.id.clone(), at: unit.at, why }),
             Ok((page, at, None)) => {
                 imported.unchanged += 1;
@@ -229,13 +228,19 @@ pub(super) fn import(
 }
 
 /// The new words of a unit as the file has them; nothing if they are those that are there.
-fn checked(page: &Page, at: usize, unit: &Received, usual: Usual<'_>, is_twice: bool) -> Result<Option<String>, Why> {
+fn checked(
+    page: &Page,
+    at: usize,
+    unit: &Received,
+    negation: Option<&Negation>,
+    is_twice: bool,
+) -> Result<Option<String>, Why> {
     if is_twice {
         return Err(Why::Twice);
     }
     let own = page.segments.get(at).ok_or(Why::Unknown)?;
     let old = page.translated.get(at).map(|segment| segment.pieces.as_slice());
-    let unit = unit.clone().as_exported(&own.pieces, old.unwrap_or_default(), usual.keeps_blanks);
+    let unit = unit.clone().as_exported(&own.pieces, old.unwrap_or_default());
     if unit.source.as_ref() != Some(&own.pieces) {
         return Err(Why::SourceChanged);
     }
@@ -250,7 +255,7 @@ fn checked(page: &Page, at: usize, unit: &Received, usual: Usual<'_>, is_twice: 
     same_codes(&own.pieces, old, &pieces)?;
     same_numbers((&own.pieces, SOURCE_LANGUAGE), old, (&pieces, page.language()))?;
     same_references(&own.pieces, old, &pieces)?;
-    if let (Some(words), Some(old)) = (usual.negation, old)
+    if let (Some(words), Some(old)) = (negation, old)
         && words.is_lost(&flat(&own.pieces), &flat(old), &flat(&pieces))
     {
         return Err(Why::Negation);

@@ -37,39 +37,42 @@ impl Received {
         self.is_final |= is_translated;
     }
 
-    /// The same unit as it was exported, but for what a translator has changed: with the blanks between codes, if the tool
-    /// does not keep them, and without the line breaks and blanks with which it has laid out its elements. Only where the
-    /// source is then that of today, and neither text has lines of its own, is that certain.
-    pub(super) fn as_exported(mut self, source: &[Piece], target: &[Piece], keeps_blanks: bool) -> Self {
-        if !keeps_blanks {
-            self.source = self.source.map(|own| with_blanks(&own, [source, &[]]));
-            self.target = self.target.map(|own| with_blanks(&own, [target, source]));
-        }
+    /// The same unit as it was exported, but for what a translator has changed: with the blanks between codes, and without
+    /// the line breaks and blanks with which a tool has laid out its elements. Only where the source is then that of today,
+    /// and neither text has lines of its own, is that certain.
+    pub(super) fn as_exported(mut self, source: &[Piece], target: &[Piece]) -> Self {
+        self = self.as_laid_out(source, target);
+        self.source = self.source.map(|own| with_blanks(&own, source));
+        self.target = self.target.map(|own| with_blanks(&own, target));
+        self
+    }
+
+    fn as_laid_out(self, source: &[Piece], target: &[Piece]) -> Self {
         let has_lines =
             |pieces: &[Piece]| pieces.iter().any(|piece| matches!(piece, Piece::Text(words) if words.contains('\n')));
-        if self.source.as_deref() == Some(source) || has_lines(source) || has_lines(target) {
+        if has_lines(source) || has_lines(target) {
             return self;
         }
+        // A source without codes has no layout, and its translation only beside codes.
+        if self.source.as_deref() == Some(source) {
+            let own = self.target.map(|own| if has_inner_lines(&own) { own } else { without_layout(&own) });
+            return Self { target: own, ..self };
+        }
         let own = self.source.as_deref().map(without_layout);
-        if own.as_deref() != Some(source) {
+        if own.as_deref().map(|own| with_blanks(own, source)).as_deref() != Some(source) {
             return self;
         }
         Self { source: own, target: self.target.as_deref().map(without_layout), ..self }
     }
 }
 
-/// Whether a tool has kept blanks that are all there is between two codes. Some lose them, everywhere in a file.
-pub(super) fn keeps_blanks(received: &[Received]) -> bool {
-    let has = |pieces: &Option<Vec<Piece>>| pieces.as_ref().is_some_and(|own| own.windows(3).any(is_blank_between));
-    received.iter().any(|unit| has(&unit.source) || has(&unit.target))
-}
-
+/// Whether these are two codes with nothing but blanks between them.
 fn is_blank_between(pieces: &[Piece]) -> bool {
     matches!(pieces, [Piece::Code(_), Piece::Text(blank), Piece::Code(_)] if blank.trim_matches(' ').is_empty())
 }
 
-/// Puts back the blanks that one of the models has between two codes.
-fn with_blanks(pieces: &[Piece], models: [&[Piece]; 2]) -> Vec<Piece> {
+/// Puts back blanks that are all there is between two codes: some tools lose them, and nobody takes them away alone.
+fn with_blanks(pieces: &[Piece], model: &[Piece]) -> Vec<Piece> {
     let mut all: Vec<Piece> = Vec::with_capacity(pieces.len());
     for piece in pieces {
         if let (Some(Piece::Code(before)), Piece::Code(after)) = (all.last(), piece) {
@@ -77,8 +80,7 @@ fn with_blanks(pieces: &[Piece], models: [&[Piece]; 2]) -> Vec<Piece> {
                 is_blank_between(own)
                     && matches!(own, [Piece::Code(one), _, Piece::Code(other)] if one == before && other == after)
             };
-            let found = models.iter().find_map(|model| model.windows(3).find(is_here));
-            all.extend(found.and_then(|own| own.get(1)).cloned());
+            all.extend(model.windows(3).find(is_here).and_then(|own| own.get(1)).cloned());
         }
         all.push(piece.clone());
     }
@@ -93,6 +95,11 @@ pub(super) fn has_hidden(pieces: &[Piece]) -> bool {
         c => c.is_control(),
     };
     pieces.iter().any(|piece| matches!(piece, Piece::Text(words) if words.contains(is_hidden)))
+}
+
+/// Whether there are line breaks between words, and not only beside codes.
+fn has_inner_lines(pieces: &[Piece]) -> bool {
+    pieces.iter().any(|piece| matches!(piece, Piece::Text(words) if words.trim().contains('\n')))
 }
 
 /// Words without line breaks and the blanks after them.

@@ -22,7 +22,7 @@ use self::watcher::Watcher;
 use crate::base::diag::Source;
 use crate::check::{Observed, ToolKind};
 use crate::engine::geometry::Axis;
-use crate::engine::run::{Engine, Limits, NoTexts, Programs, Status};
+use crate::engine::run::{Engine, Limits, NoTexts, Programs};
 use crate::engine::scene::Scene;
 use crate::engine::scene::guess::{Guess, GuessedTool, Origin};
 use crate::engine::stock::Blank;
@@ -130,9 +130,4 @@ impl Rehearsal<'_> {
 /// Whether a program calls a tool: without one, and without a blank, what is executed shows nothing.
 fn calls_a_tool(program: &Program) -> bool {
     program.blocks().iter().any(|block| matches!(&block.kind, BlockKind::ToolCall(call) if call.tool.is_some()))
-}
-
-/// Whether a run came to its end.
-const fn is_done(status: Status) -> bool {
-    matches!(status, Status::Done)
 }

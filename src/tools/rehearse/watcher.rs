@@ -4,13 +4,12 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use glam::DVec3;
 
 use super::body::Body;
-use super::is_done;
 use super::path::Ways;
 use super::series::Rows;
 use super::work::{Hole, Work};
 use crate::check::{Incident, Observed, ToolKind};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
-use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MoveKind, Tool};
+use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MoveKind, Status, Tool};
 use crate::engine::solid::Path;
 use crate::program::syntax::{self, Block, BlockKind, Program};
 use crate::spec::{Catalogue, Cycle, CycleKey, Group, Keyword, MM_PER_INCH, OnControl};
@@ -204,7 +203,7 @@ impl<'w> Watcher<'w> {
             EventKind::Transform(coordinates) => self.preset(coordinates),
             EventKind::Probe(_) => self.worked = true,
             EventKind::Error(fault) => self.fault(fault),
-            EventKind::End(status) if is_done(*status) => {
+            EventKind::End(Status::Done) => {
                 self.finish();
                 self.judge_rows();
                 self.judge_ways();
