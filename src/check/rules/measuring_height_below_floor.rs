@@ -24,7 +24,7 @@ const MEASURED: [&str; 3] = ["probing-centre-main", "probing-centre-minor", "mea
 const MILLED: [&str; 4] = ["Q216", "Q217", "Q203", "Q201"];
 
 /// So many cycles that measure are compared with what was milled before.
-const MOST: usize = 200;
+const MOST: usize = 1 << 7;
 
 /// A floor about a centre.
 struct Floor {

@@ -6,8 +6,9 @@
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::base::expr::{cosd, sind};
 use crate::check::blank::Blank;
+use crate::check::cycle::Effect;
 use crate::check::program::{Definition, is_silent, number};
-use crate::check::{Facts, Pending, Rule};
+use crate::check::{Aspect, Facts, Pending, Rule};
 use crate::program::syntax::{Block, BlockKind, StatementKind};
 use crate::spec::{Group, MM_PER_INCH};
 
@@ -128,7 +129,9 @@ fn changed(facts: &Facts<'_>, index: usize, block: &Block, frame: Option<Frame>)
             if preset && !frame.as_ref().is_none_or(moved) {
                 return None;
             }
-            Some(shifted(facts, own.key.number.into(), own.view.first..=own.view.last, frame))
+            let effect = Effect::of_cycle(cycle);
+            let shifts = !effect.aspects.is_empty() && effect.aspects.iter().all(|(own, _)| *own == Aspect::DatumShift);
+            Some(shifted(facts, shifts, own.view.first..=own.view.last, frame))
         }
         _ => None,
     }
@@ -138,11 +141,11 @@ fn changed(facts: &Facts<'_>, index: usize, block: &Block, frame: Option<Frame>)
 /// or of one that ends it.
 fn shifted(
     facts: &Facts<'_>,
-    number: u32,
+    shifts: bool,
     lines: std::ops::RangeInclusive<usize>,
     frame: Option<Frame>,
 ) -> Option<Frame> {
-    let mut new = frame.filter(|own| number == 7 && !own.is_tilted())?;
+    let mut new = frame.filter(|own| shifts && !own.is_tilted())?;
     for block in facts.program.blocks().get(lines)? {
         let text = facts.text(facts.content(block)).split(';').next()?.to_ascii_uppercase();
         for word in text.split_whitespace().skip(3) {
