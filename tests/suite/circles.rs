@@ -53,6 +53,7 @@ const CHECKER: &[&str] = &[
     "machine",
     "program",
     "toolwords",
+    "slip",
     "incident",
     "flow",
     "facts",

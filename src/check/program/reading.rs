@@ -15,7 +15,7 @@ use crate::check::Against;
 use crate::check::cycle::{CycleLabels, LabelLanguages};
 use crate::program::fields::key;
 use crate::program::syntax::{Block, BlockKind, Compensates, CycleForm, MFunction, Path, Program, StatementKind};
-use crate::spec::{Cycle, CycleKey, Known};
+use crate::spec::{Cycle, CycleKey, Known, MM_PER_INCH};
 
 /// A program with its cycle definitions resolved for a control.
 pub struct Reading<'a> {
@@ -105,6 +105,11 @@ impl<'a> Reading<'a> {
     /// Whether the program begins with BEGIN PGM: it is a whole one.
     pub const fn begins(&self) -> bool {
         self.begins
+    }
+
+    /// A millimetre in the unit of the program.
+    pub const fn millimetre(&self) -> f64 {
+        if self.inch { 1.0 / MM_PER_INCH } else { 1.0 }
     }
 
     /// Whether a block that cannot be read begins with the word.

@@ -4,7 +4,7 @@
 //!
 //! Only where all the other sizes are equal, so that both certainly mean the same, and where no other definition goes
 //! with either of them.
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::program::number;
@@ -42,6 +42,8 @@ const INFEED: &str = "plunging-depth";
 const ALLOWANCES: [&str; 2] = ["side-allowance", "floor-allowance"];
 /// So much more one infeeds than the other by a slip.
 const SLIP: f64 = 10.0;
+/// More definitions are written by posts; each is compared with all the others.
+const MOST: usize = 1 << 8;
 /// What counts as the same, mm or inch.
 const SAME: f64 = 1e-6;
 
@@ -81,8 +83,11 @@ impl Pocket {
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let pockets = pockets(facts);
-    let tell = |(value, span): (f64, Span), what: &str, other: f64| {
+    let mut pockets = pockets(facts);
+    if pockets.len() > MOST {
+        pockets.clear();
+    }
+    let finding_of = |(value, span): (f64, Span), what: &str, other: f64| {
         let finding = rule.at(facts, span).arg("what", what.to_owned()).arg("value", Arg::Number(value));
         finding.arg("other", Arg::Number(other))
     };
@@ -93,7 +98,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             && let Some(usual) = others().filter(|other| own.is_same(other)).find_map(|other| other.infeed)
             && (infeed - SLIP * usual.0).abs() <= SAME
         {
-            found.push(tell((infeed, span), "infeed", usual.0));
+            found.push(finding_of((infeed, span), "infeed", usual.0));
         }
         if own.roughs() && own.allowances.iter().any(|left| *left > 0.0) {
             let before = pockets.iter().take(at).find(|other| own.is_same(other) && other.roughs());
@@ -103,7 +108,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 && own.tool != before.tool
             {
                 let left = own.allowances[0].max(own.allowances[1]);
-                found.push(tell(own.operation, "operation", left));
+                found.push(finding_of(own.operation, "operation", left));
             }
         }
         if !own.finishes() || others().any(|other| own.is_same(other)) {
@@ -120,7 +125,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             })
             .collect();
         if let [(size, rough)] = near.as_slice() {
-            found.push(tell(own.sizes[*size], "size", rough.sizes[*size].0));
+            found.push(finding_of(own.sizes[*size], "size", rough.sizes[*size].0));
         }
     }
     deep(rule, facts, found);
@@ -147,10 +152,10 @@ fn deep(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let (Some(item), Some(infeed), Some(depth)) = (read.item(INFEED), value(INFEED), value(DEPTH)) else {
             continue;
         };
-        let told = found
+        let reported = found
             .iter()
             .any(|own| own.code == rule.code && own.place.as_ref().is_some_and(|place| place.span == item.value_span));
-        if infeed >= 2.0 * depth.abs() && depth.abs() > 2.0 * tool.radius && !told {
+        if infeed >= 2.0 * depth.abs() && depth.abs() > 2.0 * tool.radius && !reported {
             let finding = rule.at(facts, item.value_span).arg("what", "deep").arg("value", Arg::Number(infeed));
             found.push(finding.arg("other", Arg::Number(depth.abs())));
         }
@@ -160,6 +165,13 @@ fn deep(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// The definitions of pockets and slots of which all sizes are known and which are called.
 fn pockets(facts: &Facts<'_>) -> Vec<Pocket> {
     let mut pockets = Vec::new();
+    // The tools of their first calls.
+    let mut tools: HashMap<u32, Loaded> = HashMap::new();
+    for call in &facts.run.calls {
+        if let Pending::Definition(index) = call.modal.pending {
+            tools.entry(index).or_insert(call.modal.loaded);
+        }
+    }
     for (index, own) in facts.definitions.iter().enumerate() {
         if own.related_cycle().is_none_or(|cycle| cycle.file.group != Group::Pockets) {
             continue;
@@ -171,8 +183,7 @@ fn pockets(facts: &Facts<'_>) -> Vec<Pocket> {
         let written: Vec<&str> = SIZES.into_iter().filter(|meaning| read.item(meaning).is_some()).collect();
         let Some(sizes) = written.into_iter().map(value).collect::<Option<Vec<_>>>() else { continue };
         let index = u32::try_from(index).unwrap_or(u32::MAX);
-        let mut calls = facts.run.calls.iter().filter(|call| call.modal.pending == Pending::Definition(index));
-        let tool = calls.next().map(|call| call.modal.loaded);
+        let tool = tools.get(&index).copied();
         let allowances = ALLOWANCES.map(|meaning| value(meaning).map_or(0.0, |own| own.0));
         let infeed = value(INFEED);
         pockets.push(Pocket { key: own.key, operation, sizes, depth, infeed, allowances, tool });

@@ -7,7 +7,6 @@ use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::tools::Tools;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Axis, BlockKind, Motion, Path};
-use crate::spec::MM_PER_INCH;
 
 pub(super) const RULE: Rule = Rule { code: "helix-too-steep", severity: Severity::Warning, run };
 
@@ -17,7 +16,7 @@ const MOST: f64 = 20.0;
 const SHALLOW: f64 = 3.0;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
+    let unit = facts.millimetre();
     let tools = Tools::of(facts);
     for (index, block) in facts.program.blocks().iter().enumerate() {
         let BlockKind::Motion(motion) = &block.kind else { continue };

@@ -4,10 +4,10 @@
 //!
 //! The first three need an execution of the whole program. Of arcs at least two others must lie about holes, and the one
 //! coordinate that differs must look like a slip of the keyboard. Each is said once a program.
-use super::value_unlike_others::is_slip;
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::incident::Incident;
 use crate::check::program::is_silent;
+use crate::check::slip::is_slip;
 use crate::check::travel::incidents;
 use crate::check::{Facts, Pending, Rule};
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, CallForm, Coord, Motion, Path, ValueKind};
@@ -22,11 +22,11 @@ const OTHERS: usize = 2;
 const SAME: f64 = 1e-3;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let mut tell = |span: Span, what: &str, [x, y]: [f64; 2]| {
+    let mut report = |span: Span, what: &str, [x, y]: [f64; 2]| {
         let finding = rule.at(facts, span).arg("what", what.to_owned()).arg("value", Arg::Number(x));
         found.push(finding.arg("other", Arg::Number(y)));
     };
-    let mut told = [false; 4];
+    let mut reported = [false; 4];
     for (span, own) in incidents(facts) {
         let (what, place, at) = match own {
             Incident::Stray(place) => ("stray", *place, 0),
@@ -35,18 +35,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             Incident::Corner(place) => ("corner", *place, 3),
             _ => continue,
         };
-        if !std::mem::replace(&mut told[at], true) {
-            tell(*span, what, place);
+        if !std::mem::replace(&mut reported[at], true) {
+            report(*span, what, place);
         }
     }
     if facts.program.blocks().len() > MOST {
         return;
     }
     if let Some((block, place)) = passed(facts) {
-        tell(facts.content(block), "passed", place);
+        report(facts.content(block), "passed", place);
     }
     if let Some((span, place)) = arc(facts) {
-        tell(span, "arc", place);
+        report(span, "arc", place);
     }
 }
 
@@ -64,7 +64,7 @@ fn passed<'a>(facts: &Facts<'a>) -> Option<(&'a Block, [f64; 2])> {
             BlockKind::Motion(motion) if motion.path() == Path::L && motion.outline().is_rapid() && !block.skip => {
                 motion.words()
             }
-            // A call behind a movement belongs to it.
+            // A call after a movement belongs to it.
             BlockKind::CyclCall(call) if matches!(call.form, CallForm::Plain) => {
                 if let Some(last) = row.last_mut() {
                     *last = (index, true);
@@ -126,7 +126,7 @@ fn arc(facts: &Facts<'_>) -> Option<(Span, [f64; 2])> {
     }
     let mut holes: Vec<[f64; 2]> = Vec::new();
     for call in &facts.run.calls {
-        let Some(hole) = facts.program.blocks().get(call.block).and_then(|block| hole(facts, block)) else { continue };
+        let Some(hole) = facts.program.blocks().get(call.block).and_then(hole) else { continue };
         if !holes.iter().any(|own| is_same(*own, hole)) {
             holes.push(hole);
         }
@@ -186,7 +186,7 @@ fn written(coords: &[Coord], axis: Axis) -> Option<(f64, Span)> {
 }
 
 /// The place of a hole that the block of its call writes with both coordinates.
-fn hole(_: &Facts<'_>, block: &Block) -> Option<[f64; 2]> {
+fn hole(block: &Block) -> Option<[f64; 2]> {
     let coords = match &block.kind {
         BlockKind::Motion(motion) => motion.words().coords,
         BlockKind::CyclCall(call) => match &call.form {

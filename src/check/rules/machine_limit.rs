@@ -10,7 +10,6 @@ use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank::is_unmoved;
 use crate::check::{Aspect, Facts, Machine, Modal, Rule, Tri};
 use crate::program::syntax::{Axis, Block, BlockKind, Element, Feed, FeedKind, Path};
-use crate::spec::MM_PER_INCH;
 
 pub(super) const RULE: Rule = Rule { code: "machine-limit", severity: Severity::Warning, run };
 
@@ -32,7 +31,7 @@ struct Look<'r, 'f, 'a> {
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(machine) = facts.project.and_then(|project| project.machine()) else { return };
-    let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
+    let unit = facts.millimetre();
     let mut look = Look { rule, facts, machine, unit, reached: HashMap::new(), reported: HashSet::new(), found };
     for (from, to, modal) in facts.run.stretches() {
         let Some(modal) = modal else {

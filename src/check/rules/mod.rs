@@ -212,8 +212,6 @@ mod word_wrong;
 mod wrong_tool_type;
 mod wrong_value_kind;
 
-pub use value_unlike_others::is_slip;
-
 use super::{Definition, Facts, Rule};
 use crate::base::diag::Diagnostic;
 

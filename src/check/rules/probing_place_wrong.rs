@@ -3,13 +3,13 @@
 //! slip of the keyboard in one coordinate.
 //!
 //! Only in programs with a box as their blank, without transformations, before another preset is set.
-use super::value_unlike_others::is_slip;
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::place_of_call;
 use crate::check::program::{number, with_meaning};
+use crate::check::slip::is_slip;
 use crate::check::{Definition, Facts, Pending, Rule};
-use crate::spec::{Group, Keyword, MM_PER_INCH};
+use crate::spec::{Group, Keyword};
 
 pub(super) const RULE: Rule = Rule { code: "probing-place-wrong", severity: Severity::Warning, run };
 
@@ -42,7 +42,7 @@ const DATUM: [&str; 2] = ["new-datum-main", "new-datum-minor"];
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins() && !facts.flow.unread.any()) else { return };
-    let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
+    let unit = facts.millimetre();
     let milled = milled(facts);
     // How many are far outside: of several parts in a fixture the blank is only one.
     let mut far = Vec::new();

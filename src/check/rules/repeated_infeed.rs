@@ -9,7 +9,7 @@ use crate::check::blank::{Blank, is_unmoved};
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, Coord, Motion, Path};
-use crate::spec::{Group, MM_PER_INCH};
+use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "repeated-infeed", severity: Severity::Warning, run };
 
@@ -39,7 +39,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     let blank = Blank::of(facts.program);
-    let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
+    let unit = facts.millimetre();
     let blocks = facts.program.blocks();
     for (index, block) in facts.marked() {
         let BlockKind::CallLbl(call) = &block.kind else { continue };

@@ -7,7 +7,7 @@ use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::place_of_call;
 use crate::check::program::{number, with_meaning};
 use crate::check::{Facts, Pending, Rule};
-use crate::spec::{Group, MM_PER_INCH};
+use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "stud-in-solid", severity: Severity::Warning, run };
 
@@ -22,7 +22,7 @@ const RIM: f64 = 12.0;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
-    let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
+    let unit = facts.millimetre();
     // The first thing that is machined: what follows finds an open floor.
     let first = facts.run.calls.iter().find(|call| is_unmoved(&call.modal));
     let milled = facts.shaped().next().map_or(usize::MAX, |(index, _)| index);

@@ -6,7 +6,7 @@ use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::program::number;
 use crate::check::{Facts, Pending, Rule};
-use crate::spec::{Group, MM_PER_INCH};
+use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "surface-wrong", severity: Severity::Warning, run };
 
@@ -29,11 +29,11 @@ const MOST: f64 = 0.9;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
-    let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
+    let unit = facts.millimetre();
     let mut seen = std::collections::HashSet::new();
     // The lowest face over the whole blank, and the surfaces and floors of the cycles.
     let mut face: Option<f64> = None;
-    let mut told = false;
+    let mut reported = false;
     let (mut surfaces, mut floors) = (Vec::new(), Vec::new());
     for call in facts.run.calls.iter().filter(|call| is_unmoved(&call.modal)) {
         let Pending::Definition(index) = call.modal.pending else { continue };
@@ -59,8 +59,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if !drills {
             continue;
         }
-        if let Some(face) = face.filter(|face| surface > face + HIGHER * unit && !told) {
-            told = true;
+        if let Some(face) = face.filter(|face| surface > face + HIGHER * unit && !reported) {
+            reported = true;
             let finding = rule.at(facts, item.value_span).arg("what", "faced").arg("value", Arg::Number(surface));
             found.push(finding.arg("other", Arg::Number(face)));
         }

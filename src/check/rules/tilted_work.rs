@@ -10,7 +10,7 @@ use crate::check::cycle::Effect;
 use crate::check::program::{Definition, is_silent, number};
 use crate::check::{Aspect, Facts, Pending, Rule};
 use crate::program::syntax::{Block, BlockKind, StatementKind};
-use crate::spec::{Group, MM_PER_INCH};
+use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "tilted-work", severity: Severity::Warning, run };
 
@@ -64,7 +64,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     let Some(blank) = Blank::of(facts.program) else { return };
-    let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
+    let unit = facts.millimetre();
     let mut frame = Some(Frame { origin: [0.0; 3], angles: [0.0; 3] });
     // Whether something was done since the plane was tilted.
     let mut worked = false;

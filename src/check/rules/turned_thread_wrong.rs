@@ -1,5 +1,5 @@
 //! A turned thread that does not fit what was turned before: its pitch is far too large for its diameter, its diameter is
-//! another one than that of the cylinder on which it lies, it goes on behind the end of that cylinder, or it is an inside
+//! another one than that of the cylinder on which it lies, it goes on beyond the end of that cylinder, or it is an inside
 //! thread on a cylinder that was turned outside.
 //!
 //! Cylinders are those of the simple cycles for shoulders, where their end is written as a number. Nothing is said of
@@ -25,7 +25,7 @@ const BEGIN: &str = "contour-start-z";
 const COARSEST: f64 = 0.35;
 /// So much the cylinder of an outside thread may differ from its diameter: part of the diameter, and mm.
 const NEAR: (f64, f64) = (0.04, 0.5);
-/// So far behind the end of the cylinder a thread may go, mm: its runout.
+/// So far beyond the end of the cylinder a thread may go, mm: its runout.
 const RUNOUT: f64 = 0.5;
 
 /// A cylinder that was turned: its diameter and its end in Z, mm.
@@ -95,7 +95,7 @@ fn thread(
     let diameter = DIAMETER.into_iter().find_map(item);
     let Some((written, place)) = diameter.filter(|(own, _)| *own > 0.0) else { return };
     let diameter = written * unit;
-    let tell = |span, what: &str, value: f64, other: f64| {
+    let finding_of = |span, what: &str, value: f64, other: f64| {
         let finding = rule.at(facts, span).arg("what", what.to_owned()).arg("value", Arg::Number(value));
         finding.arg("other", Arg::Number(other))
     };
@@ -103,7 +103,7 @@ fn thread(
     if let Some((pitch, span)) = item(PITCH)
         && pitch * unit / starts > COARSEST * diameter
     {
-        found.push(tell(span, "pitch", pitch, written));
+        found.push(finding_of(span, "pitch", pitch, written));
     }
     let near = |own: &&Cylinder| (own.diameter - diameter).abs() <= NEAR.0 * diameter + NEAR.1;
     let (Some((end, last)), begin) = (item(END[1]), item(BEGIN).map_or(0.0, |(own, _)| own * unit)) else { return };
@@ -111,7 +111,7 @@ fn thread(
         && position == INSIDE
     {
         if !inside && !open && cylinders.iter().any(|own| near(&own)) {
-            found.push(tell(span, "inside", written, written));
+            found.push(finding_of(span, "inside", written, written));
         }
         return;
     }
@@ -119,8 +119,8 @@ fn thread(
     let here = cylinders.iter().filter(|own| own.end < begin - RUNOUT).min_by(|a, b| a.diameter.total_cmp(&b.diameter));
     let Some(here) = here.filter(|_| !open) else { return };
     if !near(&here) {
-        found.push(tell(place, "diameter", written, here.diameter / unit));
+        found.push(finding_of(place, "diameter", written, here.diameter / unit));
     } else if end * unit < here.end - RUNOUT {
-        found.push(tell(last, "end", end, here.end / unit));
+        found.push(finding_of(last, "end", end, here.end / unit));
     }
 }

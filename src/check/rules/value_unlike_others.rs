@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::program::{is_silent, number, with_meaning};
+use crate::check::slip::is_slip;
 use crate::check::{Facts, Loaded, Pending, Rule};
 use crate::program::syntax::{Amount, Axis, BlockKind, Compensates, FeedKind, Path, ValueKind};
 use crate::spec::{CycleKey, Group, Quantity, Reference};
@@ -234,24 +235,4 @@ fn odd(all: Vec<(f64, Span)>) -> Option<(Span, f64, f64)> {
     let mut others = all.iter().filter(|(own, _)| *own != usual);
     let (value, span) = *others.next()?;
     (others.next().is_none() && is_slip(value, usual)).then_some((span, value, usual))
-}
-
-/// Whether somebody who means a value may have written another one.
-pub fn is_slip(written: f64, meant: f64) -> bool {
-    let near = |one: f64, other: f64| (one - other).abs() <= 1e-9 * other.abs();
-    if written == 0.0 || meant == 0.0 {
-        return false;
-    }
-    let factor = [10.0, 0.1, 100.0, 0.01].iter().any(|factor| near(written, meant * factor));
-    near(written, -meant) || factor || exchanged(written, meant)
-}
-
-/// Whether two neighbouring digits are exchanged.
-fn exchanged(one: f64, other: f64) -> bool {
-    let (one, other) = (one.to_string(), other.to_string());
-    let differ: Vec<usize> =
-        one.bytes().zip(other.bytes()).enumerate().filter(|(_, (a, b))| a != b).map(|own| own.0).collect();
-    let ([first, second], true) = (differ.as_slice(), one.len() == other.len()) else { return false };
-    let at = |text: &str, place: usize| text.as_bytes().get(place).copied();
-    second - first == 1 && at(&one, *first) == at(&other, *second) && at(&one, *second) == at(&other, *first)
 }

@@ -29,7 +29,7 @@ use super::{Aspect, Defined, Facts, Modal, Tri};
 use crate::base::diag::Span;
 use crate::base::expr::{atan2d, cosd, sind};
 use crate::program::syntax::{Axis, Block, BlockKind, Compensates, Coord, Element, Motion, Path, StatementKind};
-use crate::spec::{MM_PER_INCH, TakesEffect};
+use crate::spec::TakesEffect;
 
 /// What a hole or a pocket takes away around its place, in millimetres: so much is never looked at.
 const REACH: f64 = 60.0;
@@ -125,7 +125,7 @@ fn found(facts: &Facts<'_>) -> Vec<(Span, Incident)> {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins() && !facts.flow.unread.any()) else {
         return Vec::new();
     };
-    let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
+    let unit = facts.millimetre();
     let mut walk = Walk {
         facts,
         blank,

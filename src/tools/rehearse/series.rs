@@ -1,7 +1,7 @@
 //! The holes of a whole program together: what was centred and what drilled, what was drilled and what tapped, and circles
 //! of holes that lack one.
 //!
-//! Invariant: only of programs of which all holes are known: those that came to their end, or to a block behind which nothing
+//! Invariant: only of programs of which all holes are known: those that came to their end, or to a block after which nothing
 //! is drilled.
 use super::body::Body;
 use super::watcher::{SAME, Watcher};
@@ -108,13 +108,13 @@ impl Watcher<'_> {
         }
     }
 
-    /// Whether a cycle that is defined behind a line makes holes.
+    /// Whether a cycle that is defined after a line makes holes.
     pub(super) fn drills_after(&self, line: usize) -> bool {
         let mut drills = false;
         self.program.each_cycle(|view| {
-            let behind = self.program.blocks().get(view.first).is_some_and(|block| block.line > line);
+            let after = self.program.blocks().get(view.first).is_some_and(|block| block.line > line);
             let group = self.cycle(key(view.keyword, view.number)).map(|own| own.file.group);
-            drills |= behind && matches!(group, None | Some(Group::Drilling | Group::Threads));
+            drills |= after && matches!(group, None | Some(Group::Drilling | Group::Threads));
         });
         drills
     }
