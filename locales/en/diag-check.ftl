@@ -337,7 +337,7 @@ diag-row-not-in-table =
        *[datum] The datum table has no row { $row }.
     }
 diag-program-not-selected = A selected program is called here, but none has been selected.
-diag-speed-missing = The spindle is turned on here, but no speed has been programmed.
+diag-speed-missing = The spindle is turned on here, but no speed has been programmed for this tool.
 diag-speed-out-of-range =
     { $what ->
         [feed] The feed { $value }
@@ -418,6 +418,7 @@ diag-wrong-tool-type =
         [probe] { $cycle } probes here with the tool that has just machined.
         [measured] { $cycle } measures the tool that has just probed here.
         [contour] The tool that has just probed moves along a contour here.
+        [named] { $cycle } measures a touch probe here, if the name of the tool is right.
        *[mill] { $cycle } machines here with the tool that has just probed.
     }
 diag-tool-unused = Tool { $tool } is called here, and the next block calls another one.
@@ -565,6 +566,7 @@ diag-turned-thread-wrong =
         [pitch] The pitch { $value } is far too large for a thread with the diameter { $other }.
         [end] The thread goes to { $value }, behind the end of its cylinder at { $other }.
         [inside] An inside thread is cut at the diameter { $value }, which was turned outside.
+        [speed] The thread is turned at a constant cutting speed (VCONST:ON): the spindle speed changes from pass to pass.
        *[diameter] The thread has the diameter { $value }, but { $other } was turned there.
     }
 diag-tilted-work =

@@ -58,6 +58,7 @@ diag-tool-table-contradicts =
         [point] { $value } centres to a diameter here, and tool { $tool } has no point angle in the tool table (T-ANGLE).
         [turning] { $value } is not meant for tool { $tool }, which is of type { $other } in the table of turning tools (TYPE).
         [size] Tool { $tool } has a diameter of { $other } in the tool table, and its name says { $value }.
+        [oversize] The oversize { $value } (DR) leaves nothing of the radius { $other } of tool { $tool }.
        *[type] { $value } is not meant for tool { $tool }, which is of type { $other } in the tool table (TYP).
     }
 diag-translate-encoding = The file is written in { $encoding }: it has the same bytes there, and all letters of the new labels.

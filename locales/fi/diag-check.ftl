@@ -336,7 +336,7 @@ diag-row-not-in-table =
        *[datum] Nollapistetaulukossa ei ole riviä { $row }.
     }
 diag-program-not-selected = Tässä kutsutaan valittua ohjelmaa, mutta mitään ei ole valittu.
-diag-speed-missing = Kara käynnistetään tässä, mutta kierroslukua ei ole ohjelmoitu.
+diag-speed-missing = Kara käynnistetään tässä, mutta tälle työkalulle ei ole ohjelmoitu kierroslukua.
 diag-speed-out-of-range =
     { $what ->
         [feed] Syöttöarvo { $value }
@@ -417,6 +417,7 @@ diag-wrong-tool-type =
         [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.
         [measured] { $cycle } mittaa tässä työkalun, jolla on juuri kosketettu.
         [contour] Työkalu, jolla on juuri kosketettu, kulkee tässä muotoa pitkin.
+        [named] { $cycle } mittaa tässä kosketusjärjestelmän, jos työkalun nimi pitää paikkansa.
        *[mill] { $cycle } koneistaa tässä työkalulla, jolla on juuri kosketettu.
     }
 diag-tool-unused = Työkalu { $tool } kutsutaan tässä, ja seuraava lause kutsuu toisen.
@@ -564,6 +565,7 @@ diag-turned-thread-wrong =
         [pitch] Nousu { $value } on aivan liian suuri kierteelle, jonka halkaisija on { $other }.
         [end] Kierre ulottuu arvoon { $value }, lieriönsä pään { $other } taakse.
         [inside] Halkaisijalle { $value }, joka on sorvattu ulkopuolelta, tehdään sisäkierre.
+        [speed] Kierre sorvataan vakiolastuamisnopeudella (VCONST:ON): karan kierrosluku muuttuu lastusta toiseen.
        *[diameter] Kierteen halkaisija on { $value }, mutta siihen on sorvattu { $other }.
     }
 diag-tilted-work =

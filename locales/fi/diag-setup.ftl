@@ -58,6 +58,7 @@ diag-tool-table-contradicts =
         [point] { $value } keskiöi tässä halkaisijaan, mutta työkalulla { $tool } ei ole kärkikulmaa työkalutaulukossa (T-ANGLE).
         [turning] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on sorvaustyökalujen taulukossa { $other } (TYPE).
         [size] Työkalun { $tool } halkaisija on työkalutaulukossa { $other }, mutta nimessä { $value }.
+        [oversize] Työvara { $value } (DR) ei jätä työkalun { $tool } säteestä { $other } mitään.
        *[type] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on työkalutaulukossa { $other } (TYP).
     }
 diag-translate-encoding = Tiedosto kirjoitetaan merkistöllä { $encoding }: tavut pysyvät siinä samoina, ja siinä ovat uusien NC-tekstien kaikki kirjaimet.

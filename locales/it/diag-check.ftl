@@ -336,7 +336,7 @@ diag-row-not-in-table =
        *[datum] La tabella origini non contiene la riga { $row }.
     }
 diag-program-not-selected = Qui si chiama un programma selezionato, ma nessuno è stato selezionato.
-diag-speed-missing = Qui viene avviato il mandrino, ma non è stato programmato alcun numero di giri.
+diag-speed-missing = Il mandrino viene avviato qui, ma per questo utensile non è programmato alcun numero di giri.
 diag-speed-out-of-range =
     { $what ->
         [feed] L’avanzamento { $value }
@@ -417,6 +417,7 @@ diag-wrong-tool-type =
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.
         [measured] { $cycle } misura qui l’utensile che ha appena tastato.
         [contour] L’utensile che ha appena tastato si muove qui lungo un profilo.
+        [named] { $cycle } misura qui un tastatore, se il nome dell’utensile è giusto.
        *[mill] { $cycle } lavora qui con l’utensile che ha appena tastato.
     }
 diag-tool-unused = L’utensile { $tool } viene chiamato qui, e il blocco successivo ne chiama un altro.
@@ -564,6 +565,7 @@ diag-turned-thread-wrong =
         [pitch] Il passo { $value } è troppo grande per una filettatura del diametro { $other }.
         [end] La filettatura arriva a { $value }, oltre la fine del suo cilindro a { $other }.
         [inside] Al diametro { $value }, tornito all’esterno, viene eseguita una filettatura interna.
+        [speed] La filettatura viene tornita a velocità di taglio costante (VCONST:ON): il numero di giri cambia da una passata all’altra.
        *[diameter] La filettatura ha il diametro { $value }, ma lì è stato tornito { $other }.
     }
 diag-tilted-work =

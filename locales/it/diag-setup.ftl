@@ -58,6 +58,7 @@ diag-tool-table-contradicts =
         [point] { $value } centrina qui fino a un diametro, ma per l’utensile { $tool } la tabella utensili non indica l’angolo del tagliente (T-ANGLE).
         [turning] { $value } non è adatto all’utensile { $tool }, che nella tabella degli utensili per tornire è di tipo { $other } (TYPE).
         [size] L’utensile { $tool } ha nella tabella utensili il diametro { $other }, ma il nome dice { $value }.
+        [oversize] Il sovrametallo { $value } (DR) non lascia nulla del raggio { $other } dell’utensile { $tool }.
        *[type] { $value } non è adatto all’utensile { $tool }, che nella tabella utensili è di tipo { $other } (TYP).
     }
 diag-translate-encoding = Il file viene scritto in { $encoding }: questa codifica conserva gli stessi byte e contiene tutte le lettere delle nuove etichette.

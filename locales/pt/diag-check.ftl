@@ -337,7 +337,7 @@ diag-row-not-in-table =
        *[datum] A tabela de pontos zero não tem a linha { $row }.
     }
 diag-program-not-selected = Chama-se aqui um programa selecionado, mas nenhum foi selecionado.
-diag-speed-missing = Aqui liga-se o cabeçote, mas não foi programado nenhum número de rotações.
+diag-speed-missing = O cabeçote é ligado aqui, mas não foram programadas rotações para esta ferramenta.
 diag-speed-out-of-range =
     { $what ->
         [feed] O avanço { $value }
@@ -418,6 +418,7 @@ diag-wrong-tool-type =
         [probe] { $cycle } apalpa aqui com a ferramenta que acabou de maquinar.
         [measured] { $cycle } mede aqui a ferramenta que acabou de apalpar.
         [contour] A ferramenta que acabou de apalpar move-se aqui ao longo de um contorno.
+        [named] { $cycle } mede aqui um apalpador, se o nome da ferramenta estiver certo.
        *[mill] { $cycle } maquina aqui com a ferramenta que acabou de apalpar.
     }
 diag-tool-unused = A ferramenta { $tool } é chamada aqui, e a frase seguinte chama outra.
@@ -565,6 +566,7 @@ diag-turned-thread-wrong =
         [pitch] O passo { $value } é demasiado grande para uma rosca com o diâmetro { $other }.
         [end] A rosca vai até { $value }, para lá do fim do seu cilindro em { $other }.
         [inside] No diâmetro { $value }, torneado por fora, é aberta uma rosca interior.
+        [speed] A rosca é torneada com velocidade de corte constante (VCONST:ON): as rotações mudam de passagem para passagem.
        *[diameter] A rosca tem o diâmetro { $value }, mas ali foi torneado { $other }.
     }
 diag-tilted-work =

@@ -58,6 +58,7 @@ diag-tool-table-contradicts =
         [point] { $value } centra aqui até ao diâmetro, mas a ferramenta { $tool } não tem ângulo de ponta na tabela de ferramentas (T-ANGLE).
         [turning] { $value } não serve para a ferramenta { $tool }, que na tabela de ferramentas de tornear é do tipo { $other } (TYPE).
         [size] A ferramenta { $tool } tem na tabela de ferramentas o diâmetro { $other }, mas o nome diz { $value }.
+        [oversize] A medida excedente { $value } (DR) não deixa nada do raio { $other } da ferramenta { $tool }.
        *[type] { $value } não serve para a ferramenta { $tool }, que na tabela de ferramentas é do tipo { $other } (TYP).
     }
 diag-translate-encoding = O ficheiro é escrito em { $encoding }: tem aí os mesmos bytes e existem todas as letras das novas designações.

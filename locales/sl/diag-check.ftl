@@ -340,7 +340,7 @@ diag-row-not-in-table =
        *[datum] V preglednici ničelnih točk ni vrstice { $row }.
     }
 diag-program-not-selected = Tu se prikliče izbrani program, izbran pa ni bil noben.
-diag-speed-missing = Vreteno se tu vklopi, število vrtljajev pa ni programirano.
+diag-speed-missing = Vreteno se tu vklopi, število vrtljajev za to orodje pa ni programirano.
 diag-speed-out-of-range =
     { $what ->
         [feed] Pomik { $value }
@@ -421,6 +421,7 @@ diag-wrong-tool-type =
         [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.
         [measured] { $cycle } tu meri orodje, ki je pravkar tipalo.
         [contour] Orodje, ki je pravkar tipalo, se tu premika po konturi.
+        [named] { $cycle } tu meri tipalni sistem, če ime orodja drži.
        *[mill] { $cycle } tu obdeluje z orodjem, ki je pravkar tipalo.
     }
 diag-tool-unused = Tu se prikliče orodje { $tool }, naslednji stavek pa prikliče drugo.
@@ -568,6 +569,7 @@ diag-turned-thread-wrong =
         [pitch] Korak { $value } je veliko prevelik za navoj s premerom { $other }.
         [end] Navoj sega do { $value }, za konec svojega valja pri { $other }.
         [inside] Na premeru { $value }, ki je bil stružen zunaj, se reže notranji navoj.
+        [speed] Navoj se struži s konstantno rezalno hitrostjo (VCONST:ON): število vrtljajev se od reza do reza spreminja.
        *[diameter] Navoj ima premer { $value }, tam pa je bilo struženo { $other }.
     }
 diag-tilted-work =

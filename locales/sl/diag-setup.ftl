@@ -60,6 +60,7 @@ diag-tool-table-contradicts =
         [point] { $value } tu centrira na premer, orodje { $tool } pa v preglednici orodij nima kota konice (T-ANGLE).
         [turning] { $value } ni za orodje { $tool }, ki je v preglednici stružnih orodij tipa { $other } (TYPE).
         [size] Orodje { $tool } ima v preglednici orodij premer { $other }, njegovo ime pa pove { $value }.
+        [oversize] Predizmera { $value } (DR) od polmera { $other } orodja { $tool } ne pusti ničesar.
        *[type] { $value } ni za orodje { $tool }, ki je v preglednici orodij tipa { $other } (TYP).
     }
 diag-translate-encoding = Datoteka je zapisana v { $encoding }: v njem ima enake bajte in vse črke novih oznak.

@@ -146,4 +146,10 @@ pub enum Incident {
     Corner([f64; 2]),
     /// A hole that the edge of the blank cuts.
     Edge([f64; 2]),
+    /// A movement for which the feed 0 is active.
+    NoFeed,
+    /// A tool drills or mills while the spindle turns counter-clockwise.
+    Backwards,
+    /// The control refuses a cycle with a message of its own, with the cycle and the code of the message.
+    Refused(CycleKey, &'static str),
 }

@@ -28,12 +28,13 @@ pub use against::Against;
 pub use allow::CODES as ALLOW_CODES;
 pub use config::{Config, Known, Settings};
 pub use cycle::{Aspect, CycleLabels, LabelBook, LanguageLabels, ParamLabels, Tri};
-pub(crate) use cycle::{is_label, is_label_by_place};
+pub(crate) use cycle::{is_label, is_label_by_place, removes_material};
 pub use facts::Facts;
 pub use flow::{
     Called, Callee, CycleCall, Graph, Loaded, Mark, Modal, Pending, ProgramCall, Project, Rows, Run, ToolName, Use,
     Way, circles, named,
 };
+pub(crate) use guards::lasting;
 pub use incident::{Incident, Observed};
 pub use machine::Machine;
 pub use program::{Defined, Definition, Flow, Item, Reading, Unread};

@@ -253,7 +253,7 @@ pub(in crate::check) fn stops_spindle(cycle: &Cycle) -> bool {
 }
 
 /// Whether a cycle mills, drills or cuts threads.
-pub(in crate::check) fn removes_material(cycle: &Cycle) -> bool {
+pub(crate) fn removes_material(cycle: &Cycle) -> bool {
     matches!(cycle.file.group, Group::Drilling | Group::Threads | Group::Pockets | Group::Contours | Group::Surfaces)
         && cycle.file.takes_effect == TakesEffect::OnCall
 }

@@ -42,6 +42,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// Whether blocks leave the cutting speed constant.
+pub(super) fn is_cutting_speed_constant(facts: &Facts<'_>, blocks: &[Block]) -> bool {
+    let last = blocks.iter().rev().find_map(|block| match &block.kind {
+        BlockKind::Statement(own) => speed(facts, own),
+        _ => None,
+    });
+    matches!(last, Some(Speed::Constant { .. }))
+}
+
 fn speed(facts: &Facts<'_>, own: &Statement) -> Option<Speed> {
     let head = facts.text(own.head).to_ascii_uppercase();
     if own.kind != StatementKind::Function {

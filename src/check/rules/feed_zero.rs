@@ -1,7 +1,9 @@
-//! A movement with the feed F0.
+//! A movement with the feed F0, be it that of a parameter where an execution shows it.
 //!
 //! Tool calls with F0 are passed over: they only unload a tool.
 use crate::base::diag::{Diagnostic, Severity};
+use crate::check::incident::Incident;
+use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Amount, BlockKind, FeedKind};
 
@@ -20,6 +22,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if own.amount == Amount::Number(0.0) {
             found.push(rule.at(facts, feed.span));
         }
+    }
+    executed(rule, facts, found);
+}
+
+/// A movement for which a parameter has brought the feed 0.
+fn executed(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let first = first_incident(facts, |own| (own == Incident::NoFeed).then_some(()));
+    if let Some((span, ())) = first.filter(|_| found.iter().all(|own| own.code != rule.code)) {
+        found.push(rule.at(facts, span));
     }
 }
 

@@ -3,14 +3,15 @@
 //! Each finding has the code of the guard. Only numbers and texts that the definition writes are
 //! known; guards that a machine datum switches off count as active.
 use std::collections::{BTreeSet, HashMap, HashSet};
-use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::differs_from_other_control::Other;
 use super::together;
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::Ready;
-use crate::check::guards::{Written, place};
+use crate::check::guards::{Written, lasting, place};
+use crate::check::incident::Incident;
 use crate::check::tools::Tools;
+use crate::check::travel::incidents;
 use crate::check::{Defined, Definition, Facts, Pending, Rule};
 use crate::language::text;
 use crate::program::syntax::BlockKind;
@@ -21,6 +22,27 @@ pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, r
 /// What guards ask of the tool that a call finds in the spindle: the one that the program defines, or that of the table
 /// which was given.
 fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    with_tools(facts, found);
+    executed(facts, found);
+}
+
+/// What an execution shows: a message of the control that depends on what parameters, patterns and subprograms do. One that
+/// is reported of what is written is not said again.
+fn executed(facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (span, own) in incidents(facts) {
+        let Incident::Refused(key, code) = own else { continue };
+        if found.iter().any(|other| other.code == *code) {
+            continue;
+        }
+        let on = facts.against.on;
+        let Some(cycle) = on.cycles.get(key) else { continue };
+        let rule = Rule { code, severity: Severity::Error, run: together };
+        let sentence = text::guard_sentence(on, cycle, code, facts.against.readers);
+        found.push(rule.at(facts, *span).arg("message", sentence.unwrap_or_else(|| (*code).to_owned())));
+    }
+}
+
+fn with_tools(facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(tools) = Tools::of(facts) else { return };
     let mut others: HashMap<CycleKey, Option<Other<'_>>> = HashMap::new();
     let (mut seen, mut reported) = (BTreeSet::new(), HashSet::new());
@@ -120,16 +142,4 @@ const fn severity(ready: &Ready) -> Severity {
         Some(Outcome::Error) | None => Severity::Error,
         Some(Outcome::Skip | Outcome::Warn | Outcome::Confirm) => Severity::Warning,
     }
-}
-
-/// The code for as long as the program runs. There are as many as the specifications have guards.
-fn lasting(code: &str) -> &'static str {
-    static CODES: OnceLock<Mutex<BTreeSet<&'static str>>> = OnceLock::new();
-    let mut codes = CODES.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = codes.get(code) {
-        return known;
-    }
-    let lasting: &'static str = Box::leak(code.to_owned().into_boxed_str());
-    codes.insert(lasting);
-    lasting
 }

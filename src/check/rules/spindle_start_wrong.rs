@@ -35,6 +35,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if all.iter().all(|(.., what)| *what != "missing") {
         all.extend(still.map(|(span, _)| (*span, Loaded::Unknown, "missing")));
     }
+    if all.iter().all(|(.., what)| *what != "direction") {
+        let backwards = incidents(facts).iter().filter(|(_, own)| *own == Incident::Backwards);
+        all.extend(backwards.map(|(span, _)| (*span, Loaded::Unknown, "direction")));
+    }
     all.sort_by_key(|(span, ..)| span.start);
     let mut reported = HashSet::new();
     for (span, loaded, what) in all {

@@ -73,6 +73,14 @@ fn by_table(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let finding = rule.at(facts, facts.content(block)).arg("what", "locked").arg("tool", shown(facts, tool));
             found.push(finding.arg("value", "").arg("other", ""));
         }
+        if let Some(radius) = named(facts, tool).and_then(|name| project.tool_value(name, "R")).filter(|own| *own > 0.0)
+            && let Some((oversize, span)) = call.dr.and_then(|own| facts.number(&own).map(|value| (value, own.span)))
+            && radius * facts.millimetre() + oversize <= 0.0
+        {
+            let finding = rule.at(facts, span).arg("what", "oversize").arg("tool", shown(facts, tool));
+            let radius = radius * facts.millimetre();
+            found.push(finding.arg("value", Arg::Number(oversize)).arg("other", Arg::Number(radius)));
+        }
         let Some(speed) = call.speed else { continue };
         let most = named(facts, tool).and_then(|name| project.tool_value(name, "NMAX")).filter(|most| *most > 0.0);
         let Some((speed, most, span)) = facts.number(&speed).zip(most).map(|(own, most)| (own, most, speed.span))

@@ -1,9 +1,11 @@
 //! A turned thread that does not fit what was turned before: its pitch is far too large for its diameter, its diameter is
 //! another one than that of the cylinder on which it lies, it goes on beyond the end of that cylinder, or it is an inside
-//! thread on a cylinder that was turned outside.
+//! thread on a cylinder that was turned outside. Also one that is cut with a constant cutting speed: the spindle speed
+//! changes with the depth of each pass, and the flanks with it.
 //!
 //! Cylinders are those of the simple cycles for shoulders, where their end is written as a number. Nothing is said of
 //! threads on contours that cycles read from subprograms.
+use super::cutting_speed_unlimited::is_cutting_speed_constant;
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::program::{number, with_meaning};
 use crate::check::{Defined, Facts, Pending, Rule};
@@ -58,6 +60,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let read = facts.read(&related);
         let value = |meaning: &str| read.item(meaning).and_then(number).map(|own| own * unit);
         if with_meaning(cycle, PITCH).is_some() {
+            let (before, place) = (facts.program.blocks().get(..own.view.first), own.view.head);
+            if before.is_some_and(|before| is_cutting_speed_constant(facts, before)) {
+                let finding = rule.at(facts, place).arg("what", "speed").arg("value", "");
+                found.push(finding.arg("other", ""));
+            }
             thread(rule, facts, own, (&cylinders, open, inside), unit, found);
         } else if is_shoulder(cycle) {
             match END.map(value) {

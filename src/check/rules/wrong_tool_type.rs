@@ -6,7 +6,8 @@
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::{probes, removes_material};
 use crate::check::program::with_meaning;
-use crate::check::{Aspect, Facts, Pending, Rule, Tri};
+use crate::check::tools::kind_of_call;
+use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, ToolKind, Tri};
 use crate::program::syntax::{Block, BlockKind, Compensates};
 use crate::spec::Group;
 
@@ -25,12 +26,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         found.push(finding.arg("cycle", own.key.to_string()));
     }
     let measured = facts.definitions.iter().find(|own| {
-        own.related_cycle()
-            .is_some_and(|cycle| cycle.file.group == Group::ToolMeasurement && with_meaning(cycle, MEASURED).is_some())
-            && facts.run.before(own.view.first).is_some_and(|modal| modal.is(Aspect::Probed) == Tri::Yes)
+        measures(own) && facts.run.before(own.view.first).is_some_and(|modal| modal.is(Aspect::Probed) == Tri::Yes)
     });
     if let Some(own) = measured {
         let finding = rule.at(facts, own.view.head).arg("what", "measured");
+        found.push(finding.arg("cycle", own.key.to_string()));
+    }
+    if measured.is_none()
+        && let Some(own) = facts.definitions.iter().find(|own| measures_probe(facts, own))
+    {
+        let finding = rule.at(facts, own.view.head).arg("what", "named");
         found.push(finding.arg("cycle", own.key.to_string()));
     }
     let mut calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Probed) == Tri::Yes);
@@ -53,4 +58,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if let Some((_, block)) = facts.shaped().find(|(index, block)| along(block) && probed(*index)) {
         found.push(rule.at(facts, facts.content(block)).arg("what", "contour"));
     }
+}
+
+/// Whether a definition measures a tool that cuts.
+fn measures(own: &Defined<'_>) -> bool {
+    own.related_cycle()
+        .is_some_and(|cycle| cycle.file.group == Group::ToolMeasurement && with_meaning(cycle, MEASURED).is_some())
+}
+
+/// Whether it measures a tool that is called a touch probe.
+fn measures_probe(facts: &Facts<'_>, own: &Defined<'_>) -> bool {
+    let Some(Loaded::By(call)) = facts.run.before(own.view.first).map(|modal| modal.loaded) else { return false };
+    measures(own) && kind_of_call(facts, call as usize) == Some(ToolKind::Probe)
 }

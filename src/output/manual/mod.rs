@@ -30,8 +30,8 @@ mod topic;
 mod view;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, OnceLock};
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::{Environment, UndefinedBehavior};
@@ -155,6 +155,7 @@ impl<'a> Site<'a> {
             locales: request.locales,
             labels,
             templates,
+            endless: OnceLock::new(),
             base_url: request.base_url.map(|base| format!("{}/", base.trim_end_matches('/'))),
             assets: assets.collect(),
             figures: Figures::new(request.catalogue.controls.values(), request.files),

@@ -74,6 +74,8 @@ pub struct Site<'a> {
     /// The labels of each control, to write its printed lines in other languages.
     pub(super) labels: BTreeMap<&'a str, LabelBook<'a>>,
     pub(super) templates: Environment<'a>,
+    /// A template that has no end, once a page has shown it: the other pages do not try it again.
+    pub(super) endless: OnceLock<(String, Diagnostic)>,
     /// The address of the site, which ends with `/`.
     pub(super) base_url: Option<String>,
     pub(super) assets: Vec<(&'a str, &'a str)>,
@@ -115,8 +117,17 @@ impl Site<'_> {
 
     /// A page by its template.
     pub(super) fn render(&self, template: &str, view: minijinja::Value) -> Result<String, Vec<Diagnostic>> {
+        if let Some((_, fault)) = self.endless.get().filter(|(own, _)| own == template) {
+            return Err(vec![fault.clone()]);
+        }
         let rendered = self.templates.get_template(template).and_then(|template| template.render(view));
-        rendered.map_err(|error| vec![template_fault(template, &error)])
+        rendered.map_err(|error| {
+            let fault = template_fault(template, &error);
+            if error.kind() == minijinja::ErrorKind::OutOfFuel {
+                let _ = self.endless.set((template.to_owned(), fault.clone()));
+            }
+            vec![fault]
+        })
     }
 }
 

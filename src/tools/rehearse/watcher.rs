@@ -7,7 +7,7 @@ use super::body::Body;
 use super::path::Ways;
 use super::series::Rows;
 use super::work::{Hole, Work};
-use crate::check::{Incident, Observed, ToolKind};
+use crate::check::{Incident, Observed, ToolKind, lasting, removes_material};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MoveKind, Status, Tool};
 use crate::engine::solid::Path;
@@ -202,7 +202,7 @@ impl<'w> Watcher<'w> {
             }
             EventKind::Transform(coordinates) => self.preset(coordinates),
             EventKind::Probe(_) => self.worked = true,
-            EventKind::Error(fault) => self.fault(fault),
+            EventKind::Error(fault) => self.fault(fault, key),
             EventKind::End(Status::Done) => {
                 self.finish();
                 self.judge_rows();
@@ -300,7 +300,14 @@ impl<'w> Watcher<'w> {
         self.lost |= now.origin.length() > SAME || now.basic_rotation.length() > SAME;
     }
 
-    fn fault(&mut self, fault: &Fault) {
+    /// The run ends with a fault of the program, or with a message of a cycle whose tool is known.
+    fn fault(&mut self, fault: &Fault, key: Option<CycleKey>) {
+        if fault.of_cycle && self.width().is_some() {
+            let machines = key.filter(|key| self.cycle(*key).is_some_and(removes_material));
+            if let Some(key) = machines {
+                self.report(self.line, Incident::Refused(key, lasting(&fault.code)));
+            }
+        }
         if fault.class != Class::Program || fault.of_cycle {
             return;
         }
@@ -423,6 +430,13 @@ impl<'w> Watcher<'w> {
     ) {
         let group = key.and_then(|key| self.cycle(key)).map(|own| own.file.group);
         let solid = !self.open && begun && places.iter().any(|place| self.is_solid(*place));
+        if feed == 0.0 && key.is_none() && plain {
+            self.report(self.line, Incident::NoFeed);
+        }
+        let drills = group == Some(Group::Drilling);
+        if solid && self.spindle < 0 && (drills || group == Some(Group::Pockets)) {
+            self.report(self.line, Incident::Backwards);
+        }
         if !self.open && self.with_speed && self.probes.is_empty() && group != Some(Group::Threads) {
             // Where another tool has cut before, a tool that was not started still has to turn.
             let near = begun && places.iter().any(|own| own.z < body.high.z - SKIN && body.distance(*own) <= 0.0);
@@ -430,8 +444,11 @@ impl<'w> Watcher<'w> {
                 self.report(self.line, Incident::Still { unstarted: self.spindle != 0 });
             }
         }
+        if solid && (key.is_none() || drills) {
+            self.plunges(from, feed);
+        }
         if solid && key.is_none() {
-            self.cuts_plainly(from, feed, places);
+            self.cuts_sideways(from, places);
         }
         if key.is_none() {
             let plan = (body.high - body.low).truncate().max_element();
@@ -450,8 +467,8 @@ impl<'w> Watcher<'w> {
         }
     }
 
-    /// A plain movement at feed through material: how fast it plunges, and whether such a tool cuts sideways.
-    fn cuts_plainly(&mut self, from: DVec3, feed: f64, places: &[DVec3]) {
+    /// A movement at feed straight down into material: how much it takes per revolution.
+    fn plunges(&mut self, from: DVec3, feed: f64) {
         /// So much of the diameter a tool may plunge per revolution, and so much any tool, mm.
         const OF_DIAMETER: f64 = 0.15;
         const AT_MOST: f64 = 1.5;
@@ -462,6 +479,11 @@ impl<'w> Watcher<'w> {
                 self.report(self.line, Incident::FastPlunge(feed / self.speed * self.unit));
             }
         }
+    }
+
+    /// A plain movement at feed through material: whether such a tool cuts sideways.
+    fn cuts_sideways(&mut self, from: DVec3, places: &[DVec3]) {
+        let (along, down) = ((self.at - from).truncate().length(), from.z - self.at.z);
         let level = down.abs() <= SAME && places.iter().filter(|place| self.is_solid(**place)).count() > 2;
         if level && along > SAME && self.kind().is_some_and(ToolKind::only_along_axis) {
             self.report(self.line, Incident::Sideways);
