@@ -6,7 +6,7 @@ step-position-offset-at-first-touch-point__tnc426-430 = The control positions th
 step-travel-to-and-probe-second-point = The touch probe moves to the second touch point and carries out the second probing there.
 step-retract-and-carry-out-basic-rotation = The control returns the touch probe to the clearance height { $q-clearance-height } and carries out the basic rotation that it has determined.
 note-basic-rotation-reset-at-start = The control resets an active basic rotation at the start of the cycle.
-note-known-reference-direction = With { $q-reference-line-angle } the control corrects the measured value by a known angle. The basic rotation can thus be measured on any straight line of the workpiece and referred to the actual direction of 0°.
+note-known-reference-direction = With { $q-reference-line-angle } the control corrects the measured value by a known angle. The basic rotation can thus be measured on any straight line of the workpiece, and the actual 0° direction is set all the same.
 
 # --- 400 ---
 cycle-basic-rotation = Basic rotation

@@ -203,7 +203,7 @@ parameter-second-measuring-height = Kaulan 2 mittauskorkeus kosketusakselilla
 # --- mitä kulmalle tehdään ---
 parameter-reference-line-angle = Peruskäännön esiasetus
     .label = PERUSK. ESIASETUS
-    .help = Vertailusuoran kulma, jos vinoa asentoa ei mitata pääakselin vaan jonkin muun suoran suhteen. Peruskäännöksi ohjaus ottaa mittausarvon ja tämän kulman erotuksen.
+    .help = Vertailusuoran kulma, jos vino asento mitataan jonkin suoran eikä pääakselin suhteen. Peruskääntö on silloin mittausarvon ja tämän kulman erotus.
 parameter-basic-rotation-angle = Peruskäännön esiasetus
     .label = PERUSK. ESIASETUS
     .help = Kulma, johon peruskääntö asetetaan.

@@ -6,7 +6,7 @@ step-position-offset-at-first-touch-point__tnc426-430 = Ohjaus paikoittaa kosket
 step-travel-to-and-probe-second-point = Kosketusjärjestelmä siirtyy toiseen kosketuspisteeseen ja tekee siellä toisen kosketuksen.
 step-retract-and-carry-out-basic-rotation = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja suorittaa määrittämänsä peruskäännön.
 note-basic-rotation-reset-at-start = Ohjaus peruuttaa voimassa olevan peruskäännön työkierron alussa.
-note-known-reference-direction = Parametrilla { $q-reference-line-angle } ohjaus korjaa mittausarvoa tunnetulla kulmalla. Näin peruskääntö voidaan mitata miltä tahansa työkappaleen suoralta ja suhteuttaa todelliseen suuntaan 0°.
+note-known-reference-direction = Parametrilla { $q-reference-line-angle } ohjaus korjaa mittausarvoa tunnetulla kulmalla. Näin peruskääntö voidaan mitata miltä tahansa työkappaleen suoralta, ja se tulee silti todellisen 0°-suunnan mukaiseksi.
 
 # --- 400 ---
 cycle-basic-rotation = Peruskääntö

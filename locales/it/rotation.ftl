@@ -6,7 +6,7 @@ step-position-offset-at-first-touch-point__tnc426-430 = Il controllo posiziona i
 step-travel-to-and-probe-second-point = Il sistema di tastatura si porta al secondo punto di tastatura ed esegue la seconda tastatura.
 step-retract-and-carry-out-basic-rotation = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } ed esegue la rotazione base rilevata.
 note-basic-rotation-reset-at-start = All’inizio del ciclo il controllo annulla una rotazione base attiva.
-note-known-reference-direction = Con { $q-reference-line-angle } il controllo corregge di un angolo noto il valore misurato. La rotazione base può così essere misurata su una retta qualsiasi del pezzo e riferita alla direzione effettiva di 0°.
+note-known-reference-direction = Con { $q-reference-line-angle } il controllo corregge di un angolo noto il valore misurato. La rotazione base può così essere misurata su una retta qualsiasi del pezzo e riferirsi comunque alla direzione effettiva 0°.
 
 # --- 400 ---
 cycle-basic-rotation = Rotazione base su due punti

@@ -20,8 +20,8 @@ say-travel-linearly-at-clearance-height = com { $q-traverse-to-clearance-height 
 say-travel-paraxially-at-measuring-height = com { $q-traverse-to-clearance-height }=0, paralelamente aos eixos, à altura de medição { $q-measuring-height }
 step-probe-second-point = O apalpador executa aí a segunda apalpação.
 step-probe-third-and-fourth-point = O comando posiciona o apalpador no terceiro e depois no quarto ponto de apalpação e executa aí a terceira e a quarta apalpação.
-step-retract-and-treat-datum = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e trata o ponto de referência medido conforme { $q-measured-value-transfer } e { $q-datum-row-number }:
-step-retract-and-treat-datum__tnc426-430 = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e trata o ponto de referência medido conforme { $q-datum-row-number }:
+step-retract-and-treat-datum = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e define ou memoriza o ponto de referência medido conforme { $q-measured-value-transfer } e { $q-datum-row-number }:
+step-retract-and-treat-datum__tnc426-430 = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e define ou memoriza o ponto de referência medido conforme { $q-datum-row-number }:
 step-store-actual-values = O comando guarda os valores reais nos parâmetros de resultado.
 note-pocket-sides-rather-small = Perigo de colisão! Para que o apalpador não colida com a peça, introduza as longitudes dos lados 1 e 2 da caixa aproximadas por defeito.
 note-stud-sides-rather-large = Perigo de colisão! Para que o apalpador não colida com a peça, introduza as longitudes dos lados 1 e 2 da ilha aproximadas por excesso.
@@ -76,7 +76,7 @@ step-probe-first-point-by-third-point = O apalpador executa a primeira apalpaç�
 step-probe-first-point-by-third-point__tnc426-430 = O apalpador executa a primeira apalpação com o avanço de apalpação ({ $mp-probing-feed } ou { $mp-analog-probing-feed }). O comando determina a direção de apalpação a partir do terceiro ponto de medição programado.
 step-probe-first-point-by-corner-number = O apalpador executa a primeira apalpação com o avanço de apalpação (coluna { $mp-probing-feed }). O comando determina a direção de apalpação a partir do número da esquina { $q-corner-number }.
 step-probe-first-point-by-corner-number__tnc426-430 = O apalpador executa a primeira apalpação com o avanço de apalpação ({ $mp-probing-feed } ou { $mp-analog-probing-feed }). O comando determina a direção de apalpação a partir do número da esquina { $q-corner-number }.
-step-retract-and-store-corner = O comando faz regressar o apalpador à altura segura { $q-clearance-height }, guarda as coordenadas da esquina medida nos parâmetros de resultado e trata o ponto de referência medido conforme { $q-measured-value-transfer } e { $q-datum-row-number }:
+step-retract-and-store-corner = O comando faz regressar o apalpador à altura segura { $q-clearance-height }, guarda as coordenadas da esquina medida nos parâmetros de resultado e define ou memoriza o ponto de referência medido conforme { $q-measured-value-transfer } e { $q-datum-row-number }:
 step-retract-and-store-corner__tnc426-430 = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e trata o ponto de intersecção das retas medidas como ponto de referência, conforme { $q-datum-row-number }:
 step-carry-out-basic-rotation-on-request = Com { $q-corner-basic-rotation }=1, o comando compensa a inclinação da peça por meio de uma rotação básica.
 note-corner-from-first-and-third-point = As posições dos pontos de medição 1 e 3 determinam a esquina em que o comando memoriza o ponto de referência. Esquina A: ponto 1 maior do que o ponto 3 em X, menor em Y. Esquina B: menor em X, menor em Y. Esquina C: menor em X, maior em Y. Esquina D: maior em X, maior em Y.

@@ -6,7 +6,7 @@ step-position-offset-at-first-touch-point__tnc426-430 = O comando posiciona o ap
 step-travel-to-and-probe-second-point = O apalpador desloca-se para o segundo ponto de apalpação e executa aí a segunda apalpação.
 step-retract-and-carry-out-basic-rotation = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e executa a rotação básica que determinou.
 note-basic-rotation-reset-at-start = No início do ciclo, o comando anula uma rotação básica ativa.
-note-known-reference-direction = Com { $q-reference-line-angle }, o comando corrige o valor medido com um ângulo conhecido. A rotação básica pode assim ser medida em qualquer reta da peça e referida à direção real de 0°.
+note-known-reference-direction = Com { $q-reference-line-angle }, o comando corrige o valor medido com um ângulo conhecido. A rotação básica pode assim ser medida em qualquer reta da peça e, ainda assim, referir-se à direção real de 0°.
 
 # --- 400 ---
 cycle-basic-rotation = Rotação básica

@@ -6,7 +6,7 @@ step-position-offset-at-first-touch-point__tnc426-430 = Krmiljenje pozicionira t
 step-travel-to-and-probe-second-point = Tipalni sistem se premakne na drugo tipalno točko in tam izvede drugo tipanje.
 step-retract-and-carry-out-basic-rotation = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in izvede ugotovljeno osnovno rotacijo.
 note-basic-rotation-reset-at-start = Krmiljenje na začetku cikla ponastavi aktivno osnovno rotacijo.
-note-known-reference-direction = S parametrom { $q-reference-line-angle } krmiljenje izmerjeno vrednost popravi za znani kot. Tako je mogoče osnovno rotacijo izmeriti na poljubni premici obdelovanca in jo navezati na dejansko smer 0°.
+note-known-reference-direction = S parametrom { $q-reference-line-angle } krmiljenje izmerjeno vrednost popravi za znani kot. Tako je mogoče osnovno rotacijo izmeriti na poljubni premici obdelovanca, nanaša pa se vseeno na dejansko smer 0°.
 
 # --- 400 ---
 cycle-basic-rotation = Osnovna rotacija
