@@ -162,7 +162,7 @@ parameter-countersinking-moment = Upotus
 # --- vaihtoehdot ---
 choice-centre-to-entered-depth = Keskiöinti annettuun syvyyteen
 choice-centre-to-entered-diameter = Keskiöinti annettuun halkaisijaan
-choice-no-disengagement = Ei työkalun irtiajoa
+choice-no-disengagement = Työkalua ei ajeta irti
 choice-disengage-minus-main = Työkalun irtiajo pääakselin negatiiviseen suuntaan
 choice-disengage-minus-minor = Työkalun irtiajo sivuakselin negatiiviseen suuntaan
 choice-disengage-plus-main = Työkalun irtiajo pääakselin positiiviseen suuntaan

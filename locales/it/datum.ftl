@@ -6,8 +6,8 @@ cycle-datum-inside-circle = Impostazione origine cerchio interno (foro)
     .purpose = Misura il centro di una tasca circolare o di un foro e lo imposta come origine. A scelta, il controllo scrive il centro anche in una tabella origini o nella tabella Preset.
 cycle-datum-inside-circle__tnc426-430 =
     .purpose = Misura il centro di una tasca circolare o di un foro e lo imposta come origine. A scelta, il controllo scrive il centro anche in una tabella origini.
-step-retract-and-store-datum = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height }, memorizza i valori reali nei parametri di risultato ed imposta o memorizza l’origine rilevata in base a { $q-measured-value-transfer } e { $q-datum-row-number }:
-step-retract-and-store-datum__tnc426-430 = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } ed imposta o memorizza l’origine rilevata in base a { $q-datum-row-number }:
+step-retract-and-store-datum = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height }, memorizza i valori reali nei parametri di risultato e imposta o memorizza l’origine rilevata in base a { $q-measured-value-transfer } e { $q-datum-row-number }:
+step-retract-and-store-datum__tnc426-430 = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } e imposta o memorizza l’origine rilevata in base a { $q-datum-row-number }:
 say-datum-into-display-and-row-zero = con { $q-datum-row-number }=0 imposta l’origine rilevata nella visualizzazione; l’origine è subito attiva e viene memorizzata anche nella riga 0 della tabella Preset
 say-datum-into-display = con { $q-datum-row-number }=0 imposta l’origine rilevata nella visualizzazione; l’origine è subito attiva
 say-datum-into-datum-table = con { $q-datum-row-number } diverso da 0 e { $q-measured-value-transfer }=0 scrive l’origine rilevata nella riga { $q-datum-row-number } della tabella origini attiva; il sistema di riferimento è il sistema di coordinate del pezzo attivo

@@ -6,7 +6,7 @@ cycle-measure-hole = Misurazione cerchio interno (foro)
     .purpose = Misura il centro e il diametro di un foro (tasca circolare). Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
 step-retract-and-store-results = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } e memorizza nei parametri di risultato i valori reali e gli scostamenti dai valori nominali.
 step-set-measuring-status = Il controllo imposta lo stato della misurazione:
-say-hole-is-scrap = scarto (Q182=1) se il foro è più grande di { $q-hole-greatest-diameter } o il suo centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-hole-is-scrap = scarto (Q182=1) se il foro è più grande di { $q-hole-greatest-diameter } o il suo centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
 say-hole-needs-rework = ripresa (Q181=1) se il foro è più piccolo di { $q-hole-least-diameter }
 say-hole-is-good = altrimenti in tolleranza (Q180=1), anche se non è inserita alcuna tolleranza o quota limite
 step-write-measuring-log = Il controllo crea il protocollo di misura in base a { $q-measuring-log }:

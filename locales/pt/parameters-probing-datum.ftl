@@ -234,7 +234,7 @@ parameter-probing-centre-minor__rotation-by-c-axis =
 parameter-probing-nominal-diameter__rotation-by-c-axis =
     .help = Diâmetro da caixa circular (furo); introduza um valor aproximado por defeito.
 
-parameter-traverse-to-clearance-height__datum-inside-corner = Deslocação à Altura Segura
+parameter-traverse-to-clearance-height__datum-inside-corner = Deslocação à altura segura
 parameter-clearance-height__basic-rotation = Altura de segurança
 parameter-clearance-height__rotation-by-rotary-axis =
     .label = ALTURA SEGURANÇA

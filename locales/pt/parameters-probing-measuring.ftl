@@ -87,7 +87,7 @@ parameter-least-dimension__measure-coordinate =
     .help = Menor valor medido permitido.
 
 # --- 430 ---
-parameter-probing-centre-main__measure-bolt-hole-circle = Centro 1º eixo
+parameter-probing-centre-main__measure-bolt-hole-circle = Centro 1.º eixo
     .help = Centro do círculo de furos (valor nominal) no eixo principal do plano de maquinação.
 parameter-probing-centre-minor__measure-bolt-hole-circle =
     .help = Centro do círculo de furos (valor nominal) no eixo secundário do plano de maquinação.
@@ -107,11 +107,11 @@ parameter-greatest-dimension__measure-bolt-hole-circle =
 parameter-least-dimension__measure-bolt-hole-circle =
     .help = Menor diâmetro permitido para o círculo de furos.
 parameter-monitored-tool__measure-bolt-hole-circle =
-    .help = Determina se o comando supervisiona a rotura de uma ferramenta. Introduza o número ou o nome da ferramenta.
+    .help = Número ou nome da ferramenta cuja rotura o comando deve supervisionar, se for o caso.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc320 =
-    .help = Determina se o comando supervisiona a rotura de uma ferramenta. Introduza o número da ferramenta.
+    .help = Número da ferramenta cuja rotura o comando deve supervisionar, se for o caso.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc426-430 =
-    .help = Determina se o comando supervisiona a rotura de uma ferramenta. Introduza o número da ferramenta.
+    .help = Número da ferramenta cuja rotura o comando deve supervisionar, se for o caso.
 
 # --- 420, 431 ---
 parameter-first-point-tool = 1.º ponto de medição 3.º eixo
@@ -127,7 +127,7 @@ parameter-measuring-axis__measure-angle =
     .help = Eixo em que se faz a medição.
 
 # --- 416 ---
-parameter-probing-centre-main__datum-bolt-hole-circle = Centro 1º eixo
+parameter-probing-centre-main__datum-bolt-hole-circle = Centro 1.º eixo
     .help = Centro do círculo de furos (valor nominal) no eixo principal do plano de maquinação.
 parameter-probing-centre-minor__datum-bolt-hole-circle =
     .help = Centro do círculo de furos (valor nominal) no eixo secundário do plano de maquinação.

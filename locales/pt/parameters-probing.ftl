@@ -1,7 +1,7 @@
 # Parameters of the workpiece touch-probe cycles: name, label in the NC block, help.
 
 # --- old form ---
-parameter-result-parameter = Nº do Parâmetro para o resultado
+parameter-result-parameter = N.º do parâmetro para o resultado
     .help = Número do parâmetro Q a que é atribuída a coordenada.
 parameter-probing-direction = Eixo e Direcção de Apalpação
     .help = Eixo de apalpação, introduzido com a tecla de seleção de eixos ou com o teclado alfanumérico, e sinal da direção de apalpação. Confirme com a tecla ENT.
@@ -17,7 +17,7 @@ parameter-probing-centre-main = Centro 1.º eixo
     .help = Centro do furo no eixo principal do plano de maquinação.
 parameter-probing-centre-main__datum-inside-circle =
     .help = Centro da caixa no eixo principal do plano de maquinação.
-parameter-probing-centre-minor = Centro 2º eixo
+parameter-probing-centre-minor = Centro 2.º eixo
     .label = CENTRO 2º EIXO
     .label-aliases = CENTRO 2.º EIXO | CENTRO 2° EIXO
     .help = Centro do furo no eixo secundário do plano de maquinação.
@@ -42,7 +42,7 @@ parameter-measuring-height = Altura de medição no eixo do apalpador
 parameter-probing-clearance = Distância de segurança
     .label = DISTÂNCIA SEGURANÇA
     .help = Distância adicional entre o ponto de medição e a esfera do apalpador. Soma-se a { $mp-set-up }.
-parameter-clearance-height = Altura Segura
+parameter-clearance-height = Altura segura
     .label = ALTURA SEGURA
     .label-aliases = ALTURA SEGURANÇA
     .help = Coordenada no eixo do apalpador à qual o apalpador e a peça (ou o dispositivo tensor) não podem colidir.
@@ -111,10 +111,10 @@ parameter-hole-greatest-diameter = Medida maior Furo
 parameter-hole-least-diameter = Medida menor Furo
     .label = MEDIDA MENOR
     .help = Menor diâmetro permitido para o furo (caixa circular).
-parameter-centre-tolerance-main = Valor de tolerância Centro 1.º eixo
+parameter-centre-tolerance-main = Valor de tolerância: centro 1.º eixo
     .label = TOLERÂNCIA 1.º CENTRO
     .help = Desvio permitido da posição no eixo principal do plano de maquinação.
-parameter-centre-tolerance-minor = Valor de tolerância Centro 2.º eixo
+parameter-centre-tolerance-minor = Valor de tolerância: centro 2.º eixo
     .label = TOLERÂNCIA 2.º CENTRO
     .help = Desvio permitido da posição no eixo secundário do plano de maquinação.
 parameter-measuring-log = Registo de medição
