@@ -42,7 +42,7 @@ step-measure-second-stud = Kosketusjärjestelmä siirtyy mittauskorkeudelle { $q
 step-compensate-as-chosen = Ohjaus kompensoi vinon asennon parametrin { $q-misalignment-compensation } mukaan:
 say-rotation-into-preset-row-if-chosen = jos { $q-misalignment-compensation } = 0 ja { $q-basic-rotation-row } ei ole 0, se tallentaa peruskäännön esiasetustaulukon riville { $q-basic-rotation-row }
 say-rotation-into-rot-menu-if-chosen = jos { $q-misalignment-compensation } = 0 ja { $q-basic-rotation-row } = 0, se tallentaa peruskäännön käsikäyttötavan ROT-valikkoon
-say-turn-rotary-table = jos { $q-misalignment-compensation } = 1, se kääntää pyöröpöytää; jos { $q-zero-after-alignment } = 1, se asettaa sen jälkeen kiertoakselin näytön lukemaan 0
+say-turn-rotary-table = jos { $q-misalignment-compensation } = 1, se kääntää pyöröpöytää eikä tallenna peruskääntöä; jos { $q-zero-after-alignment } = 1, se asettaa sen jälkeen kiertoakselin näytön lukemaan 0
 note-rotary-axis-by-tool-axis = Kun vino asento kompensoidaan pyöröpöytää kääntämällä, ohjaus valitsee kiertoakselin työkaluakselin mukaan: akselilla Z se on C, akselilla Y se on B ja akselilla X se on A.
 note-no-tilting-with-this-cycle = Tämä työkierto ei ole sallittu koneistustason ollessa käännettynä.
 title-rotation-from-two-holes = Peruskäännön määritys kahden reiän avulla

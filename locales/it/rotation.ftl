@@ -41,7 +41,7 @@ step-measure-second-stud = Il sistema di tastatura si porta all’altezza di mis
 step-compensate-as-chosen = Il controllo compensa la posizione obliqua come selezionato con { $q-misalignment-compensation }:
 say-rotation-into-preset-row-if-chosen = con { $q-misalignment-compensation }=0 e { $q-basic-rotation-row } diverso da 0 memorizza la rotazione base nella riga { $q-basic-rotation-row } della tabella Preset
 say-rotation-into-rot-menu-if-chosen = con { $q-misalignment-compensation }=0 e { $q-basic-rotation-row }=0 memorizza la rotazione base nel menu ROT del modo operativo Funzionamento manuale
-say-turn-rotary-table = con { $q-misalignment-compensation }=1 ruota la tavola rotante; con { $q-zero-after-alignment }=1 imposta poi a 0 la visualizzazione dell’asse rotativo
+say-turn-rotary-table = con { $q-misalignment-compensation }=1 ruota la tavola rotante invece di memorizzare una rotazione base; con { $q-zero-after-alignment }=1 imposta poi a 0 la visualizzazione dell’asse rotativo
 note-rotary-axis-by-tool-axis = Per compensare la posizione obliqua ruotando la tavola rotante il controllo utilizza automaticamente i seguenti assi rotativi: C con asse utensile Z, B con asse utensile Y, A con asse utensile X.
 note-no-tilting-with-this-cycle = Questo ciclo non è ammesso con piano di lavoro ruotato.
 title-rotation-from-two-holes = Determinazione della rotazione base da due fori
