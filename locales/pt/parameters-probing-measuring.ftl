@@ -9,10 +9,10 @@ parameter-probing-nominal-diameter__measure-stud =
     .help = Diâmetro da ilha.
 parameter-number-of-touch-points__measure-stud =
     .help = Determina se a ilha é medida com quatro ou com três apalpações.
-parameter-stud-greatest-diameter = Medida maior Ilha
+parameter-stud-greatest-diameter = Medida maior da ilha
     .label = MEDIDA MAIOR
     .help = Maior diâmetro permitido para a ilha.
-parameter-stud-least-diameter = Medida menor Ilha
+parameter-stud-least-diameter = Medida menor da ilha
     .label = MEDIDA MENOR
     .help = Menor diâmetro permitido para a ilha.
 

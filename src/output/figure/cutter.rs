@@ -16,13 +16,15 @@ pub(super) struct End {
     pub(super) corner: f64,
 }
 
-/// The data of its outline, with the middle of its end there, up to the height where the drawing ends.
+/// The data of its outline, with the middle of its end there, up to the height where the drawing ends, or beyond it if
+/// the tool is so far up that nothing of its shank could be seen.
 pub(super) fn outline(end: End, place: DVec2, top: f64) -> String {
     let End { radius, rise, corner } = end;
     let corner = if rise > 0.0 { 0.0 } else { corner.clamp(0.0, radius) };
     let wave = (radius * 0.35).min(5.0);
     let at = |x: f64, y: f64| DVec2::new(place.x + x, y);
     let shoulder = place.y - rise - corner;
+    let top = top.min(shoulder - 3.0 * wave);
     let shank = [
         at(radius, shoulder),
         at(radius, top + wave),
