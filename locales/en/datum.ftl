@@ -6,20 +6,20 @@ cycle-datum-inside-circle = Datum at centre of hole (inside of circle)
     .purpose = Measures the centre of a circular pocket or a hole and sets it as the datum. If desired, the control also writes the centre to a datum table or preset table.
 cycle-datum-inside-circle__tnc426-430 =
     .purpose = Measures the centre of a circular pocket or a hole and sets it as the datum. If desired, the control also writes the centre to a datum table.
-step-retract-and-store-datum = The control returns the touch probe to the clearance height { $q-clearance-height }, stores the actual values in the result parameters and processes the measured datum as defined in { $q-measured-value-transfer } and { $q-datum-row-number }:
-step-retract-and-store-datum__tnc426-430 = The control returns the touch probe to the clearance height { $q-clearance-height } and processes the measured datum as defined in { $q-datum-row-number }:
+step-retract-and-store-datum = The control returns the touch probe to the clearance height { $q-clearance-height }, stores the actual values in the result parameters and sets or stores the measured datum as defined in { $q-measured-value-transfer } and { $q-datum-row-number }:
+step-retract-and-store-datum__tnc426-430 = The control returns the touch probe to the clearance height { $q-clearance-height } and sets or stores the measured datum as defined in { $q-datum-row-number }:
 say-datum-into-display-and-row-zero = with { $q-datum-row-number }=0 it sets the measured datum in the display; the datum is active at once and is also stored in row 0 of the preset table
 say-datum-into-display = with { $q-datum-row-number }=0 it sets the measured datum in the display; the datum is active at once
 say-datum-into-datum-table = with { $q-datum-row-number } not 0 and { $q-measured-value-transfer }=0 it writes the measured datum to row { $q-datum-row-number } of the active datum table; the reference system is the active workpiece coordinate system
 say-datum-into-datum-table__tnc426-430 = with { $q-datum-row-number } not 0 it writes the measured datum to row { $q-datum-row-number } of the active datum table
 say-datum-into-preset-table = with { $q-datum-row-number } not 0 and { $q-measured-value-transfer }=1 it writes the measured datum to row { $q-datum-row-number } of the preset table; the reference system is the machine coordinate system (REF coordinates)
 step-probe-in-probe-axis = If selected, the control then measures the datum in the touch probe axis in a separate probing:
-say-datum-in-probe-axis = with { $q-probing-in-probe-axis }=1 it probes the point { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool } in the touch probe axis, retracts, and processes the datum { $q-new-datum-probe-axis } like that of the working plane
+say-datum-in-probe-axis = with { $q-probing-in-probe-axis }=1 it probes the point { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool } in the touch probe axis, retracts, and sets or stores the datum { $q-new-datum-probe-axis } in the same way as that of the working plane
 guard-datum-transfer-undefined = { $q-datum-row-number } is not 0 and { $q-measured-value-transfer } is −1: define where the measured datum is to be stored.
 guard-transformation-with-probe-axis-datum = A datum shift or rotation is active, but { $q-measured-value-transfer }=0 and { $q-probing-in-probe-axis }=1 do not permit a coordinate transformation.
 note-nominal-diameter-rather-small = Danger of collision! To avoid a collision between the touch probe and the workpiece, enter a nominal diameter of the pocket (hole) that is too small rather than too large.
 note-probing-from-centre-if-narrow = If the dimensions of the pocket and the set-up clearance do not permit pre-positioning near the touch points, the control always starts probing from the centre of the pocket. The touch probe then does not move to clearance height between the measuring points.
-note-no-transformation-with-probe-axis-datum = If a touch-probe cycle sets a datum ({ $q-measured-value-transfer }=0) and probing in the touch probe axis is used as well ({ $q-probing-in-probe-axis }=1), no coordinate transformation may be active.
+note-no-transformation-with-probe-axis-datum = If the cycle sets a datum with { $q-measured-value-transfer }=0 and also probes in the touch probe axis ({ $q-probing-in-probe-axis }=1), no coordinate transformation may be active.
 note-no-tilting-with-datum-cycles = Tilting the working plane is not permitted together with the datum setting cycles 408 to 419.
 note-datum-cycles-with-basic-rotation = The datum setting cycles 408 to 419 may also be executed with an active basic rotation.
 note-datum-cycles-with-basic-rotation__tnc640 = The datum setting cycles 408 to 419 may also be executed with an active rotation (basic rotation or cycle 10).

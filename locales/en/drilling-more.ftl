@@ -32,7 +32,7 @@ guard-point-angle-missing = To centre to a diameter, define the point angle { $m
 guard-depth-zero__centring = The selected depth or diameter is 0: the control does not execute the cycle.
 guard-depth-positive__centring = The selected depth or diameter is positive. Enter a negative value, or permit positive values with the machine parameter { $mp-display-depth-err }.
 note-sign-of-depth-or-diameter = The sign of the diameter { $q-centring-diameter } or of the depth { $q-depth }, whichever is selected, determines the working direction. With diameter or depth 0 the control does not execute the cycle.
-note-positive-diameter-or-depth-reverses = Danger of collision! With a positive diameter or a positive depth the control reverses the calculation of the pre-position: at rapid traverse the tool moves in the tool axis to the set-up clearance below the workpiece surface.
+note-positive-diameter-or-depth-reverses = Danger of collision! With a positive diameter or a positive depth the control calculates the pre-position the other way round: the tool moves in the tool axis at rapid traverse to the set-up clearance below the workpiece surface.
 
 # --- 202 ---
 cycle-boring = Boring

@@ -17,6 +17,7 @@ figure-turning-cutting-lines = Cutting lines
 figure-turned-thread = Thread
 figure-thread-position = Outside or inside
 figure-thread-orientation = Longitudinal or transverse
+figure-taper-dimensioning = How the taper is dimensioned
 figure-turning-infeed = Infeed
 figure-turning-infeed-type = Type of infeed
 figure-turning-depth = Depth and run-out

@@ -40,7 +40,7 @@ cycle-circular-slot = Circular slot
     .purpose = Machines a circular slot, or several of them on a pitch circle, completely: roughing, floor finishing and side finishing. It can also do only roughing, only floor and side finishing, only floor finishing or only side finishing.
 step-move-over-circular-slot = The control positions the tool in the tool axis at the 2nd set-up clearance { $q-second-set-up-clearance } (at the set-up clearance if none is entered), then over the starting point of the slot, and then at the set-up clearance { $q-set-up-clearance }, all at rapid traverse.
 step-plunge-in-circular-slot = The tool plunges in the middle of the slot width to the next plunging depth { $q-plunging-depth }. The parameter { $q-plunging-strategy } determines how:
-until-all-slots-milled = all { $q-number-of-operations } slots are milled; each one is turned by { $q-pattern-stepping-angle } about the centre of the pitch circle
+until-all-slots-milled = all slots ({ $q-number-of-operations }) are milled; each one is turned by { $q-pattern-stepping-angle } about the centre of the pitch circle
 step-end-of-circular-slot = Where the tool is at the end of the cycle depends on the reference for the slot position { $q-slot-position-reference }:
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: the control returns the tool in the working plane to the starting point (the centre of the pitch circle)
 condition-slot-at-entered-centre = the position of the slot follows from the entered centre of the pitch circle ({ $q-slot-position-reference } = 0)

@@ -167,7 +167,7 @@ parameter-second-measuring-height = Measuring height of stud 2 in the touch prob
 # --- what is done with the angle ---
 parameter-reference-line-angle = Preset rotation angle
     .label = PRESET ROTATION ANG.
-    .help = Angle of the reference line, if the misalignment is to be measured not with respect to the main axis but to any straight line. For the basic rotation the control takes the difference between the measured value and this angle.
+    .help = Angle of a reference line, if the misalignment is to be measured with respect to any straight line instead of the main axis. The basic rotation is then the difference between the measured value and this angle.
 parameter-basic-rotation-angle = Preset rotation angle
     .label = PRESET ROTATION ANG.
     .help = Angle to which the basic rotation is set.

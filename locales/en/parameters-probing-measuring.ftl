@@ -107,11 +107,11 @@ parameter-greatest-dimension__measure-bolt-hole-circle =
 parameter-least-dimension__measure-bolt-hole-circle =
     .help = Least diameter permitted for the bolt-hole circle.
 parameter-monitored-tool__measure-bolt-hole-circle =
-    .help = Defines whether the control monitors a tool for breakage. The number or the name of the tool.
+    .help = Number or name of the tool that the control monitors for breakage, if any.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc320 =
-    .help = Defines whether the control monitors a tool for breakage. The number of the tool.
+    .help = Number of the tool that the control monitors for breakage, if any.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc426-430 =
-    .help = Defines whether the control monitors a tool for breakage. The number of the tool.
+    .help = Number of the tool that the control monitors for breakage, if any.
 
 # --- 420, 431 ---
 parameter-first-point-tool = 1st measuring point in 3rd axis

@@ -1,8 +1,8 @@
 # What several touch-probe cycles share.
 
 # --- run ---
-step-position-at-first-touch-point = The control positions the touch probe at the first touch point, at rapid traverse (value from the column { $mp-positioning-feed }) and with positioning logic. It calculates the touch points from the entries of the cycle and the set-up clearance of the column { $mp-set-up }.
-step-position-at-first-touch-point__tnc426-430 = The control positions the touch probe at the first touch point, at rapid traverse (value from { $mp-positioning-feed } or { $mp-analog-positioning-feed }) and with positioning logic. It calculates the touch points from the entries of the cycle and the set-up clearance of { $mp-set-up }.
+step-position-at-first-touch-point = The control positions the touch probe at the first touch point, at rapid traverse (value from the column { $mp-positioning-feed }) and with positioning logic. It calculates the touch points from the values entered in the cycle and the set-up clearance in the column { $mp-set-up }.
+step-position-at-first-touch-point__tnc426-430 = The control positions the touch probe at the first touch point, at rapid traverse (value from { $mp-positioning-feed } or { $mp-analog-positioning-feed }) and with positioning logic. It calculates the touch points from the values entered in the cycle and the set-up clearance in { $mp-set-up }.
 step-move-to-measuring-height = The touch probe moves to the measuring height { $q-measuring-height }.
 step-probe-outward = The touch probe probes the workpiece at the probing feed rate (column { $mp-probing-feed }). The control derives the probing direction from the starting angle { $q-probing-starting-angle } and the stepping angle { $q-probing-stepping-angle }.
 step-probe-outward__tnc426-430 = The touch probe probes the workpiece at the probing feed rate ({ $mp-probing-feed } or { $mp-analog-probing-feed }). The control derives the probing direction from the starting angle { $q-probing-starting-angle } and the stepping angle { $q-probing-stepping-angle }.
@@ -19,7 +19,7 @@ condition-travel-at-clearance-height = the touch probe moves at clearance height
 condition-probe-axis-wanted = { $q-probing-in-probe-axis }=1
 
 # --- guards ---
-guard-probe-axis-undefined = No tool call comes before the cycle definition, so the touch probe axis is not defined.
+guard-probe-axis-undefined = There is no tool call before the cycle definition, so the touch probe axis is not defined.
 guard-transformation-active = Mirroring, scaling or axis-specific scaling is active. None of them may be active during a touch-probe cycle.
 guard-basic-rotation-active = A basic rotation is active. This cycle must not be executed with a basic rotation.
 guard-stepping-angle-too-small = The stepping angle { $q-probing-stepping-angle } is smaller than 5°.

@@ -6,7 +6,7 @@ step-position-offset-at-first-touch-point__tnc426-430 = The control positions th
 step-travel-to-and-probe-second-point = The touch probe moves to the second touch point and carries out the second probing there.
 step-retract-and-carry-out-basic-rotation = The control returns the touch probe to the clearance height { $q-clearance-height } and carries out the basic rotation that it has determined.
 note-basic-rotation-reset-at-start = The control resets an active basic rotation at the start of the cycle.
-note-known-reference-direction = With { $q-reference-line-angle } the control corrects the measured value by a known angle. The basic rotation can thus be measured on any straight line of the workpiece and referred to the actual direction of 0°.
+note-known-reference-direction = With { $q-reference-line-angle } the control corrects the measured value by a known angle. The basic rotation can thus be measured on any straight line of the workpiece, and the actual 0° direction is set all the same.
 
 # --- 400 ---
 cycle-basic-rotation = Basic rotation
@@ -41,7 +41,7 @@ step-measure-second-stud = The touch probe moves to the measuring height { $q-se
 step-compensate-as-chosen = The control compensates the misalignment as chosen with { $q-misalignment-compensation }:
 say-rotation-into-preset-row-if-chosen = with { $q-misalignment-compensation }=0 and { $q-basic-rotation-row } not 0 it stores the basic rotation in row { $q-basic-rotation-row } of the preset table
 say-rotation-into-rot-menu-if-chosen = with { $q-misalignment-compensation }=0 and { $q-basic-rotation-row }=0 it stores the basic rotation in the ROT menu of the Manual operation mode
-say-turn-rotary-table = with { $q-misalignment-compensation }=1 it turns the rotary table; with { $q-zero-after-alignment }=1 it then sets the display of the rotary axis to 0
+say-turn-rotary-table = with { $q-misalignment-compensation }=1 it turns the rotary table instead of storing a basic rotation; with { $q-zero-after-alignment }=1 it then sets the display of the rotary axis to 0
 note-rotary-axis-by-tool-axis = To compensate the misalignment by turning the rotary table, the control automatically uses these rotary axes: C with tool axis Z, B with tool axis Y, A with tool axis X.
 note-no-tilting-with-this-cycle = This cycle is not permitted while the working plane is tilted.
 title-rotation-from-two-holes = Determine a basic rotation from two holes

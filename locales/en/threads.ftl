@@ -23,7 +23,7 @@ say-tap-goes-back-some-turns = otherwise by { $q-chip-breaking-turns } times the
 step-tap-back-to-set-up-clearance = The tool moves back to the set-up clearance { $q-set-up-clearance }.
 note-sign-of-thread-depth = The sign of the thread depth { $q-thread-depth } determines the working direction. With thread depth 0 the control does not execute the cycle.
 note-thread-depth-gives-direction = The sign of the thread depth { $q-thread-depth } determines the working direction.
-note-positive-thread-depth-reverses = Danger of collision! With a positive depth the control reverses the calculation of the pre-position: at rapid traverse the tool moves in the tool axis to the set-up clearance below the workpiece surface.
+note-positive-thread-depth-reverses = Danger of collision! With a positive depth the control calculates the pre-position the other way round: the tool moves in the tool axis at rapid traverse to the set-up clearance below the workpiece surface.
 note-floating-tap-holder = The tool must be clamped in a floating tap holder, which evens out tolerances of feed rate and spindle speed during machining.
 note-overrides-while-tapping = While the cycle is executed, the override knob for the spindle speed does not act. The override knob for the feed rate still acts in part; the machine builder determines how (consult the machine manual).
 note-right-hand-with-m3 = Activate the spindle with M3 for right-hand threads, with M4 for left-hand threads.
@@ -84,7 +84,7 @@ step-retract-to-break-chip = For chip breaking the tool retracts by { $q-chip-br
 step-retract-and-return-to-one-stop-distance = The control retracts the tool at rapid traverse to the set-up clearance and returns it at rapid traverse (FMAX) to the advanced stop distance { $q-upper-advanced-stop-distance } above the depth reached.
 until-hole-depth-reached = the total hole depth { $q-total-hole-depth } is reached
 step-move-beside-stud = The control moves the tool from the centre of the stud along the main axis of the working plane to the starting point for countersinking at front. Its position results from thread radius, tool radius and pitch.
-step-move-beside-stud-without-countersinking = If nothing was countersunk at front before, the control moves the tool to the starting point, which is the same as for countersinking at front.
+step-move-beside-stud-without-countersinking = If there is no countersinking at front, the control moves the tool to the starting point of thread milling, which is the same as that of countersinking at front.
 
 # --- thread milling: conditions and guards ---
 guard-no-depth-entered = All depths are 0: nothing is machined.
@@ -93,7 +93,7 @@ guard-thread-near-countersinking-depth = The thread depth must be less than the 
 guard-thread-near-hole-depth = The thread depth must be less than the total hole depth by at least a third of the pitch.
 
 # --- thread milling: notes ---
-note-thread-approach-on-half-circle = The thread diameter is approached on a half circle from the centre outwards. If the tool diameter is four times smaller than the thread diameter, the tool is pre-positioned to the side.
+note-thread-approach-on-half-circle = The thread diameter is approached on a half circle from the centre outwards. If the tool diameter is only a quarter of the thread diameter, the tool is pre-positioned to the side.
 note-compensation-before-approach = Before the approach the control makes a compensating movement in the tool axis, which is at most half the thread pitch. Make sure that there is enough room in the hole.
 note-thread-depth-moves-start = If the thread depth is changed, the control changes the starting point of the helical movement automatically.
 note-depths-give-direction = The signs of the depth parameters determine the working direction, in this order: 1. thread depth { $q-thread-depth }, 2. countersinking depth { $q-countersinking-depth }, 3. depth at front { $q-depth-at-front }.
@@ -105,14 +105,14 @@ note-thread-depth-above-countersinking-depth = Enter a thread depth { $q-thread-
 note-thread-depth-above-hole-depth = Enter a thread depth { $q-thread-depth } that is less than the total hole depth { $q-total-hole-depth } by at least a third of the thread pitch.
 note-helix-goes-into-workpiece = The milling type (climb or up-cut) results from the thread (right-hand or left-hand) and the direction of tool rotation, because the only possible working direction is from the workpiece surface into the workpiece.
 note-position-over-stud-centre = Program a positioning block to the starting point (the centre of the stud) in the working plane with radius compensation R0.
-note-offset-at-front-determined-before = Determine the offset needed for countersinking at front beforehand. Enter the distance from the centre of the stud to the centre of the tool (uncorrected value).
+note-offset-at-front-determined-before = Determine the offset for countersinking at front before you use the cycle. Enter it as the distance from the centre of the stud to the centre of the tool, without compensation.
 note-internal-coolant-for-thread-milling = The machine should have internal cooling through the spindle: coolant at least 30 bar, compressed air at least 6 bar.
 note-profile-correction-by-delta-radius = Thread milling often distorts the thread profile, so tool-specific corrections are needed. They are found in the tool catalogue or given by the tool manufacturer. The correction is entered in the TOOL CALL block with the delta value { $mp-delta-radius }.
 note-clockwise-tools-only = The cycle can only be used with tools that rotate clockwise.
 note-tools-of-both-rotations = The cycle can be used with tools that rotate clockwise and with tools that rotate counter-clockwise.
-note-direction-of-inside-thread = The working direction depends on the sign of the thread pitch { $q-thread-pitch } and on the milling type { $q-milling-type }. With clockwise tools and inside threads: right-hand (+) with climb milling (+1, RL): Z+; left-hand (−) with up-cut milling (−1, RR): Z+; right-hand (+) with up-cut milling (−1, RR): Z−; left-hand (−) with climb milling (+1, RL): Z−.
-note-direction-of-outside-thread = The working direction depends on the sign of the thread pitch { $q-thread-pitch } and on the milling type { $q-milling-type }. With clockwise tools and outside threads: right-hand (+) with climb milling (+1, RL): Z−; left-hand (−) with up-cut milling (−1, RR): Z−; right-hand (+) with up-cut milling (−1, RR): Z+; left-hand (−) with climb milling (+1, RL): Z+.
-note-feed-of-cutting-edge = When milling threads, the control refers the programmed feed rate to the cutting edge. Since it displays the feed rate of the path of the tool centre, the displayed value differs from the programmed one.
+note-direction-of-inside-thread = The working direction depends on the sign of the thread pitch { $q-thread-pitch } and on the milling type { $q-milling-type }. With tools that turn clockwise, an inside thread is milled towards Z+ if it is right-hand (+) with climb milling (+1, RL) or left-hand (−) with up-cut milling (−1, RR), and towards Z− if it is right-hand (+) with up-cut milling (−1, RR) or left-hand (−) with climb milling (+1, RL).
+note-direction-of-outside-thread = The working direction depends on the sign of the thread pitch { $q-thread-pitch } and on the milling type { $q-milling-type }. With tools that turn clockwise, an outside thread is milled towards Z− if it is right-hand (+) with climb milling (+1, RL) or left-hand (−) with up-cut milling (−1, RR), and towards Z+ if it is right-hand (+) with up-cut milling (−1, RR) or left-hand (−) with climb milling (+1, RL).
+note-feed-of-cutting-edge = When threads are milled, the programmed feed rate is that of the cutting edge. The control displays the feed rate of the tool centre, so the displayed value differs from the programmed one.
 note-mirroring-turns-thread = The direction of the thread changes if the cycle is executed together with cycle 8 (mirroring) in only one axis.
 note-same-signs-of-depths = Danger of collision! Always enter the same sign for all depths, since the cycles contain several sequences that do not depend on each other. To repeat, for example, only the countersinking, enter 0 as the thread depth; the countersinking depth then determines the working direction.
 note-same-signs-of-depths__outside-thread-milling = Danger of collision! Always enter the same sign for all depths, since the cycles contain several sequences that do not depend on each other. To repeat, for example, only the countersinking at front, enter 0 as the thread depth; the depth at front then determines the working direction.

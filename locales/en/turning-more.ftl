@@ -102,7 +102,7 @@ step-infeed-at-angle = The control makes an infeed. The infeeds follow the infee
 until-thread-depth-reached = the depth of the thread is reached
 step-make-air-cuts = The control makes the number of air cuts defined in { $q-number-of-air-cuts }.
 step-infeed-for-next-start = For the next start the control takes the tool back to the first infeed. The cut begins at an angle of the spindle that is turned by the spacing of the starts.
-until-all-thread-starts-cut = all { $q-number-of-thread-starts } thread starts have been cut
+until-all-thread-starts-cut = all thread starts ({ $q-number-of-thread-starts }) have been cut
 
 # --- conditions ---
 condition-cutting-limit-wanted = { $q-cutting-limit } = 1

@@ -30,7 +30,7 @@ cycle-calibrate-probe-length = Kosketusjärjestelmän pituuden kalibrointi
     .nc = TS PITUUDEN KALIBROINTI
     .purpose = Työkierto kalibroi kytkevän 3D-kosketusjärjestelmän vaikuttavan pituuden pinnalla, jonka korkeus tunnetaan, esimerkiksi asetusrenkaalla.
 step-prepare-length-calibration = Aseta ennen työkierron käynnistystä karan akselin peruspiste niin, että koneen pöydällä Z = 0, ja paikoita kosketusjärjestelmä kalibrointirenkaan yläpuolelle.
-step-orient-to-calibration-angle = Ohjaus suuntaa kosketusjärjestelmän kosketusjärjestelmän taulukossa annettuun kulmaan { $mp-probe-calibration-angle }, jos kosketusjärjestelmä voidaan suunnata.
+step-orient-to-calibration-angle = Jos kosketusjärjestelmä voidaan suunnata, ohjaus suuntaa sen kulmaan { $mp-probe-calibration-angle }, joka on annettu kosketusjärjestelmän taulukossa.
 step-probe-down-from-here = Ohjaus koskettaa hetkellisasemasta karan akselin negatiiviseen suuntaan kosketussyöttöarvolla (sarake { $mp-probing-feed }).
 step-return-to-start-of-calibration = Ohjaus paikoittaa kosketusjärjestelmän pikaliikkeellä (sarake { $mp-positioning-feed }) takaisin aloitusasemaan.
 step-store-probe-length = Ohjaus tallentaa vaikuttavan pituuden työkalutaulukkoon.

@@ -20,8 +20,8 @@ say-travel-linearly-at-clearance-height = jos { $q-traverse-to-clearance-height 
 say-travel-paraxially-at-measuring-height = jos { $q-traverse-to-clearance-height } = 0, akselin suuntaisesti mittauskorkeudella { $q-measuring-height }
 step-probe-second-point = Kosketusjärjestelmä tekee siellä toisen kosketuksen.
 step-probe-third-and-fourth-point = Ohjaus paikoittaa kosketusjärjestelmän kolmanteen ja sen jälkeen neljänteen kosketuspisteeseen ja tekee niissä kolmannen ja neljännen kosketuksen.
-step-retract-and-treat-datum = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja käsittelee mitatun peruspisteen parametrien { $q-measured-value-transfer } ja { $q-datum-row-number } mukaan:
-step-retract-and-treat-datum__tnc426-430 = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja käsittelee mitatun peruspisteen parametrin { $q-datum-row-number } mukaan:
+step-retract-and-treat-datum = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja asettaa tai tallentaa mitatun peruspisteen parametrien { $q-measured-value-transfer } ja { $q-datum-row-number } mukaan:
+step-retract-and-treat-datum__tnc426-430 = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja asettaa tai tallentaa mitatun peruspisteen parametrin { $q-datum-row-number } mukaan:
 step-store-actual-values = Ohjaus tallentaa todellisarvot tulosparametreihin.
 note-pocket-sides-rather-small = Törmäysvaara! Jotta kosketusjärjestelmä ja työkappale eivät törmää, anna taskun 1. ja 2. sivun pituudeksi mieluummin liian pieni kuin liian suuri arvo.
 note-stud-sides-rather-large = Törmäysvaara! Jotta kosketusjärjestelmä ja työkappale eivät törmää, anna kaulan 1. ja 2. sivun pituudeksi mieluummin liian suuri kuin liian pieni arvo.
@@ -81,8 +81,8 @@ step-probe-first-point-by-third-point = Kosketusjärjestelmä tekee ensimmäisen
 step-probe-first-point-by-third-point__tnc426-430 = Kosketusjärjestelmä tekee ensimmäisen kosketuksen kosketussyöttöarvolla ({ $mp-probing-feed } tai { $mp-analog-probing-feed }). Ohjaus päättelee kosketussuunnan ohjelmoidusta kolmannesta mittauspisteestä.
 step-probe-first-point-by-corner-number = Kosketusjärjestelmä tekee ensimmäisen kosketuksen kosketussyöttöarvolla (sarake { $mp-probing-feed }). Ohjaus päättelee kosketussuunnan nurkan numerosta { $q-corner-number }.
 step-probe-first-point-by-corner-number__tnc426-430 = Kosketusjärjestelmä tekee ensimmäisen kosketuksen kosketussyöttöarvolla ({ $mp-probing-feed } tai { $mp-analog-probing-feed }). Ohjaus päättelee kosketussuunnan nurkan numerosta { $q-corner-number }.
-step-retract-and-store-corner = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height }, tallentaa mitatun nurkan koordinaatit tulosparametreihin ja käsittelee mitatun peruspisteen parametrien { $q-measured-value-transfer } ja { $q-datum-row-number } mukaan:
-step-retract-and-store-corner__tnc426-430 = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja käsittelee mitattujen suorien leikkauspisteen peruspisteenä parametrin { $q-datum-row-number } mukaan:
+step-retract-and-store-corner = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height }, tallentaa mitatun nurkan koordinaatit tulosparametreihin ja asettaa tai tallentaa mitatun peruspisteen parametrien { $q-measured-value-transfer } ja { $q-datum-row-number } mukaan:
+step-retract-and-store-corner__tnc426-430 = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja asettaa tai tallentaa mitattujen suorien leikkauspisteen peruspisteeksi parametrin { $q-datum-row-number } mukaan:
 step-carry-out-basic-rotation-on-request = Jos { $q-corner-basic-rotation } = 1, ohjaus kompensoi työkappaleen vinon asennon peruskäännöllä.
 note-corner-from-first-and-third-point = Mittauspisteiden 1 ja 3 sijainti määrää nurkan, johon ohjaus asettaa peruspisteen. Nurkka A: pisteen 1 X on suurempi ja Y pienempi kuin pisteen 3. Nurkka B: X pienempi, Y pienempi. Nurkka C: X pienempi, Y suurempi. Nurkka D: X suurempi, Y suurempi.
 note-first-line-in-secondary-direction = Ohjaus mittaa ensimmäisen suoran aina koneistustason sivuakselin suunnassa.

@@ -62,7 +62,7 @@ step-dwell-and-leave-counterbore = Jos { $q-counterbore-dwell } on annettu, työ
 step-feed-out-of-bore = Työkalu ajaa esipaikoituksen syöttöarvolla { $q-in-and-out-feed } varmuusetäisyydelle { $q-set-up-clearance } työkappaleen yläpinnan yläpuolelle.
 note-back-boring-bars-only = Työkierto toimii vain takaupotukseen tarkoitetuilla poratangoilla.
 note-sign-of-counterbore-depth = Syvyyden { $q-counterbore-depth } etumerkki määrää työskentelysuunnan. Huomio: positiivisella etumerkillä upotetaan karan akselin positiiviseen suuntaan.
-note-length-to-lower-edge-of-bar = Anna työkalun pituus niin, että mitataan poratangon alareuna eikä terä.
+note-length-to-lower-edge-of-bar = Anna työkalun pituus poratangon alareunaan eikä terään mitattuna.
 note-edge-height-and-thickness-considered = Upotuksen alkupistettä laskiessaan ohjaus ottaa huomioon poratangon terän korkeuden { $q-cutting-edge-height } ja materiaalin paksuuden { $q-material-thickness }.
 
 # --- 208 ---

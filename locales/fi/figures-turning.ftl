@@ -17,6 +17,7 @@ figure-turning-cutting-lines = Lastuamisradat
 figure-turned-thread = Kierre
 figure-thread-position = Kierteen sijainti
 figure-thread-orientation = Kierteen suunta
+figure-taper-dimensioning = Kartion mitoitus
 figure-turning-infeed = Asetusliike
 figure-turning-infeed-type = Asetustapa
 figure-turning-depth = Syvyys ja ulosajo

@@ -139,7 +139,7 @@ parameter-retraction-speed-factor = Karan kierrosluvun kerroin vetäytymisessä
     .help = Kerroin, jolla ohjaus suurentaa karan kierroslukua ja sen mukana syöttöarvoa, kun työkalu vedetään irti reiästä. Kierrosluku nousee enintään aktiivisen vaihdealueen suurimpaan sallittuun arvoon.
 parameter-threads-per-step = Kierteitä askelta kohti
     .label = KIERTEITÄ ASKELTA KOHTI
-    .help = Kierteen kierrosten lukumäärä, jonka verran työkalua siirretään.
+    .help = Kierteen kierrosten lukumäärä, jonka verran työkalua siirretään kierukkarataa kohti.
 parameter-countersinking-depth = Upotussyvyys
     .label = UPOTUSSYVYYS
     .help = Työkappaleen yläpinnan ja työkalun kärjen välinen etäisyys.
@@ -162,7 +162,7 @@ parameter-countersinking-moment = Upotus
 # --- vaihtoehdot ---
 choice-centre-to-entered-depth = Keskiöinti annettuun syvyyteen
 choice-centre-to-entered-diameter = Keskiöinti annettuun halkaisijaan
-choice-no-disengagement = Ei työkalun irtiajoa
+choice-no-disengagement = Työkalua ei ajeta irti
 choice-disengage-minus-main = Työkalun irtiajo pääakselin negatiiviseen suuntaan
 choice-disengage-minus-minor = Työkalun irtiajo sivuakselin negatiiviseen suuntaan
 choice-disengage-plus-main = Työkalun irtiajo pääakselin positiiviseen suuntaan

@@ -32,7 +32,7 @@ parameter-contour-smoothing = Muodon tasoitus
     .help = Määrää, missä ohjaus seuraa muotoa rouhinnassa ja miten työkalu nousee irti.
 choice-smooth-each-cut = Jokaisen lastun jälkeen muotoa pitkin (asetusliikkeen alueella)
 choice-smooth-after-last-cut = Muodon tasoitus viimeisen lastun jälkeen (koko muoto); irtinosto 45°:n kulmassa
-choice-contour-smoothing-off = Ei muodon tasoitusta; irtinosto 45°:n kulmassa
+choice-contour-smoothing-off = Muotoa ei tasoiteta; irtinosto 45°:n kulmassa
 
 # --- nurkkapisteillä määritelty muoto ---
 parameter-contour-start-diameter = Halkaisija muodon alussa

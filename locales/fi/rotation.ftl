@@ -6,7 +6,7 @@ step-position-offset-at-first-touch-point__tnc426-430 = Ohjaus paikoittaa kosket
 step-travel-to-and-probe-second-point = Kosketusjärjestelmä siirtyy toiseen kosketuspisteeseen ja tekee siellä toisen kosketuksen.
 step-retract-and-carry-out-basic-rotation = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja suorittaa määrittämänsä peruskäännön.
 note-basic-rotation-reset-at-start = Ohjaus peruuttaa voimassa olevan peruskäännön työkierron alussa.
-note-known-reference-direction = Parametrilla { $q-reference-line-angle } ohjaus korjaa mittausarvoa tunnetulla kulmalla. Näin peruskääntö voidaan mitata miltä tahansa työkappaleen suoralta ja suhteuttaa todelliseen suuntaan 0°.
+note-known-reference-direction = Parametrilla { $q-reference-line-angle } ohjaus korjaa mittausarvoa tunnetulla kulmalla. Näin peruskääntö voidaan mitata miltä tahansa työkappaleen suoralta, ja se tulee silti todellisen 0°-suunnan mukaiseksi.
 
 # --- 400 ---
 cycle-basic-rotation = Peruskääntö
@@ -42,7 +42,7 @@ step-measure-second-stud = Kosketusjärjestelmä siirtyy mittauskorkeudelle { $q
 step-compensate-as-chosen = Ohjaus kompensoi vinon asennon parametrin { $q-misalignment-compensation } mukaan:
 say-rotation-into-preset-row-if-chosen = jos { $q-misalignment-compensation } = 0 ja { $q-basic-rotation-row } ei ole 0, se tallentaa peruskäännön esiasetustaulukon riville { $q-basic-rotation-row }
 say-rotation-into-rot-menu-if-chosen = jos { $q-misalignment-compensation } = 0 ja { $q-basic-rotation-row } = 0, se tallentaa peruskäännön käsikäyttötavan ROT-valikkoon
-say-turn-rotary-table = jos { $q-misalignment-compensation } = 1, se kääntää pyöröpöytää; jos { $q-zero-after-alignment } = 1, se asettaa sen jälkeen kiertoakselin näytön lukemaan 0
+say-turn-rotary-table = jos { $q-misalignment-compensation } = 1, se kääntää pyöröpöytää eikä tallenna peruskääntöä; jos { $q-zero-after-alignment } = 1, se asettaa sen jälkeen kiertoakselin näytön lukemaan 0
 note-rotary-axis-by-tool-axis = Kun vino asento kompensoidaan pyöröpöytää kääntämällä, ohjaus valitsee kiertoakselin työkaluakselin mukaan: akselilla Z se on C, akselilla Y se on B ja akselilla X se on A.
 note-no-tilting-with-this-cycle = Tämä työkierto ei ole sallittu koneistustason ollessa käännettynä.
 title-rotation-from-two-holes = Peruskäännön määritys kahden reiän avulla

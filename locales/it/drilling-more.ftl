@@ -12,7 +12,7 @@ step-ream-to-depth = L’utensile alesa con l’avanzamento { $q-plunging-feed }
 # --- 203 ---
 cycle-universal-drilling = Foratura universale
     .nc = FORATURA UNIVERSALE
-    .purpose = Esegue un foro in incrementi che possono diminuire. Il truciolo può essere rotto più volte prima che l’utensile venga ritratto dal foro.
+    .purpose = Esegue un foro in più incrementi, che possono essere decrescenti. Il truciolo può essere rotto più volte prima che l’utensile venga ritratto dal foro.
 step-drill-to-decreasing-plunging-depth = L’utensile fora con l’avanzamento { $q-plunging-feed } fino alla profondità incremento successiva. A ogni incremento la profondità incremento { $q-plunging-depth } si riduce del decremento { $q-decrement }, se inserito.
 step-break-chip-or-retract = Tra un incremento e l’altro l’utensile arretra:
 say-break-chip-by-retraction = con rottura truciolo, di { $q-chip-breaking-retraction }, per il numero di volte indicato in { $q-chip-breaks-before-retraction }, prima che l’utensile venga ritratto dal foro

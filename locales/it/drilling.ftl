@@ -16,7 +16,7 @@ note-point-table-hole-centres = Se il ciclo viene chiamato con una tabella punti
 # --- 205 ---
 cycle-universal-pecking = Foratura profonda universale
     .nc = FORATURA PROFONDA UNIVERSALE
-    .purpose = Esegue fori profondi in incrementi che possono diminuire, con rottura truciolo, distanza di prearresto per il ritorno nel foro e punto di partenza sotto la superficie del pezzo per fori preforati.
+    .purpose = Esegue fori profondi in più incrementi, che possono essere decrescenti, con rottura truciolo, distanza di prearresto per il ritorno nel foro e punto di partenza sotto la superficie del pezzo per fori preforati.
 step-feed-to-deepened-starting-point = Se è inserito un punto di partenza abbassato { $q-deepened-starting-point }, l’utensile si porta con l’avanzamento di avvicinamento { $q-pre-positioning-feed } alla distanza di sicurezza sopra il punto di partenza abbassato.
 step-drill-on-to-plunging-depth = L’utensile fora con l’avanzamento { $q-plunging-feed } verso la profondità incremento { $q-plunging-depth }; con la rottura truciolo si ferma ogni volta che è sceso di { $q-depth-for-chip-breaking }. A ogni incremento la profondità incremento si riduce del decremento { $q-decrement }, se inserito.
 step-break-chip = Per la rottura truciolo l’utensile si ritrae di { $q-chip-breaking-retraction } a 3000 mm/min.

@@ -17,6 +17,7 @@ figure-turning-cutting-lines = Linee di taglio
 figure-turned-thread = Filettatura
 figure-thread-position = Filetto esterno o interno
 figure-thread-orientation = Longitudinale o radiale
+figure-taper-dimensioning = Quotatura del cono
 figure-turning-infeed = Incremento
 figure-turning-infeed-type = Tipo di incremento
 figure-turning-depth = Profondità e uscita

@@ -8,7 +8,7 @@ say-part-needs-rework = ripresa (Q181=1) se un valore misurato è fuori tolleran
 cycle-measure-stud = Misurazione cerchio esterno (isola)
     .nc = MISURARE CERCHIO EST.
     .purpose = Misura il centro e il diametro di un’isola circolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
-say-part-is-scrap__measure-stud = scarto (Q182=1) se l’isola è più piccola di { $q-stud-least-diameter } o il suo centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-part-is-scrap__measure-stud = scarto (Q182=1) se l’isola è più piccola di { $q-stud-least-diameter } o il suo centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-stud = ripresa (Q181=1) se l’isola è più grande di { $q-stud-greatest-diameter }
 note-smallest-stepping-angle__measure-stud = Quanto più piccolo è l’angolo incrementale { $q-probing-stepping-angle }, tanto meno precise sono le dimensioni dell’isola calcolate dal controllo. Valore minimo di immissione: 5°.
 
@@ -19,9 +19,9 @@ cycle-measure-rectangular-pocket = Misurazione rettangolo interno
 cycle-measure-rectangular-stud = Misurazione rettangolo esterno
     .nc = MISURARE RETTANGOLO EST.
     .purpose = Misura il centro, la lunghezza e la larghezza di un’isola rettangolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti nei parametri di risultato.
-say-part-is-scrap__measure-rectangular-pocket = scarto (Q182=1) se un lato è più lungo di { $q-first-side-greatest-length } o { $q-second-side-greatest-length } o il centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-part-is-scrap__measure-rectangular-pocket = scarto (Q182=1) se un lato è più lungo di { $q-first-side-greatest-length } o { $q-second-side-greatest-length } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-rectangular-pocket = ripresa (Q181=1) se un lato è più corto di { $q-first-side-least-length } o { $q-second-side-least-length }
-say-part-is-scrap__measure-rectangular-stud = scarto (Q182=1) se un lato è più corto di { $q-first-side-least-length } o { $q-second-side-least-length } o il centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-part-is-scrap__measure-rectangular-stud = scarto (Q182=1) se un lato è più corto di { $q-first-side-least-length } o { $q-second-side-least-length } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-rectangular-stud = ripresa (Q181=1) se un lato è più lungo di { $q-first-side-greatest-length } o { $q-second-side-greatest-length }
 result-side-main-deviation = Scostamento lunghezza lato asse principale
 result-side-minor-deviation = Scostamento lunghezza lato asse secondario
@@ -75,7 +75,7 @@ cycle-measure-bolt-hole-circle = Misurazione cerchio di fori
 step-measure-centre-of-hole = Il sistema di tastatura si porta all’altezza di misura { $q-measuring-height } e rileva il centro del foro con quattro tastature.
 step-travel-to-next-hole = Il sistema di tastatura ritorna all’altezza di sicurezza { $q-clearance-height } e viene posizionato sul centro inserito del foro successivo.
 until-three-holes-measured = non sono stati rilevati i centri di tutti e tre i fori
-say-part-is-scrap__measure-bolt-hole-circle = scarto (Q182=1) se il diametro è maggiore di { $q-greatest-dimension } o minore di { $q-least-dimension } o il centro si scosta più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-part-is-scrap__measure-bolt-hole-circle = scarto (Q182=1) se il diametro è maggiore di { $q-greatest-dimension } o minore di { $q-least-dimension } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
 say-monitor-tool-breakage = con { $q-monitored-tool } diverso da 0 confronta lo scostamento con la tolleranza di rottura RBREAK; se lo scostamento è maggiore, visualizza un messaggio d’errore, arresta l’esecuzione del programma e blocca l’utensile (colonna TL = L). Non corregge l’utensile
 note-only-breakage-monitoring = Questo ciclo esegue solo il controllo rottura dell’utensile; non corregge l’utensile.
 result-bolt-circle-diameter-actual = Valore reale diametro cerchio di fori

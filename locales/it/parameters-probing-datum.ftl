@@ -167,7 +167,7 @@ parameter-second-measuring-height = Altezza di misura isola 2 nell’asse del ta
 # --- what is done with the angle ---
 parameter-reference-line-angle = Preimpostazione angolo di rotazione
     .label = PREIMP. ANGOLO ROTAZ.
-    .help = Angolo della retta di riferimento, se la posizione obliqua non deve essere misurata rispetto all’asse principale ma rispetto a una retta qualsiasi. Per la rotazione base il controllo calcola la differenza tra il valore misurato e questo angolo.
+    .help = Angolo di una retta di riferimento, se la posizione obliqua deve essere misurata rispetto a una retta qualsiasi anziché all’asse principale. La rotazione base è allora la differenza tra il valore misurato e questo angolo.
 parameter-basic-rotation-angle = Preimpostazione angolo di rotazione
     .label = PREIMP. ANGOLO ROTAZ.
     .help = Angolo al quale viene impostata la rotazione base.

@@ -107,11 +107,11 @@ parameter-greatest-dimension__measure-bolt-hole-circle =
 parameter-least-dimension__measure-bolt-hole-circle =
     .help = Diametro minimo ammesso del cerchio di fori.
 parameter-monitored-tool__measure-bolt-hole-circle =
-    .help = Definire se viene eseguito il controllo rottura dell’utensile. Numero o nome dell’utensile.
+    .help = Numero o nome dell’utensile di cui il controllo deve sorvegliare la rottura, se previsto.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc320 =
-    .help = Definire se viene eseguito il controllo rottura dell’utensile. Numero dell’utensile.
+    .help = Numero dell’utensile di cui il controllo deve sorvegliare la rottura, se previsto.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc426-430 =
-    .help = Definire se viene eseguito il controllo rottura dell’utensile. Numero dell’utensile.
+    .help = Numero dell’utensile di cui il controllo deve sorvegliare la rottura, se previsto.
 
 # --- 420, 431 ---
 parameter-first-point-tool = 1° punto di misura 3° asse

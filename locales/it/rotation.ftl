@@ -6,7 +6,7 @@ step-position-offset-at-first-touch-point__tnc426-430 = Il controllo posiziona i
 step-travel-to-and-probe-second-point = Il sistema di tastatura si porta al secondo punto di tastatura ed esegue la seconda tastatura.
 step-retract-and-carry-out-basic-rotation = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } ed esegue la rotazione base rilevata.
 note-basic-rotation-reset-at-start = All’inizio del ciclo il controllo annulla una rotazione base attiva.
-note-known-reference-direction = Con { $q-reference-line-angle } il controllo corregge di un angolo noto il valore misurato. La rotazione base può così essere misurata su una retta qualsiasi del pezzo e riferita alla direzione effettiva di 0°.
+note-known-reference-direction = Con { $q-reference-line-angle } il controllo corregge di un angolo noto il valore misurato. La rotazione base può così essere misurata su una retta qualsiasi del pezzo e riferirsi comunque alla direzione effettiva 0°.
 
 # --- 400 ---
 cycle-basic-rotation = Rotazione base su due punti
@@ -41,7 +41,7 @@ step-measure-second-stud = Il sistema di tastatura si porta all’altezza di mis
 step-compensate-as-chosen = Il controllo compensa la posizione obliqua come selezionato con { $q-misalignment-compensation }:
 say-rotation-into-preset-row-if-chosen = con { $q-misalignment-compensation }=0 e { $q-basic-rotation-row } diverso da 0 memorizza la rotazione base nella riga { $q-basic-rotation-row } della tabella Preset
 say-rotation-into-rot-menu-if-chosen = con { $q-misalignment-compensation }=0 e { $q-basic-rotation-row }=0 memorizza la rotazione base nel menu ROT del modo operativo Funzionamento manuale
-say-turn-rotary-table = con { $q-misalignment-compensation }=1 ruota la tavola rotante; con { $q-zero-after-alignment }=1 imposta poi a 0 la visualizzazione dell’asse rotativo
+say-turn-rotary-table = con { $q-misalignment-compensation }=1 ruota la tavola rotante invece di memorizzare una rotazione base; con { $q-zero-after-alignment }=1 imposta poi a 0 la visualizzazione dell’asse rotativo
 note-rotary-axis-by-tool-axis = Per compensare la posizione obliqua ruotando la tavola rotante il controllo utilizza automaticamente i seguenti assi rotativi: C con asse utensile Z, B con asse utensile Y, A con asse utensile X.
 note-no-tilting-with-this-cycle = Questo ciclo non è ammesso con piano di lavoro ruotato.
 title-rotation-from-two-holes = Determinazione della rotazione base da due fori

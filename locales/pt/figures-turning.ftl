@@ -17,6 +17,7 @@ figure-turning-cutting-lines = Linhas de corte
 figure-turned-thread = Rosca
 figure-thread-position = Rosca exterior ou interior
 figure-thread-orientation = Longitudinal ou transversal
+figure-taper-dimensioning = Cotagem do cone
 figure-turning-infeed = Passo
 figure-turning-infeed-type = Tipo de passo
 figure-turning-depth = Profundidade e saída

@@ -40,7 +40,7 @@ cycle-circular-slot = Ranhura circular
     .purpose = Maquina por completo uma ranhura circular, ou várias sobre um círculo teórico: desbaste, acabamento do fundo e acabamento lateral. Também é possível fazer só o desbaste, só o acabamento do fundo e lateral, só o acabamento do fundo ou só o acabamento lateral.
 step-move-over-circular-slot = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (ou à distância de segurança, se aquela não tiver sido introduzida), depois sobre o ponto de partida da ranhura e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
 step-plunge-in-circular-slot = A ferramenta penetra na peça a meio da largura da ranhura até à profundidade de passo seguinte { $q-plunging-depth }. O parâmetro { $q-plunging-strategy } determina como:
-until-all-slots-milled = estejam fresadas todas as { $q-number-of-operations } ranhuras, cada uma com uma rotação de { $q-pattern-stepping-angle } em torno do centro do círculo teórico
+until-all-slots-milled = estejam fresadas todas as ranhuras ({ $q-number-of-operations }), cada uma com uma rotação de { $q-pattern-stepping-angle } em torno do centro do círculo teórico
 step-end-of-circular-slot = O local em que a ferramenta fica no fim do ciclo depende da referência da posição da ranhura { $q-slot-position-reference }:
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: o comando faz regressar a ferramenta no plano de maquinação ao ponto de partida (centro do círculo teórico)
 condition-slot-at-entered-centre = a posição da ranhura resultar do centro do círculo teórico introduzido ({ $q-slot-position-reference } = 0)

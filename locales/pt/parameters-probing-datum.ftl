@@ -169,7 +169,7 @@ parameter-second-measuring-height = Altura de medição ilha 2 no eixo TS
 parameter-reference-line-angle = Ajuste prévio da rotação básica
     .label = AJUSTE PRÉVIO ROTAÇ. BÁSICA
     .label-aliases = AJUSTE PRÉVIO ROTAÇ.BÁSICA
-    .help = Ângulo da reta de referência, se a inclinação se referir a uma reta qualquer e não ao eixo principal. Para a rotação básica, o comando utiliza a diferença entre o valor medido e este ângulo.
+    .help = Ângulo de uma reta de referência, se a inclinação for medida em relação a uma reta qualquer e não ao eixo principal. A rotação básica é então a diferença entre o valor medido e este ângulo.
 parameter-reference-line-angle__tnc320 =
     .label = AJUSTE PRÉVIO ROT.BÁSICA
     .label-aliases = AJUSTE PRÉVIO ROTAÇ. BÁSICA | AJUSTE PRÉVIO ROTAÇ.BÁSICA
@@ -234,7 +234,7 @@ parameter-probing-centre-minor__rotation-by-c-axis =
 parameter-probing-nominal-diameter__rotation-by-c-axis =
     .help = Diâmetro da caixa circular (furo); introduza um valor aproximado por defeito.
 
-parameter-traverse-to-clearance-height__datum-inside-corner = Deslocação à Altura Segura
+parameter-traverse-to-clearance-height__datum-inside-corner = Deslocação à altura segura
 parameter-clearance-height__basic-rotation = Altura de segurança
 parameter-clearance-height__rotation-by-rotary-axis =
     .label = ALTURA SEGURANÇA

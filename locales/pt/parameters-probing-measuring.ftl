@@ -9,10 +9,10 @@ parameter-probing-nominal-diameter__measure-stud =
     .help = Diâmetro da ilha.
 parameter-number-of-touch-points__measure-stud =
     .help = Determina se a ilha é medida com quatro ou com três apalpações.
-parameter-stud-greatest-diameter = Medida maior Ilha
+parameter-stud-greatest-diameter = Medida maior da ilha
     .label = MEDIDA MAIOR
     .help = Maior diâmetro permitido para a ilha.
-parameter-stud-least-diameter = Medida menor Ilha
+parameter-stud-least-diameter = Medida menor da ilha
     .label = MEDIDA MENOR
     .help = Menor diâmetro permitido para a ilha.
 
@@ -87,7 +87,7 @@ parameter-least-dimension__measure-coordinate =
     .help = Menor valor medido permitido.
 
 # --- 430 ---
-parameter-probing-centre-main__measure-bolt-hole-circle = Centro 1º eixo
+parameter-probing-centre-main__measure-bolt-hole-circle = Centro 1.º eixo
     .help = Centro do círculo de furos (valor nominal) no eixo principal do plano de maquinação.
 parameter-probing-centre-minor__measure-bolt-hole-circle =
     .help = Centro do círculo de furos (valor nominal) no eixo secundário do plano de maquinação.
@@ -107,11 +107,11 @@ parameter-greatest-dimension__measure-bolt-hole-circle =
 parameter-least-dimension__measure-bolt-hole-circle =
     .help = Menor diâmetro permitido para o círculo de furos.
 parameter-monitored-tool__measure-bolt-hole-circle =
-    .help = Determina se o comando supervisiona a rotura de uma ferramenta. Introduza o número ou o nome da ferramenta.
+    .help = Número ou nome da ferramenta cuja rotura o comando deve supervisionar, se for o caso.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc320 =
-    .help = Determina se o comando supervisiona a rotura de uma ferramenta. Introduza o número da ferramenta.
+    .help = Número da ferramenta cuja rotura o comando deve supervisionar, se for o caso.
 parameter-monitored-tool__measure-bolt-hole-circle__tnc426-430 =
-    .help = Determina se o comando supervisiona a rotura de uma ferramenta. Introduza o número da ferramenta.
+    .help = Número da ferramenta cuja rotura o comando deve supervisionar, se for o caso.
 
 # --- 420, 431 ---
 parameter-first-point-tool = 1.º ponto de medição 3.º eixo
@@ -127,7 +127,7 @@ parameter-measuring-axis__measure-angle =
     .help = Eixo em que se faz a medição.
 
 # --- 416 ---
-parameter-probing-centre-main__datum-bolt-hole-circle = Centro 1º eixo
+parameter-probing-centre-main__datum-bolt-hole-circle = Centro 1.º eixo
     .help = Centro do círculo de furos (valor nominal) no eixo principal do plano de maquinação.
 parameter-probing-centre-minor__datum-bolt-hole-circle =
     .help = Centro do círculo de furos (valor nominal) no eixo secundário do plano de maquinação.

@@ -6,7 +6,7 @@ step-position-offset-at-first-touch-point__tnc426-430 = O comando posiciona o ap
 step-travel-to-and-probe-second-point = O apalpador desloca-se para o segundo ponto de apalpação e executa aí a segunda apalpação.
 step-retract-and-carry-out-basic-rotation = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e executa a rotação básica que determinou.
 note-basic-rotation-reset-at-start = No início do ciclo, o comando anula uma rotação básica ativa.
-note-known-reference-direction = Com { $q-reference-line-angle }, o comando corrige o valor medido com um ângulo conhecido. A rotação básica pode assim ser medida em qualquer reta da peça e referida à direção real de 0°.
+note-known-reference-direction = Com { $q-reference-line-angle }, o comando corrige o valor medido com um ângulo conhecido. A rotação básica pode assim ser medida em qualquer reta da peça e, ainda assim, referir-se à direção real de 0°.
 
 # --- 400 ---
 cycle-basic-rotation = Rotação básica
@@ -42,7 +42,7 @@ step-measure-second-stud = O apalpador desloca-se para a altura de medição { $
 step-compensate-as-chosen = O comando compensa a inclinação conforme a escolha em { $q-misalignment-compensation }:
 say-rotation-into-preset-row-if-chosen = com { $q-misalignment-compensation }=0 e { $q-basic-rotation-row } diferente de 0, guarda a rotação básica na linha { $q-basic-rotation-row } da tabela de presets
 say-rotation-into-rot-menu-if-chosen = com { $q-misalignment-compensation }=0 e { $q-basic-rotation-row }=0, guarda a rotação básica no menu ROT do modo de funcionamento Manual
-say-turn-rotary-table = com { $q-misalignment-compensation }=1, roda a mesa rotativa; com { $q-zero-after-alignment }=1, coloca depois a 0 a visualização do eixo rotativo
+say-turn-rotary-table = com { $q-misalignment-compensation }=1, roda a mesa rotativa em vez de guardar uma rotação básica; com { $q-zero-after-alignment }=1, coloca depois a 0 a visualização do eixo rotativo
 note-rotary-axis-by-tool-axis = Para compensar a inclinação por rotação da mesa rotativa, o comando utiliza automaticamente estes eixos rotativos: C com o eixo da ferramenta Z, B com o eixo da ferramenta Y, A com o eixo da ferramenta X.
 note-no-tilting-with-this-cycle = Este ciclo não é permitido com o plano de maquinação inclinado.
 title-rotation-from-two-holes = Determinar uma rotação básica através de dois furos

@@ -1,7 +1,7 @@
 # Ukazna vrstica: ukaz conform.
 cli-conform-cycle = Samo ta cikel, na primer 200 ali "TCH PROBE 412"; lahko se ponovi
 cli-conform-case = Samo primeri s tem imenom; lahko se ponovi
-cli-conform-list = Samo naštej primere in kaj dokazujejo
+cli-conform-list = Samo našteje primere in kaj dokazujejo
 cli-conform-proves = dokazuje: { $text }
 cli-conform-why = utemeljitev: { $text }
 cli-conform-place = primer: { $text }
@@ -9,7 +9,7 @@ cli-conform-manual = priročnik (datoteka:vrstice): { $text }
 cli-conform-lists = { $what }: pričakovano { $expected } (levo), dobljeno { $found } (desno)
 diag-conform-no-case = Primera s tem imenom ni: »ciklo conform --list« našteje vse primere.
 cli-lint-only = Preveri samo ta cikel, brez strani in primerjave jezikov; lahko se ponovi
-cli-lint-summary = Preštej ugotovitve v vsaki datoteki in prikaži naslednjih dvajset
+cli-lint-summary = Prešteje ugotovitve v vsaki datoteki in prikaže naslednjih dvajset
 cli-lint-narrow = Strani in primerjava jezikov niso bile preverjene (--only).
 cli-lint-file = { $path }: napake { $errors }, drugo { $others }
 cli-conform-word-nothing = nič

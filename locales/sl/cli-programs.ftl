@@ -1,6 +1,6 @@
 # Ukazna vrstica: primerjava, preverjanje, popravljanje in oblikovanje programov.
 
-cli-check-fail-on = Najblažja ugotovitev, pri kateri se ukaz konča z 1: error (privzeto), warning, note
+cli-check-fail-on = Najblažja ugotovitev, pri kateri se ukaz konča z izhodno kodo 1: error (privzeto), warning, note
 cli-compare = Dokaže, da sta programa za krmiljenje enaka, ali pokaže, v čem se razlikujeta
 cli-compare-a = NC-program
 cli-compare-b = NC-program, s katerim se primerja
@@ -33,7 +33,7 @@ cli-check-config = Datoteka z nastavitvami (privzeto: ciklo.toml v mapi vsakega 
 cli-check-table = Preglednica orodij, prednastavitev ali ničelnih točk, katere vrstice uporabljajo programi
 cli-check-fix = Popravi, kar je mogoče popraviti, ne da bi se spremenilo delovanje programa: oznake in podvojene predznake
 cli-check-no-cache = Znova preveri vsak program, tudi tiste, ki se od zadnjič niso spremenili
-cli-check-no-execution = Programov, katerih orodja so vsa znana, ne izvedi, temveč jih samo preberi
+cli-check-no-execution = Programov, katerih orodja so vsa znana, ne izvede, temveč jih samo prebere
 cli-check-format = Oblika izpisa: text (privzeto), json, sarif, github
 cli-checking = Programi
 cli-checked = Preverjeni programi: { $files }, { $wrong ->
@@ -93,4 +93,4 @@ cli-man-out = Mapa za stran in za stran vsakega ukaza
 cli-examples-man =
     ciklo man > ciklo.1
     ciklo man --out man1
-cli-fmt-diff = Z --check: prikaži, kaj bi se spremenilo
+cli-fmt-diff = Z --check: prikaže, kaj bi se spremenilo

@@ -35,12 +35,12 @@ cli-translate-to = Jezik imen in oznak
 cli-translate-control = Krmiljenje programa (privzeto: se ugotovi iz njegovih ciklov)
 cli-translate-out = Datoteka za zapis (privzeto: standardni izhod)
 cli-run = Izvede program v prizorišču
-cli-run-tool-table = Preglednica orodij ali stružnih orodij (.trn), ki se uporabi namesto tiste iz prizorišča; lahko je podana za vsako
+cli-run-tool-table = Preglednica orodij ali stružnih orodij (.trn), ki se uporabi namesto tiste iz prizorišča; podati je mogoče obe
 cli-run-out = Mapa za preglednice in protokole, ki jih zapiše program
 cli-run-events = Vsak dogodek izpiše kot vrstico JSON
 cli-run-skip-blocks = Preskoči stavke, ki se začnejo z /
 cli-run-lang = Jezik protokolov (privzeto: jezik oznak v NC-programu, sicer jezik besedil samega programa)
-cli-run-envelope = Namesto rezultatov pokaži, kaj bi vsak cikel tipanja naredil v najslabšem primeru
+cli-run-envelope = Namesto rezultatov pokaže, kaj bi vsak cikel tipanja naredil v najslabšem primeru
 cli-conform = Izvede primere iz specifikacij
 cli-conform-engine = Primere izvede z drugim izvajalnikom, ukazom, ki uporablja protokol iz docs/conform-protocol.md
 cli-conform-time-limit = Najdaljši čas za primer, v sekundah (privzeto: 10)
@@ -181,9 +181,9 @@ cli-envelope-probing = { $count ->
 cli-envelope-near = { $what ->
         [stock] Surovec
        *[part] Telo { $number }
-    }: najmanjša razdalja { $distance } mm, ko je konica pri X = { $x }, Y = { $y }, Z = { $z }; s tipanjem je { $probed ->
-        [yes] dosegljiv
-       *[no] nedosegljiv
+    }: najmanjša razdalja { $distance } mm, ko je konica pri X = { $x }, Y = { $y }, Z = { $z }; s tipanjem { $probed ->
+        [yes] ga je mogoče doseči
+       *[no] ga ni mogoče doseči
     }
 cli-envelope-touches = { $what ->
         [stock] Surovec pred obdelavo: konica je v njem,
@@ -192,9 +192,9 @@ cli-envelope-touches = { $what ->
 cli-envelope-near-unknown = { $what ->
         [stock] Surovec
        *[part] Telo { $number }
-    }: najmanjše razdalje ni mogoče izračunati; s tipanjem je { $probed ->
-        [yes] dosegljiv
-       *[no] nedosegljiv
+    }: najmanjše razdalje ni mogoče izračunati; s tipanjem { $probed ->
+        [yes] ga je mogoče doseči
+       *[no] ga ni mogoče doseči
     }
 cli-envelope-fails = V tem prizorišču se cikel konča z napako { $code }: { $message }
 cli-envelope-none = Program ne izvede nobenega cikla za tipanje.
@@ -239,7 +239,7 @@ diag-io-write = { $path } ni mogoče zapisati: { $reason ->
         [too-large] datoteka ne sme biti tako velika
        *[other] { $detail }
     }.
-diag-engine-start = Pogona »{ $path }« ni mogoče zagnati: { $reason ->
+diag-engine-start = Izvajalnika »{ $path }« ni mogoče zagnati: { $reason ->
         [not-found] program ne obstaja
         [permission] ni dovoljenja
        *[other] { $detail }
@@ -270,7 +270,7 @@ cli-examples-plot =
     ciklo plot part.h --control tnc640 --out part.svg
     ciklo plot part.h --control tnc640 --scene part.scene.yaml --view top --out path.svg
 cli-arg-resolution = Največja razdalja med stolpci surovca, mm (privzeto: dvestotina njegove največje razsežnosti)
-cli-plot = Nariši pot orodja in obdelovanec programa kot SVG
+cli-plot = Nariše pot orodja in obdelovanec programa kot SVG
 cli-plot-out = Datoteka za risbo
 cli-plot-view = Smer pogleda: top, side, isometric (privzeto)
 cli-run-stock = Datoteka za končani obdelovanec (STL), s poročilom o obdelavi

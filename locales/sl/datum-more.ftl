@@ -19,8 +19,8 @@ say-travel-linearly-at-clearance-height = pri { $q-traverse-to-clearance-height 
 say-travel-paraxially-at-measuring-height = pri { $q-traverse-to-clearance-height } = 0 vzporedno z osmi na merilni višini { $q-measuring-height }
 step-probe-second-point = Tipalni sistem tam izvede drugo tipanje.
 step-probe-third-and-fourth-point = Krmiljenje pozicionira tipalni sistem na tretjo in nato na četrto tipalno točko ter tam izvede tretje in četrto tipanje.
-step-retract-and-treat-datum = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in izmerjeno referenčno točko obravnava glede na { $q-measured-value-transfer } in { $q-datum-row-number }:
-step-retract-and-treat-datum__tnc426-430 = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in izmerjeno referenčno točko obravnava glede na { $q-datum-row-number }:
+step-retract-and-treat-datum = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in izmerjeno referenčno točko določi ali shrani glede na { $q-measured-value-transfer } in { $q-datum-row-number }:
+step-retract-and-treat-datum__tnc426-430 = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in izmerjeno referenčno točko določi ali shrani glede na { $q-datum-row-number }:
 step-store-actual-values = Krmiljenje shrani dejanske vrednosti v parametre rezultatov.
 note-pocket-sides-rather-small = Nevarnost kolizije! Da tipalni sistem ne trči v obdelovanec, za 1. in 2. stransko dolžino žepa vnesite raje premajhno kot preveliko vrednost.
 note-stud-sides-rather-large = Nevarnost kolizije! Da tipalni sistem ne trči v obdelovanec, za 1. in 2. stransko dolžino čepa vnesite raje preveliko kot premajhno vrednost.
@@ -80,8 +80,8 @@ step-probe-first-point-by-third-point = Tipalni sistem izvede prvo tipanje s pom
 step-probe-first-point-by-third-point__tnc426-430 = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }). Smer tipanja krmiljenje določi iz programirane tretje merilne točke.
 step-probe-first-point-by-corner-number = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }). Smer tipanja krmiljenje določi iz številke vogala { $q-corner-number }.
 step-probe-first-point-by-corner-number__tnc426-430 = Tipalni sistem izvede prvo tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }). Smer tipanja krmiljenje določi iz številke vogala { $q-corner-number }.
-step-retract-and-store-corner = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height }, shrani koordinate izmerjenega vogala v parametre rezultatov in izmerjeno referenčno točko obravnava glede na { $q-measured-value-transfer } in { $q-datum-row-number }:
-step-retract-and-store-corner__tnc426-430 = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in presečišče izmerjenih premic kot referenčno točko obravnava glede na { $q-datum-row-number }:
+step-retract-and-store-corner = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height }, shrani koordinate izmerjenega vogala v parametre rezultatov in izmerjeno referenčno točko določi ali shrani glede na { $q-measured-value-transfer } in { $q-datum-row-number }:
+step-retract-and-store-corner__tnc426-430 = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in presečišče izmerjenih premic kot referenčno točko določi ali shrani glede na { $q-datum-row-number }:
 step-carry-out-basic-rotation-on-request = Pri { $q-corner-basic-rotation } = 1 krmiljenje poševni položaj obdelovanca izravna z osnovno rotacijo.
 note-corner-from-first-and-third-point = Položaja merilnih točk 1 in 3 določata vogal, v katerem krmiljenje določi referenčno točko. Vogal A: točka 1 ima večji X in manjši Y kot točka 3. Vogal B: manjši X, manjši Y. Vogal C: manjši X, večji Y. Vogal D: večji X, večji Y.
 note-first-line-in-secondary-direction = Krmiljenje prvo premico vedno izmeri v smeri pomožne osi obdelovalne ravnine.

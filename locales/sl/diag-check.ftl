@@ -17,7 +17,7 @@ diag-arc-wrong =
        *[centre] začetek je od središča oddaljen { $first }, konec pa { $second }
     }.
 diag-axis-twice = Os { $axis } je v tem stavku navedena dvakrat.
-diag-back-boring-inside = Po ciklu je material debel { $value }, surovec pa sega { $other } pod površino.
+diag-back-boring-inside = Po podatkih cikla je material debel { $value }, surovec pa sega { $other } pod površino.
 diag-blocks-after-end = Za stavkom END PGM so še drugi stavki.
 diag-blank-wrong =
     { $what ->
@@ -78,7 +78,7 @@ diag-contour-wrong =
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.
-diag-core-hole-too-large = Premer vrtine je { $other }, navoja { $value }: za navoj ne ostane materiala.
+diag-core-hole-too-large = Premer vrtine je { $other }, premer navoja { $value }: za navoj ne ostane materiala.
 diag-core-hole-too-small = Navoj { $value } se vrta v vrtino { $other }: vrtina je preozka.
 diag-corner-wrong =
     Tega vogala ni mogoče obdelati: { $what ->
@@ -116,7 +116,7 @@ diag-datum-table-late = Prejšnji zamik ničelne točke vzame svojo vrstico iz d
 diag-defined-but-never-called = { $cycle } je tu definiran, nikoli pa priklican.
 diag-digitizing-wrong =
     { $what ->
-        [swapped] { $word } je manj od točke MIN območja, { $other }.
+        [swapped] { $word } je pod točko MIN območja, { $other }.
         [low] Varna višina { $word } je pod točko MAX območja, { $other }.
         [missing] { $cycle } digitalizira, vendar pred tem ni definirano nobeno območje.
        *[combined] { $cycle } ni mogoče povezati z { $range }, ki tu določa območje.
@@ -193,10 +193,10 @@ diag-label-twice = »{ $label }« stoji pri { $parameter } in pri { $other }: pr
 diag-label-undefined = Noben stavek ne postavi oznake LBL { $label }.
 diag-labels-of-unknown-language =
     { $count ->
-        [one] Oznake v { $count } definiciji, prva je ta, so v jeziku, ki ga Ciklo ne pozna; prebrana je bila po številkah parametrov.
-        [two] Oznake v { $count } definicijah, prva je ta, so v jeziku, ki ga Ciklo ne pozna; prebrani sta bili po številkah parametrov.
-        [few] Oznake v { $count } definicijah, prva je ta, so v jeziku, ki ga Ciklo ne pozna; prebrane so bile po številkah parametrov.
-       *[other] Oznake v { $count } definicijah, prva je ta, so v jeziku, ki ga Ciklo ne pozna; prebrane so bile po številkah parametrov.
+        [one] Oznake v { $count } definiciji, ki je tukaj, so v jeziku, ki ga Ciklo ne pozna; prebrana je bila po številkah parametrov.
+        [two] Oznake v { $count } definicijah od te naprej so v jeziku, ki ga Ciklo ne pozna; prebrani sta bili po številkah parametrov.
+        [few] Oznake v { $count } definicijah od te naprej so v jeziku, ki ga Ciklo ne pozna; prebrane so bile po številkah parametrov.
+       *[other] Oznake v { $count } definicijah od te naprej so v jeziku, ki ga Ciklo ne pozna; prebrane so bile po številkah parametrov.
     }
 diag-languages-mixed = Večina oznak je v enem jeziku ({ $language }); definicije v teh vrsticah so v drugem ({ $others }): { $lines }.
 diag-loop-endless = Ta skok sklene zanko, ki se nikoli ne konča.
@@ -231,7 +231,7 @@ diag-no-result =
     Ta formula nima rezultata: { $why ->
         [division] v njej se deli z nič
         [large] število je preveliko
-       *[domain] funkcija za svojo vrednost ni definirana
+       *[domain] funkcija za to vrednost ni definirana
     }.
 diag-no-table-open = FN 27 in FN 28 potrebujeta preglednico, ki jo je odprl FN 26.
 diag-not-a-program = Ta datoteka ni NC-program.
@@ -260,7 +260,7 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } v ciklu { $cycle } zahteva novejšo različico programske opreme od { $software }, ki jo opisuje priročnik.
 diag-parameter-unassigned =
     { $parameter } se tu bere, vrednosti pa mu ni določilo nič.
-diag-path-twice = Celotna pot od tu naprej je bila s tem orodjem že obdelana pri drugi transformaciji.
+diag-path-twice = Celotna pot od tu naprej je bila s tem orodjem že obdelana pri drugem preračunavanju koordinat.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } ne more priklicati { $called } z { $value }.
@@ -288,7 +288,7 @@ diag-plane-not-reset =
         [zero] { $cycle } tu vse kote nastavi na 0, vrtenja obdelovalne ravnine pa nič ne izklopi.
        *[tilted] Program se tu konča z zavrteno obdelovalno ravnino.
     }
-diag-plunge-too-fast = Orodje tu prodira v material za { $value } na vrtljaj.
+diag-plunge-too-fast = Orodje tu prodira v material po { $value } na vrtljaj.
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle }, nima pa absolutnih vrednosti za obe koordinati ravnine.
 diag-position-missing = Orodje gre navzdol do { $value }, preden mu je program določil položaj v ravnini.
 diag-position-twice = Točka { $value }; { $other } je bila s to definicijo in tem orodjem že obdelana.
@@ -533,7 +533,7 @@ diag-definitions-differ =
     { $what ->
         [deep] Globina primika { $value } vzame vso globino { $other } naenkrat, kar je več od premera orodja.
         [infeed] Globina primika je tu { $value }, v drugi definiciji istega žepa ali utora pa { $other }.
-        [operation] Obe definiciji tega žepa ali utora samo grobo rezkata: dodatek { $other } ostane.
+        [operation] Obe definiciji tega žepa ali utora samo grobo rezkata: nadmera { $other } ostane.
        *[size] Vrednost je tu { $value }, v definiciji, ki grobo rezka isti žep ali utor, pa { $other }.
     }
 diag-helix-too-steep = Vijačnica se v enem obratu spusti za { $value }; več kot { $other } tu ne reže nobeno orodje.
@@ -554,8 +554,8 @@ diag-probing-place-wrong =
     }
 diag-rough-out-tool-other =
     { $what ->
-        [pilot] Tu je navedeno orodje { $value }, prazni pa orodje { $other }.
-       *[coarse] Orodje { $value } prej ni praznilo; praznilo je orodje { $other }.
+        [pilot] Tu je navedeno orodje { $value }, posnema pa orodje { $other }.
+       *[coarse] Orodje { $value } prej ni posnemalo; posnemalo je orodje { $other }.
     }
 diag-speed-and-feed-exchanged = Orodje se prikliče s številom vrtljajev { $value } in pomikom { $other }: videti je, da sta zamenjana.
 diag-stud-in-solid = Surova mera { $value } je veliko manjša od surovca okrog čepa, ki je tu širok { $other }.
@@ -567,7 +567,7 @@ diag-surface-wrong =
 diag-turned-thread-wrong =
     { $what ->
         [pitch] Korak { $value } je veliko prevelik za navoj s premerom { $other }.
-        [end] Navoj sega do { $value }, za konec svojega valja pri { $other }.
+        [end] Navoj sega do { $value }, čez konec svojega valja pri { $other }.
         [inside] Na premeru { $value }, ki je bil stružen zunaj, se reže notranji navoj.
         [speed] Navoj se struži s konstantno rezalno hitrostjo (VCONST:ON): število vrtljajev se od reza do reza spreminja.
        *[diameter] Navoj ima premer { $value }, tam pa je bilo struženo { $other }.

@@ -59,8 +59,8 @@ diag-tool-table-contradicts =
         [locked] Orodje { $tool } je v preglednici orodij blokirano (TL), nadomestno orodje (RT) pa ni navedeno.
         [point] { $value } tu centrira na premer, orodje { $tool } pa v preglednici orodij nima kota konice (T-ANGLE).
         [turning] { $value } ni za orodje { $tool }, ki je v preglednici stružnih orodij tipa { $other } (TYPE).
-        [size] Orodje { $tool } ima v preglednici orodij premer { $other }, njegovo ime pa pove { $value }.
-        [oversize] Predizmera { $value } (DR) od polmera { $other } orodja { $tool } ne pusti ničesar.
+        [size] Orodje { $tool } ima v preglednici orodij premer { $other }, njegovo ime pa navaja { $value }.
+        [oversize] Negativna nadmera { $value } (DR) od polmera { $other } orodja { $tool } ne pusti ničesar.
        *[type] { $value } ni za orodje { $tool }, ki je v preglednici orodij tipa { $other } (TYP).
     }
 diag-translate-encoding = Datoteka je zapisana v { $encoding }: v njem ima enake bajte in vse črke novih oznak.
@@ -68,7 +68,7 @@ diag-translate-encoding-unknown = Kodiranje »{ $encoding }« ne obstaja; na vol
 diag-translate-encoding-wrong = { $path } ni v { $encoding }: nekateri bajti tam nimajo pomena.
 diag-translate-unread = { $cycle } ima vrstico, ki je ni mogoče prebrati, zato ime in oznake ostanejo, kot so.
 related-preset-written-here = zapisano tukaj
-diag-character-unknown = Besedilo vsebuje »{ $character }«, česar pisava nima.
+diag-character-unknown = Besedilo vsebuje »{ $character }«, znak, ki ga pisava nima.
 diag-allowance-left = Kontura oznake { $label } se tudi s tem orodjem obdela z nadmero { $value }: nadmera ostane na obdelovancu.
 diag-contour-crossed =
     { $what ->

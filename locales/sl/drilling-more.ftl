@@ -32,7 +32,7 @@ guard-point-angle-missing = Za centriranje do premera v preglednici orodij defin
 guard-depth-zero__centring = Izbrana globina ali izbrani premer je 0, zato krmiljenje cikla ne izvede.
 guard-depth-positive__centring = Izbrana globina ali izbrani premer ima pozitivno vrednost. Vnesite negativno vrednost ali dovolite pozitivno s strojnim parametrom { $mp-display-depth-err }.
 note-sign-of-depth-or-diameter = Smer obdelave določa predznak premera { $q-centring-diameter } ali globine { $q-depth }, odvisno od tega, kaj je izbrano. Pri premeru ali globini 0 krmiljenje cikla ne izvede.
-note-positive-diameter-or-depth-reverses = Nevarnost kolizije! Pri pozitivnem premeru ali pozitivni globini krmiljenje obrne izračun predpozicioniranja: orodje se v hitrem teku po orodni osi premakne pod površino obdelovanca, in sicer za varnostno razdaljo.
+note-positive-diameter-or-depth-reverses = Nevarnost kolizije! Pri pozitivnem premeru ali pozitivni globini krmiljenje predpoložaj izračuna v nasprotni smeri: orodje se po orodni osi v hitrem teku premakne na varnostno razdaljo pod površino obdelovanca.
 
 # --- 202 ---
 cycle-boring = Izstruževanje

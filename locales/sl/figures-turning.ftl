@@ -17,6 +17,7 @@ figure-turning-cutting-lines = Rezne črte
 figure-turned-thread = Navoj
 figure-thread-position = Zunanji ali notranji navoj
 figure-thread-orientation = Vzdolžno ali prečno
+figure-taper-dimensioning = Dimenzioniranje stožca
 figure-turning-infeed = Primik
 figure-turning-infeed-type = Vrsta primika
 figure-turning-depth = Globina in iztek

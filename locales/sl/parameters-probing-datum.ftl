@@ -174,7 +174,7 @@ parameter-second-measuring-height = Merilna višina 2. čepa na osi tipalnega si
 # --- what is done with the angle ---
 parameter-reference-line-angle = Vnaprejšnja nastavitev rotacijskega kota
     .label = PREDNAST. ROT. KOTA
-    .help = Kot referenčne premice, če se poševni položaj ne meri glede na glavno os, temveč glede na poljubno premico. Za osnovno rotacijo krmiljenje vzame razliko med izmerjeno vrednostjo in tem kotom.
+    .help = Kot referenčne premice, če se poševni položaj ne meri glede na glavno os, temveč glede na poljubno premico. Osnovna rotacija je tedaj razlika med izmerjeno vrednostjo in tem kotom.
 parameter-basic-rotation-angle = Prednastavitev rotacijskega kota
     .label = PREDNAST. ROT. KOTA
     .help = Kot, na katerega se nastavi osnovna rotacija.

@@ -6,7 +6,7 @@ step-position-offset-at-first-touch-point__tnc426-430 = Krmiljenje pozicionira t
 step-travel-to-and-probe-second-point = Tipalni sistem se premakne na drugo tipalno točko in tam izvede drugo tipanje.
 step-retract-and-carry-out-basic-rotation = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in izvede ugotovljeno osnovno rotacijo.
 note-basic-rotation-reset-at-start = Krmiljenje na začetku cikla ponastavi aktivno osnovno rotacijo.
-note-known-reference-direction = S parametrom { $q-reference-line-angle } krmiljenje izmerjeno vrednost popravi za znani kot. Tako je mogoče osnovno rotacijo izmeriti na poljubni premici obdelovanca in jo navezati na dejansko smer 0°.
+note-known-reference-direction = S parametrom { $q-reference-line-angle } krmiljenje izmerjeno vrednost popravi za znani kot. Tako je mogoče osnovno rotacijo izmeriti na poljubni premici obdelovanca, nanaša pa se vseeno na dejansko smer 0°.
 
 # --- 400 ---
 cycle-basic-rotation = Osnovna rotacija
@@ -42,7 +42,7 @@ step-measure-second-stud = Tipalni sistem se premakne na merilno višino { $q-se
 step-compensate-as-chosen = Krmiljenje izravna poševni položaj, kot določa { $q-misalignment-compensation }:
 say-rotation-into-preset-row-if-chosen = če je { $q-misalignment-compensation } = 0 in { $q-basic-rotation-row } ni 0, osnovno rotacijo shrani v vrstico { $q-basic-rotation-row } preglednice prednastavitev
 say-rotation-into-rot-menu-if-chosen = pri { $q-misalignment-compensation } = 0 in { $q-basic-rotation-row } = 0 osnovno rotacijo shrani v meni ROT ročnega načina
-say-turn-rotary-table = pri { $q-misalignment-compensation } = 1 zavrti okroglo mizo; pri { $q-zero-after-alignment } = 1 nato prikaz rotacijske osi nastavi na 0
+say-turn-rotary-table = pri { $q-misalignment-compensation } = 1 namesto shranjevanja osnovne rotacije zavrti okroglo mizo; pri { $q-zero-after-alignment } = 1 nato prikaz rotacijske osi nastavi na 0
 note-rotary-axis-by-tool-axis = Za izravnavo poševnega položaja z vrtenjem okrogle mize krmiljenje samodejno uporabi te rotacijske osi: C pri orodni osi Z, B pri orodni osi Y, A pri orodni osi X.
 note-no-tilting-with-this-cycle = Ta cikel pri zavrteni obdelovalni ravnini ni dovoljen.
 title-rotation-from-two-holes = Določitev osnovne rotacije z dvema vrtinama

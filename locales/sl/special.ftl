@@ -11,7 +11,7 @@ note-dwell-keeps-modal-states = Modalno delujoča stanja, na primer vrtenje vret
 # --- 12 ---
 cycle-program-call = Priklic programa
     .nc = PGM CALL
-    .purpose = Poljuben program, na primer poseben vrtalni cikel ali geometrijski modul, naredi enakovreden obdelovalnemu ciklu. Program se nato prikliče kot cikel.
+    .purpose = Poljuben program, na primer poseben vrtalni cikel ali geometrijski modul, izenači z obdelovalnim ciklom. Program se nato prikliče kot cikel.
 step-call-program-as-cycle = Ob priklicu cikla krmiljenje izvede program.
 note-program-becomes-cycle = Vnesite ime programa, ki naj se prikliče, po potrebi s potjo; ali pa z gumbom IZBIRA aktivirajte izbiro datoteke in izberite program.
 note-called-program-on-hard-disk = Priklicani program mora biti shranjen na trdem disku krmiljenja.

@@ -26,7 +26,7 @@ say-tap-goes-back-some-turns = sicer za { $q-chip-breaking-turns }, pomnoženo s
 step-tap-back-to-set-up-clearance = Orodje se premakne nazaj na varnostno razdaljo { $q-set-up-clearance }.
 note-sign-of-thread-depth = Predznak globine navoja { $q-thread-depth } določa smer obdelave. Pri globini navoja 0 krmiljenje cikla ne izvede.
 note-thread-depth-gives-direction = Predznak globine navoja { $q-thread-depth } določa smer obdelave.
-note-positive-thread-depth-reverses = Nevarnost kolizije! Pri pozitivni globini krmiljenje obrne izračun predpozicioniranja: orodje se v hitrem teku po orodni osi premakne pod površino obdelovanca, in sicer za varnostno razdaljo.
+note-positive-thread-depth-reverses = Nevarnost kolizije! Pri pozitivni globini krmiljenje predpoložaj izračuna v nasprotni smeri: orodje se po orodni osi v hitrem teku premakne na varnostno razdaljo pod površino obdelovanca.
 note-floating-tap-holder = Orodje mora biti vpeto v izravnalno vpenjalno glavo, ki med obdelavo izravnava tolerance pomika in števila vrtljajev.
 note-overrides-while-tapping = Med izvajanjem cikla vrtljivi gumb za število vrtljajev ne deluje. Vrtljivi gumb za pomik deluje omejeno; kako, določi proizvajalec stroja (upoštevajte priročnik za stroj).
 note-right-hand-with-m3 = Vreteno za desne navoje vklopite z M3, za leve navoje z M4.
@@ -91,7 +91,7 @@ step-retract-to-break-chip = Za lom ostružkov se orodje umakne za { $q-chip-bre
 step-retract-and-return-to-one-stop-distance = Krmiljenje umakne orodje v hitrem teku na varnostno razdaljo in ga v hitrem teku (FMAX) vrne na razdaljo zadrževanja { $q-upper-advanced-stop-distance } nad doseženo globino.
 until-hole-depth-reached = ni dosežena globina vrtanja { $q-total-hole-depth }
 step-move-beside-stud = Krmiljenje premakne orodje iz središča čepa po glavni osi obdelovalne ravnine na začetno točko čelnega grezenja. Njen položaj izhaja iz polmera navoja, polmera orodja in koraka.
-step-move-beside-stud-without-countersinking = Če prej ni bilo čelnega grezenja, krmiljenje premakne orodje na začetno točko, ki je ista kot pri čelnem grezenju.
+step-move-beside-stud-without-countersinking = Če čelnega grezenja ni, krmiljenje premakne orodje na začetno točko rezkanja navoja, ki je ista kot pri čelnem grezenju.
 
 # --- thread milling: conditions and guards ---
 guard-no-depth-entered = Vse globine so 0, zato se nič ne obdela.
@@ -100,7 +100,7 @@ guard-thread-near-countersinking-depth = Globina navoja mora biti najmanj za tre
 guard-thread-near-hole-depth = Globina navoja mora biti najmanj za tretjino koraka manjša od globine vrtanja.
 
 # --- thread milling: notes ---
-note-thread-approach-on-half-circle = Primik na premer navoja poteka v polkrogu iz središča navzven. Če je premer orodja štirikrat manjši od premera navoja, se orodje stransko predpozicionira.
+note-thread-approach-on-half-circle = Primik na premer navoja poteka v polkrogu iz središča navzven. Če premer orodja znaša le četrtino premera navoja, se orodje stransko predpozicionira.
 note-compensation-before-approach = Pred primikom krmiljenje po orodni osi opravi izravnalni premik, ki je dolg največ pol koraka navoja. Poskrbite za dovolj prostora v vrtini.
 note-thread-depth-moves-start = Če se globina navoja spremeni, krmiljenje začetno točko vijačnega premika spremeni samodejno.
 note-depths-give-direction = Smer obdelave določajo predznaki parametrov globine, in sicer v tem zaporedju: 1. globina navoja { $q-thread-depth }, 2. ugrezna globina { $q-countersinking-depth }, 3. čelna globina { $q-depth-at-front }.
@@ -112,14 +112,14 @@ note-thread-depth-above-countersinking-depth = Vnesite globino navoja { $q-threa
 note-thread-depth-above-hole-depth = Vnesite globino navoja { $q-thread-depth }, ki je najmanj za tretjino koraka navoja manjša od globine vrtanja { $q-total-hole-depth }.
 note-helix-goes-into-workpiece = Vrsta rezkanja (sotek ali protitek) izhaja iz navoja (desni ali levi) in smeri vrtenja orodja, saj je mogoča samo smer obdelave s površine obdelovanca v obdelovanec.
 note-position-over-stud-centre = Programirajte pozicionirni stavek na začetno točko (središče čepa) v obdelovalni ravnini s popravkom polmera R0.
-note-offset-at-front-determined-before = Zamik, potreben za čelno grezenje, ugotovite vnaprej. Vnesite razdaljo od središča čepa do središča orodja (vrednost brez popravka).
+note-offset-at-front-determined-before = Zamik za čelno grezenje določite pred uporabo cikla. Vnesite ga kot razdaljo od središča čepa do središča orodja (vrednost brez popravka).
 note-internal-coolant-for-thread-milling = Stroj naj ima notranje hlajenje skozi vreteno: hladilo najmanj 30 barov, stisnjeni zrak najmanj 6 barov.
 note-profile-correction-by-delta-radius = Pri rezkanju navojev se profil navoja pogosto popači, zato so potrebni popravki za posamezno orodje. Navedeni so v katalogu orodij ali pa jih navede proizvajalec orodja. Popravek se vnese v stavek TOOL CALL z vrednostjo delta { $mp-delta-radius }.
 note-clockwise-tools-only = Cikel je mogoče uporabljati samo z orodji, ki se vrtijo v smeri urnega kazalca.
 note-tools-of-both-rotations = Cikel je mogoče uporabljati z orodji, ki se vrtijo v smeri urnega kazalca, in z orodji, ki se vrtijo v nasprotni smeri.
-note-direction-of-inside-thread = Smer obdelave je odvisna od predznaka koraka navoja { $q-thread-pitch } in od vrste rezkanja { $q-milling-type }. Pri orodjih z vrtenjem v smeri urnega kazalca in notranjih navojih: desni (+) v soteku (+1, RL): Z+; levi (−) v protiteku (−1, RR): Z+; desni (+) v protiteku (−1, RR): Z−; levi (−) v soteku (+1, RL): Z−.
-note-direction-of-outside-thread = Smer obdelave je odvisna od predznaka koraka navoja { $q-thread-pitch } in od vrste rezkanja { $q-milling-type }. Pri orodjih z vrtenjem v smeri urnega kazalca in zunanjih navojih: desni (+) v soteku (+1, RL): Z−; levi (−) v protiteku (−1, RR): Z−; desni (+) v protiteku (−1, RR): Z+; levi (−) v soteku (+1, RL): Z+.
-note-feed-of-cutting-edge = Pri rezkanju navojev krmiljenje programirani pomik nanaša na rezilo orodja. Ker prikazuje pomik po poti središča orodja, se prikazana vrednost razlikuje od programirane.
+note-direction-of-inside-thread = Smer obdelave je odvisna od predznaka koraka navoja { $q-thread-pitch } in od vrste rezkanja { $q-milling-type }. Z orodjem, ki se vrti v smeri urnega kazalca, se notranji navoj rezka v smeri Z+, če je desni (+) in rezkan v soteku (+1, RL) ali levi (−) in rezkan v protiteku (−1, RR), v smeri Z− pa, če je desni (+) in rezkan v protiteku (−1, RR) ali levi (−) in rezkan v soteku (+1, RL).
+note-direction-of-outside-thread = Smer obdelave je odvisna od predznaka koraka navoja { $q-thread-pitch } in od vrste rezkanja { $q-milling-type }. Z orodjem, ki se vrti v smeri urnega kazalca, se zunanji navoj rezka v smeri Z−, če je desni (+) in rezkan v soteku (+1, RL) ali levi (−) in rezkan v protiteku (−1, RR), v smeri Z+ pa, če je desni (+) in rezkan v protiteku (−1, RR) ali levi (−) in rezkan v soteku (+1, RL).
+note-feed-of-cutting-edge = Pri rezkanju navojev programirani pomik velja za rezilo orodja. Krmiljenje prikazuje pomik središča orodja, zato se prikazana vrednost razlikuje od programirane.
 note-mirroring-turns-thread = Smer navoja se spremeni, če se cikel izvede pri zrcaljenju (cikel 8) samo ene osi.
 note-same-signs-of-depths = Nevarnost kolizije! Za vse globine vedno vnesite enak predznak, ker cikli vsebujejo več potekov, ki niso odvisni drug od drugega. Če želite na primer ponoviti samo grezenje, za globino navoja vnesite 0; smer obdelave tedaj določa ugrezna globina.
 note-same-signs-of-depths__outside-thread-milling = Nevarnost kolizije! Za vse globine vedno vnesite enak predznak, ker cikli vsebujejo več potekov, ki niso odvisni drug od drugega. Če želite na primer ponoviti samo čelno grezenje, za globino navoja vnesite 0; smer obdelave tedaj določa čelna globina.

@@ -11,19 +11,55 @@ use crate::built::built;
 
 type Files = Vec<(String, String)>;
 
-/// The codes of what is wrong with the figures of a cycle after its file was altered.
-fn altered(cycle: u32, from: &str, to: &str) -> Vec<&'static str> {
+/// The embedded files, that of a cycle altered.
+fn files_with(cycle: u32, from: &str, to: &str) -> Files {
     let name = format!("/{cycle}-");
     let mut files: Files = data::embedded();
     let file = files.iter_mut().find(|(path, _)| path.starts_with("cycle-specs/") && path.contains(&name));
     let (path, text) = file.expect("the specification");
     assert!(text.contains(from), "{path}: {from}");
     *text = text.replacen(from, to, 1);
+    files
+}
+
+/// The codes of what is wrong with the figures of a cycle after its file was altered.
+fn altered(cycle: u32, from: &str, to: &str) -> Vec<&'static str> {
+    let files = files_with(cycle, from, to);
     let (catalogue, found) = Catalogue::load(&files);
     assert!(found.is_empty(), "{found:?}");
     let world = World { catalogue: &catalogue, locales: &built().locales, files: &files };
     let chosen = |own: &Cycle| own.key.number == cycle;
     figure::check(&catalogue, &world, &chosen).into_iter().map(|found| found.code).collect()
+}
+
+/// The drawing of a figure of the TNC 640 in English, after the file of its cycle was altered.
+fn redrawn(cycle: u32, from: &str, to: &str, stem: &str) -> String {
+    let files = files_with(cycle, from, to);
+    let (catalogue, found) = Catalogue::load(&files);
+    assert!(found.is_empty(), "{found:?}");
+    let world = World { catalogue: &catalogue, locales: &built().locales, files: &files };
+    let on = catalogue.on("tnc640").expect("the control");
+    let own = on.cycles.values().find(|own| own.key.number == cycle).expect("the cycle");
+    let (figures, found) = figure::prepare(&world, on, own);
+    assert!(found.is_empty(), "{found:?}");
+    let figure = figures.iter().find(|figure| figure.stem(own) == stem).expect("the figure");
+    let language = built().locales.language("en").expect("the language");
+    let svg = with_texts(on, own, language, |text| figure.svg(text, Medium::Page)).expect("all texts are there");
+    svg.text.rsplit("</desc>").next().unwrap_or_default().to_owned()
+}
+
+/// The outline of the tool, and the line of what is left of the blank: their data.
+fn tool_and_surface(drawing: &str) -> [&str; 2] {
+    ["<path class=\"t\" d=\"", "<path class=\"o\" d=\""].map(|begin| {
+        let (_, after) = drawing.split_once(begin).expect("the path");
+        after.split('"').next().unwrap_or_default()
+    })
+}
+
+/// The numbers of the data of a path, in their order.
+fn numbers(data: &str) -> Vec<f64> {
+    let split = data.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
+    split.filter(|part| !part.is_empty()).map(|part| part.parse().expect("a number")).collect()
 }
 
 /// Every figure of every cycle, in every language, with where it is from.
@@ -203,4 +239,40 @@ fn the_middle_of_a_hole_is_a_place_of_the_workpiece() {
     assert_eq!(altered(421, middle, "to: \"circle.centre + POINT(0.5, 0, 0)\"}"), ["figure-measured-otherwise"]);
     let place = "{cylinder: {centre: [52, 55], diameter: 50";
     assert_eq!(altered(421, place, "{cylinder: {centre: [51, 55], diameter: 50").len(), 1);
+}
+
+#[test]
+fn the_end_of_a_cutter_is_drawn_as_its_corner_radius_says() {
+    // The slot of 253 by a cutter of radius 4: flat, with corners of 1 mm, and as a ball.
+    let given =
+        "given: {Q201: -20, Q202: 5, Q203: 10, Q200: 2, Q204: 50, Q206: 150, Q366: 0, Q367: 1, Q218: 80, Q219: 12";
+    let flat = format!("{given}, Q374: 90}}\n    scene:\n      tools: [{{T: 1, NAME: MILL, L: 80, R: 4}}]");
+    let drawn = |r2: &str| redrawn(253, &flat, &flat.replace("R: 4}", &format!("R: 4, R2: {r2}}}")), "253-section");
+    let (plain, bull, ball) = (drawn("0"), drawn("1"), drawn("4"));
+    assert!(!tool_and_surface(&plain)[0].contains('A'));
+    // M left floor L right floor A r r 0 0 0 side shoulder …: so many mm are 4 - 1 of 4, and no way along the floor.
+    for (drawing, corner) in [(&bull, 1.0), (&ball, 4.0)] {
+        let [tool, surface] = tool_and_surface(drawing);
+        assert_eq!(tool.matches('A').count(), 2, "{tool}");
+        let begin = numbers(tool.split('A').next().unwrap_or_default());
+        let arc = numbers(tool.split('A').nth(1).unwrap_or_default());
+        let (right, floor) = (begin[begin.len() - 2], begin[begin.len() - 1]);
+        let (radius, side, shoulder) = (arc[0], arc[5], arc[6]);
+        assert!((side - right - radius).abs() < 0.15 && (floor - shoulder - radius).abs() < 0.15, "{tool}");
+        let half = side - (begin[0] + right) / 2.0;
+        assert!((radius / half - corner / 4.0).abs() < 0.01, "{tool}");
+        // The floor that is left is as deep as the tool, and as round where it ends.
+        let (before, after) = (tool_and_surface(&plain)[1], surface);
+        let deepest = |data: &str| numbers(data).chunks(2).map(|place| place[1]).fold(0.0, f64::max);
+        assert_eq!(deepest(before), deepest(after));
+        let at_floor = |data: &str| {
+            let places = numbers(data);
+            let low = places.chunks(2).filter(|place| (place[1] - floor).abs() < 0.15).map(|place| place[0]);
+            low.fold((f64::MAX, f64::MIN), |(least, greatest), x| (least.min(x), greatest.max(x)))
+        };
+        let ((l, r), (own_l, own_r)) = (at_floor(before), at_floor(after));
+        // Near the floor the arc is as good as flat.
+        let near = 0.25 * radius + 0.2;
+        assert!((own_l - l - radius).abs() < near && (r - own_r - radius).abs() < near, "{before}\n{after}");
+    }
 }

@@ -5,6 +5,7 @@
 //! and scenes, specifications and texts, and no command; the same data give the same bytes.
 mod axonometric;
 mod bar;
+mod cutter;
 mod cylinder;
 mod dimension;
 mod frame;
@@ -229,8 +230,15 @@ impl Figure<'_> {
             false => sheet::draw(&subject, &words).finished(&subject, &words),
         };
         let title = self.title(text);
-        let shown: Vec<String> =
-            params.iter().flatten().map(|param| format!("{}: {}", param.shown, param.name)).collect();
+        let mut shown: Vec<String> = Vec::new();
+        for param in params.iter().flatten() {
+            // A field of an old-style line may be called by its name, and have a dimension for each axis.
+            let said =
+                if param.shown == param.name { param.name.clone() } else { format!("{}: {}", param.shown, param.name) };
+            if !shown.contains(&said) {
+                shown.push(said);
+            }
+        }
         let [w, h] = [drawn.size.x, drawn.size.y].map(short);
         // Screen readers do not look into an image; links they must find.
         let role = if words.links.iter().any(Option::is_some) { "document" } else { "img" };

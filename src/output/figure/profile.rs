@@ -1,6 +1,8 @@
 //! What is left of a blank in a plane along the main and the tool axis: the height of the material over the main axis.
 //!
 //! Invariant: whatever the tool went through is gone from there upwards, as tools cut that come from above.
+use std::f64::consts::FRAC_PI_2;
+
 use glam::{DVec2, DVec3};
 
 use super::stroke::{Stroke, Way};
@@ -10,6 +12,8 @@ use crate::base::expr::tand;
 const LEVEL: f64 = 1e-6;
 /// A way that sinks is cut into pieces of at most so many millimetres.
 const PIECE: f64 = 0.5;
+/// So many straight pieces make the section of a rounded corner.
+const ROUND: usize = 8;
 
 /// A stretch of the main axis with a straight bottom.
 #[derive(Clone, Copy, Debug)]
@@ -80,6 +84,10 @@ fn sweep(from: DVec3, to: DVec3, stroke: &Stroke, minor: f64, top: f64, cuts: &m
     for n in 0..pieces {
         let place = |k: usize| from.lerp(to, k as f64 / pieces as f64);
         let (a, b) = (place(n), place(n + 1));
+        if stroke.tool.corner > 0.0 {
+            rounded(a, b, stroke, minor, cuts);
+            continue;
+        }
         let reach = band(a.truncate(), b.truncate(), stroke.tool.radius, minor);
         let bottom = a.z.max(b.z);
         let known = |cut: &&mut Cut| {
@@ -102,12 +110,42 @@ fn plunge(low: DVec3, stroke: &Stroke, minor: f64, cuts: &mut Vec<Cut>) {
     if half <= 0.0 {
         return;
     }
+    if stroke.tool.corner > 0.0 && stroke.tool.point <= 0.0 {
+        return rounded(low, low, stroke, minor, cuts);
+    }
     let rise = if stroke.tool.point > 0.0 { half / tand(stroke.tool.point / 2.0) } else { 0.0 };
     if rise > 0.0 {
         cuts.push(Cut { from: low.x - half, to: low.x, bottom: [low.z + rise, low.z] });
         cuts.push(Cut { from: low.x, to: low.x + half, bottom: [low.z, low.z + rise] });
     } else {
         cuts.push(Cut { from: low.x - half, to: low.x + half, bottom: [low.z; 2] });
+    }
+}
+
+/// What a tool with a rounded end takes away on a straight way: a floor, and pieces that rise from it on both sides.
+fn rounded(a: DVec3, b: DVec3, stroke: &Stroke, minor: f64, cuts: &mut Vec<Cut>) {
+    let radius = stroke.tool.radius;
+    let corner = stroke.tool.corner.min(radius);
+    let bottom = a.z.max(b.z);
+    // How far the way stays from the line, at least: no place of it is cut by what is nearer to the axis of the tool.
+    let (near, far) = (a.y.min(b.y) - minor, a.y.max(b.y) - minor);
+    let off = near.max(-far).max(0.0);
+    let from = libm::asin(((off - (radius - corner)) / corner).clamp(0.0, 1.0));
+    let mut inner: Option<([f64; 2], f64)> = None;
+    for n in 0..=ROUND {
+        let angle = from + (FRAC_PI_2 - from) * n as f64 / ROUND as f64;
+        // A little more than the least of them, so that it meets the line.
+        let ring = (radius - corner + corner * libm::sin(angle)).max(off + LEVEL);
+        let height = bottom + corner * (1.0 - libm::cos(angle));
+        let Some([l, r]) = band(a.truncate(), b.truncate(), ring, minor) else { continue };
+        match inner {
+            None => cuts.push(Cut { from: l, to: r, bottom: [height; 2] }),
+            Some(([il, ir], lower)) => {
+                cuts.push(Cut { from: l, to: il, bottom: [height, lower] });
+                cuts.push(Cut { from: ir, to: r, bottom: [lower, height] });
+            }
+        }
+        inner = Some(([l, r], height));
     }
 }
 

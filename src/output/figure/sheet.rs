@@ -14,7 +14,7 @@ use super::slice::{self, Face, Outline};
 use super::stroke::{Stroke, Way};
 use super::subject::{Subject, Words, depth, flat};
 use super::window::Window;
-use super::{axonometric, bar, cylinder, rotary, scan, setter, setter_turned, turned, way};
+use super::{axonometric, bar, cutter, cylinder, rotary, scan, setter, setter_turned, turned, way};
 use crate::base::expr::tand;
 use crate::spec::{Along, FigureView};
 
@@ -258,20 +258,12 @@ impl Sheet<'_> {
             return;
         }
         let rise = if tool.point > 0.0 { radius / tand(tool.point / 2.0) } else { 0.0 };
-        let (left, right, shoulder) = (place.x - radius, place.x + radius, place.y - rise);
-        let wave = (radius * 0.35).min(5.0);
-        let outline = [
-            place,
-            DVec2::new(right, shoulder),
-            DVec2::new(right, top + wave),
-            DVec2::new(place.x + radius / 3.0, top),
-            DVec2::new(place.x - radius / 3.0, top + 2.0 * wave),
-            DVec2::new(left, top + wave),
-            DVec2::new(left, shoulder),
-        ];
-        self.pen.area("t", &outline);
+        let end = cutter::End { radius, rise, corner: tool.corner * scale };
+        self.pen.path("t", &cutter::outline(end, place, top));
         self.pen.line("x", &[DVec2::new(place.x, top - 4.0), DVec2::new(place.x, place.y + 6.0)]);
-        self.pen.blocked.push(Rect { min: DVec2::new(left, top), max: DVec2::new(right, place.y) });
+        self.pen
+            .blocked
+            .push(Rect { min: DVec2::new(place.x - radius, top), max: DVec2::new(place.x + radius, place.y) });
     }
 
     /// The range of a scan.
@@ -290,28 +282,40 @@ impl Sheet<'_> {
         }
     }
 
-    /// The ways of the tool. Ways up and down over one another are drawn side by side.
+    /// The ways of the tool. Ways up and down over one another are drawn side by side; those that go on from one another
+    /// are one line.
     fn ways(&mut self) {
         let paper = self.frame.paper();
-        let mut arrows: Vec<DVec2> = Vec::new();
+        let mut arrows: Vec<(Way, DVec2, DVec2)> = Vec::new();
         let mut drawn: BTreeSet<(usize, String)> = BTreeSet::new();
+        let mut lines: Vec<(Way, String)> = Vec::new();
         for (stroke, offset) in self.subject.shot.strokes.iter().zip(self.offsets()) {
             let points: Vec<DVec2> = stroke.points.iter().map(|p| self.at(*p) + DVec2::new(offset, 0.0)).collect();
             if self.view == FigureView::Rotary && !cylinder::meets(stroke, number(self.subject.shot, CUT)) {
                 continue;
             }
             let points = way::clip_line(&points, &paper.grown(0.5));
-            let class = way::class(stroke.way);
             let data = Pen::data(&points, false);
             if !data.contains('L') || !drawn.insert((stroke.way as usize, data.clone())) {
                 continue;
             }
-            self.pen.path(class, &data);
-            let Some((tip, along)) = way::arrow_place(&points) else { continue };
-            if arrows.iter().all(|other| (*other - tip).length() > 16.0) {
-                arrows.push(tip);
-                way::head(&mut self.pen, stroke.way, tip, along);
+            let (begin, rest) = data.split_at(data.find('L').unwrap_or_default());
+            match lines.last_mut() {
+                Some((way, line)) if *way == stroke.way && line.rsplit('L').next() == begin.strip_prefix('M') => {
+                    line.push_str(rest);
+                }
+                _ => lines.push((stroke.way, data)),
             }
+            let Some((tip, along)) = way::arrow_place(&points) else { continue };
+            if arrows.iter().all(|(_, other, _)| (*other - tip).length() > 16.0) {
+                arrows.push((stroke.way, tip, along));
+            }
+        }
+        for (way, line) in lines {
+            self.pen.path(way::class(way), &line);
+        }
+        for (way, tip, along) in arrows {
+            way::head(&mut self.pen, way, tip, along);
         }
         let shot = self.subject.shot;
         if shot.rotary.is_some() && rotary::axis(self.view).is_some() {

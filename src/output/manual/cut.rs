@@ -258,7 +258,9 @@ fn prose(text: &str, names: &Names) -> String {
         }
         gone = own.is_empty();
         let mut whole = own.join("; ");
-        if own.first() != all.first() {
+        // A name such as iTNC keeps its small letter.
+        let is_name = whole.chars().nth(1).is_some_and(char::is_uppercase);
+        if own.first() != all.first() && !is_name {
             let mut letters = whole.chars();
             whole = letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect());
         }
