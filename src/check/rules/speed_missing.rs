@@ -22,7 +22,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 fn of_tool_before(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // The tool that was called last with a speed, and whether another one follows it without.
     let (mut last, mut lacks) = (None, false);
-    for (_, block) in facts.shaped() {
+    for (_, block) in facts.marked() {
         if let BlockKind::ToolCall(call) = &block.kind {
             let Some(tool) = call.tool else {
                 lacks &= call.speed.is_none();
