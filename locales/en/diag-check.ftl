@@ -75,6 +75,7 @@ diag-contour-wrong =
         [same] the contour { $word } is the same one
         [islands] all of them are islands by their RL and RR, and there is no pocket around them
         [round] along both axes it is longer than the circumference of the cylinder
+        [nested] it is a pocket by its RL or RR and lies completely in another pocket, so that it removes nothing
        *[open] it does not end where it begins
     }.
 diag-coordinate-out-of-place = { $path } does not take these coordinates.

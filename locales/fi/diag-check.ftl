@@ -75,6 +75,7 @@ diag-contour-wrong =
         [same] muoto { $word } on sama
         [islands] RL ja RR tekevät niistä kaikista saarekkeita, eikä niiden ympärillä ole taskua
         [round] se on kummankin akselin suunnassa pitempi kuin lieriön kehä
+        [nested] RL tai RR tekee siitä taskun, ja se on kokonaan toisen taskun sisällä eikä poista mitään
        *[open] se ei pääty siihen, mistä se alkaa
     }.
 diag-coordinate-out-of-place = Koordinaatit eivät sovi lauseeseen { $path }.

@@ -75,6 +75,7 @@ diag-contour-wrong =
         [same] il profilo { $word } è lo stesso
         [islands] secondo RL e RR sono tutti isole, e non c’è nessuna tasca attorno ad essi
         [round] in entrambi gli assi è più lungo della circonferenza del cilindro
+        [nested] secondo RL o RR è una tasca e si trova interamente in un’altra tasca, perciò non asporta nulla
        *[open] non finisce dove comincia
     }.
 diag-coordinate-out-of-place = { $path } non ammette queste coordinate.

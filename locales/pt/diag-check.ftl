@@ -75,6 +75,7 @@ diag-contour-wrong =
         [same] o contorno { $word } é o mesmo
         [islands] segundo RL e RR todos são ilhas, e não há nenhuma caixa à sua volta
         [round] em ambos os eixos é mais comprido do que o perímetro do cilindro
+        [nested] segundo RL ou RR é uma caixa e fica inteiramente dentro de outra caixa, pelo que não remove nada
        *[open] não acaba onde começa
     }.
 diag-coordinate-out-of-place = { $path } não aceita estas coordenadas.

@@ -75,6 +75,7 @@ diag-contour-wrong =
         [same] kontura { $word } je ista
         [islands] po RL in RR so vse otoki, žepa okrog njih pa ni
         [round] po obeh oseh je daljša od obsega valja
+        [nested] po RL ali RR je žep in leži v celoti v drugem žepu, zato ne odstrani ničesar
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.

@@ -297,6 +297,15 @@ pub(super) fn area(points: &[[f64; 2]]) -> f64 {
     points.iter().zip(next).map(|(one, next)| one[0] * next[1] - one[1] * next[0]).sum::<f64>() / 2.0
 }
 
+/// Whether a place is inside of a polygon, by the sides that a line from there to the right crosses.
+pub(super) fn holds(points: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let next = points.iter().skip(1).chain(points.first());
+    let crossed = points.iter().zip(next).filter(|(one, next)| {
+        (one[1] > y) != (next[1] > y) && x < one[0] + (y - one[1]) / (next[1] - one[1]) * (next[0] - one[0])
+    });
+    crossed.count() % 2 == 1
+}
+
 /// Whether the tool of a contour that goes round so is inside of it.
 pub(super) fn is_inside(area: f64, side: Compensation) -> bool {
     (area > 0.0) == (side == Compensation::Rl)

@@ -1,7 +1,8 @@
 //! A contour that a cycle reads from a subprogram and cannot machine: movements of the tool axis, approaches, tool
 //! calls or cycles in it, a first point without both coordinates, no RL or RR, an end elsewhere than the beginning,
 //! elements that the cycle does not read, a corner as its last element, local parameters that are not assigned in it,
-//! more contours than it machines, the same contour twice, islands without a pocket, one that does not fit on its cylinder.
+//! more contours than it machines, the same contour twice, islands without a pocket, a pocket in another one, one that does
+//! not fit on its cylinder.
 //!
 //! A contour may leave it to the control to close it by going on in the line with which it began. Lengths are only
 //! compared where all coordinates are numbers.
@@ -9,7 +10,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{QKind, QRef};
-use crate::check::contours::{Listed, area, body, corners, ends, is_inside, listed, polygon, wanted};
+use crate::check::contours::{Listed, area, body, corners, ends, holds, is_inside, listed, polygon, wanted};
 use crate::check::program::{is_silent, number, reads, with_meaning};
 use crate::check::{Defined, Facts, Rule, Use, Way};
 use crate::program::syntax::{Axis, Block, BlockKind, Compensates, Motion, Path, StatementKind};
@@ -59,7 +60,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let finding = rule.at(facts, at).arg("what", "same").arg("word", facts.text(other).to_owned());
                 found.push(finding.arg("cycle", cycle));
             }
-            for (block, what, reader) in no_pocket(&list).into_iter().chain(too_wide(facts, &list)) {
+            for (block, what, reader) in no_pocket(&list).into_iter().chain(nested(&list)).chain(too_wide(facts, &list))
+            {
                 let finding = rule.at(facts, facts.content(block)).arg("what", what).arg("word", "");
                 found.push(finding.arg("cycle", reader.key.to_string()));
             }
@@ -155,6 +157,40 @@ fn no_pocket<'f, 'a>(list: &Listed<'f, 'a>) -> Option<(&'a Block, &'static str, 
     let all = list.contours.iter().all(|contour| island(contour) == Some(true));
     let block = first.iter().find(|block| matches!(block.kind, BlockKind::Motion(_)))?;
     all.then_some((block, "islands", *reader))
+}
+
+/// The first block of a pocket that lies completely in another one and removes nothing: it was to be an island.
+///
+/// A pocket in an island is one. Roundings and chamfers do not count, arcs are polygons.
+fn nested<'f, 'a>(list: &Listed<'f, 'a>) -> Option<(&'a Block, &'static str, &'f Defined<'a>)> {
+    /// Lists with more corners are not looked at: each is compared with all others.
+    const MOST: usize = 1 << 11;
+    let roughs = |own: &&&Defined<'_>| own.related_cycle().is_some_and(|cycle| with_meaning(cycle, ROUGHING).is_some());
+    let reader = list.readers.iter().find(roughs)?;
+    if list.contours.iter().map(|contour| contour.len()).sum::<usize>() > MOST {
+        return None;
+    }
+    let shapes: Vec<(Vec<[f64; 2]>, bool)> = list
+        .contours
+        .iter()
+        .map(|contour| {
+            let (points, side) = polygon(contour, PLANE)?;
+            let area = area(&points);
+            (area != 0.0).then_some(())?;
+            Some((points, is_inside(area, side?)))
+        })
+        .collect::<Option<_>>()?;
+    let lies_in = |inner: &[[f64; 2]], outer: &[[f64; 2]]| inner.iter().all(|point| holds(outer, *point));
+    let (inner, contour) =
+        shapes.iter().zip(&list.contours).enumerate().find_map(|(at, ((points, pocket), contour))| {
+            let others = || shapes.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, own)| own);
+            let inside = others().any(|(other, is_pocket)| *is_pocket && lies_in(points, other));
+            let island =
+                others().any(|(other, is_pocket)| !is_pocket && points.iter().any(|point| holds(other, *point)));
+            (*pocket && inside && !island).then_some((points, contour))
+        })?;
+    let block = contour.iter().find(|block| matches!(block.kind, BlockKind::Motion(_)))?;
+    (inner.len() > 2).then_some((block, "nested", *reader))
 }
 
 /// The first block of a contour that does not fit on the cylinder on which it is rolled up: it is longer than the

@@ -29,7 +29,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// A movement for which a parameter has brought the feed 0.
 fn executed(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let first = first_incident(facts, |own| (own == Incident::NoFeed).then_some(()));
-    if let Some((span, ())) = first.filter(|_| found.iter().all(|own| own.code != rule.code)) {
+    if let Some((span, ())) =
+        first.filter(|_| found.iter().all(|own| own.code != rule.code && own.code != "feed-missing"))
+    {
         found.push(rule.at(facts, span));
     }
 }

@@ -7,6 +7,7 @@ use super::body::Body;
 use super::path::Ways;
 use super::series::Rows;
 use super::work::{Hole, Work};
+use crate::base::diag::Arg;
 use crate::check::{Incident, Observed, ToolKind, lasting, removes_material};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MoveKind, Status, Tool};
@@ -318,6 +319,9 @@ impl<'w> Watcher<'w> {
             "rounding-impossible" => "rounding",
             "contour-crossing" => "crossing",
             "approach-impossible" => "approach",
+            "feed-missing" if fault.args.iter().any(|(_, own)| *own == Arg::Number(0.0)) => {
+                return self.report(self.line, Incident::NoFeed);
+            }
             _ => return,
         };
         self.report(self.line, Incident::Incalculable(why));
@@ -430,9 +434,6 @@ impl<'w> Watcher<'w> {
     ) {
         let group = key.and_then(|key| self.cycle(key)).map(|own| own.file.group);
         let solid = !self.open && begun && places.iter().any(|place| self.is_solid(*place));
-        if feed == 0.0 && key.is_none() && plain {
-            self.report(self.line, Incident::NoFeed);
-        }
         let drills = group == Some(Group::Drilling);
         if solid && self.spindle < 0 && (drills || group == Some(Group::Pockets)) {
             self.report(self.line, Incident::Backwards);
