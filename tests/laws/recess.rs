@@ -657,3 +657,75 @@ fn an_insert_lies_on_summits() {
         assert!(own.height(x).is_some_and(|own| (own - height).abs() < 1e-9), "{x}");
     }
 }
+
+/// An insert as wide as the groove, whose corners are rounder than the rounding of the edge beside it: the two arcs on which
+/// it goes round that edge are one way, without a notch where the second one begins.
+#[test]
+fn a_rounded_edge_beside_an_insert_as_wide_as_the_groove_has_no_notch() {
+    let job = Job {
+        form: Form::Extended,
+        axial: false,
+        turned: true,
+        signs: (-1.0, -1.0),
+        floor: 3.43,
+        height: 2.0,
+        flanks: (0.0, 0.0),
+        corner: 0.0,
+        elements: (0, 2),
+        size: 0.89,
+        width: 3.43,
+        radius: 0.91,
+        oversizes: (0.0, 0.0),
+        depth: 0.6,
+        one_way: false,
+        shorter: 0.0,
+        compensation: 0.0,
+        clearance: 0.0,
+        above: 0.0,
+        operation: 0,
+    };
+    keeps_its_profile(&job).unwrap_or_else(|wrong| panic!("{wrong}"));
+    let (events, _) = job.run().expect("it runs");
+    // Round the edge on one arc.
+    let arcs = job.moves(&events).iter().filter(|moved| moved.finishing && moved.arc.is_some()).count();
+    assert_eq!(arcs, 1);
+}
+
+/// A groove as wide as the insert is cut by recesses alone: neither wall is cut again.
+#[test]
+fn recess_turning_cuts_no_wall_of_a_groove_as_wide_as_the_insert() {
+    for (axial, form) in [(false, Form::Simple), (true, Form::Simple), (false, Form::Contour), (true, Form::Extended)] {
+        let job = Job {
+            form,
+            axial,
+            turned: true,
+            signs: (-1.0, 1.0),
+            floor: 3.0,
+            height: 5.0,
+            flanks: (0.0, 0.0),
+            corner: 0.0,
+            elements: (0, 0),
+            size: 0.2,
+            width: 3.0,
+            radius: 0.2,
+            oversizes: (0.0, 0.0),
+            depth: 2.0,
+            one_way: false,
+            shorter: 0.0,
+            compensation: 0.0,
+            clearance: 1.0,
+            above: 0.0,
+            operation: 1,
+        };
+        keeps_its_profile(&job).unwrap_or_else(|wrong| panic!("{wrong}"));
+        let (events, _) = job.run().expect("it runs");
+        // 5 deep in infeeds of 1.67, and nothing else at a feed.
+        let cut: f64 = job
+            .moves(&events)
+            .iter()
+            .filter(|moved| !moved.rapid)
+            .map(|moved| moved.places[0].distance(moved.places[moved.places.len() - 1]))
+            .sum();
+        assert!((cut - job.height).abs() < EXACT, "{cut} mm at a feed\n{}", job.program());
+    }
+}

@@ -111,7 +111,8 @@ strategy! {
 }
 
 strategy! {
-    /// To where the cycle began at rapid traverse, axis by axis.
+    /// To where the cycle began at rapid traverse, axis by axis; where something is behind the tool and above it, out along
+    /// the edge in front.
     ReturnToTurningStart = "return-to-turning-start" {}
 }
 
@@ -330,9 +331,18 @@ impl OverContours for ReturnToTurningStart {
         // Of what is above the end of the contour, an insert leaves what its edge in front leans away from: a wedge that is
         // the wider the higher up.
         let wedge = (to.y - turned.end.y) * turned.leans_back;
-        let back = wedge > turned.end.x - here.x && is_free(turned, here);
-        let over = if back { here.y } else { here.y.max(to.y) };
-        turned.line(pen, DVec2::new(here.x, over), RAPID);
+        let high = here.y.max(to.y);
+        let (over, out) = match wedge > turned.end.x - here.x {
+            true if is_free(turned, here) => (here.y, here.x),
+            // Out along the edge in front: the insert stays where it is already, seen as without end.
+            true => (high, here.x - (high - here.y) * turned.leans_back),
+            false => (high, here.x),
+        };
+        // On the surface in front of a contour there may be an allowance that is higher than where the cycle began.
+        let way = [to.x.min(out), to.x.max(out)];
+        let top = turned.envelope.summit(way).map_or(over, |summit| summit.y);
+        let over = if top > over + TOUCHING { over.max(turned.over()) } else { over };
+        turned.line(pen, DVec2::new(out, over), RAPID);
         turned.line(pen, DVec2::new(to.x, over), RAPID);
         turned.line(pen, to, RAPID);
         Ok(())
