@@ -338,7 +338,7 @@ impl Job {
             if self.ring().has(below, 1e-3) {
                 prop_assert!(body.has(below), "nothing is left at {} seen {}\n{}", below, at, self.program());
             }
-            if first && second && self.operation != 1 {
+            if first && second && self.operation != 1 && self.stays(at, by) {
                 let above = self.in_half_plane(wanted + out * (chord + EXACT));
                 prop_assert!(!body.has(above), "{} is left over, seen {}\n{}", above, at, self.program());
             }
@@ -357,6 +357,15 @@ impl Job {
         let corners = self.corners();
         let middle = corners[1].0.midpoint(corners[2].0).x;
         point + allowance * DVec2::new((middle - point.x).signum(), 1.0)
+    }
+
+    /// Whether a point of the contour is that of the contour with an allowance, too: beyond the middle of the floor, where
+    /// the allowances of both walls take all that is flat of it, the other wall is higher.
+    fn stays(&self, point: DVec2, allowance: DVec2) -> bool {
+        let corners = self.corners();
+        let middle = corners[1].0.midpoint(corners[2].0).x;
+        let [before, after] = [point, self.with(point, allowance)].map(|at| at.x - middle);
+        allowance.x == 0.0 || before.abs() > EXACT && before * after > 0.0
     }
 }
 
@@ -507,7 +516,7 @@ fn keeps_its_profile(job: &Job) -> Result<(), TestCaseError> {
         wanted.push((&rough, job.allowance(), EXACT + job.compensation));
     }
     for (moves, by, most) in wanted {
-        for (point, _) in contour.iter().filter(|(_, whole)| *whole) {
+        for (point, _) in contour.iter().filter(|(point, whole)| *whole && job.stays(*point, by)) {
             let point = job.with(*point, by);
             if point.y > EXACT {
                 continue;
@@ -728,4 +737,33 @@ fn recess_turning_cuts_no_wall_of_a_groove_as_wide_as_the_insert() {
             .sum();
         assert!((cut - job.height).abs() < EXACT, "{cut} mm at a feed\n{}", job.program());
     }
+}
+
+/// The allowances of both walls leave less of a flat floor than they take: what was flat in one half of it lies in the
+/// corner of the other.
+#[test]
+fn allowances_of_both_walls_take_what_is_flat_of_the_floor() {
+    let job = Job {
+        form: Form::Extended,
+        axial: false,
+        turned: false,
+        signs: (-1.0, -1.0),
+        floor: 2.86,
+        height: 2.0,
+        flanks: (0.0, 0.0),
+        corner: 1.14,
+        elements: (0, 0),
+        size: 0.2,
+        width: 2.0,
+        radius: 0.94,
+        oversizes: (0.0, 0.23),
+        depth: 0.6,
+        one_way: false,
+        shorter: 0.0,
+        compensation: 0.0,
+        clearance: 0.0,
+        above: 0.0,
+        operation: 3,
+    };
+    keeps_its_profile(&job).unwrap_or_else(|wrong| panic!("{wrong}"));
 }
