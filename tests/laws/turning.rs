@@ -587,3 +587,44 @@ fn the_way_back_goes_over_the_allowance_of_the_surface() {
     let body = body.expect("a stock");
     assert!(body.has(DVec2::new(-6.9, 60.27)), "the allowance on the surface is whole");
 }
+
+/// The floor is narrower than the insert leans: cuts end at the wall in front of what the edge leaves above, and the tool
+/// comes out along that edge. What a first call has left a second one does not cut again.
+#[test]
+fn an_insert_that_leans_back_comes_out_of_a_narrow_valley() {
+    for depth in [0.6, 4.4] {
+        let job = Job {
+            face: true,
+            inside: false,
+            upwards: false,
+            plunges: true,
+            length: 34.77,
+            height: 8.76,
+            first: 0.0,
+            wall: 0.0,
+            corner: 0.0,
+            elements: (0, 0),
+            size: 0.2,
+            radius: 1.13,
+            edges: Some((104.86, 35.0)),
+            oversizes: (0.0, 0.0),
+            depth,
+            clearance: 1.0,
+            above: 0.0,
+            smoothing: 1,
+            operation: 1,
+        };
+        for updated in [false, true] {
+            let program = job.program_of(&[job.length, job.length], updated);
+            let (events, body) = job.run_program(&program).expect("it runs");
+            body.expect("a stock").is_sound(true, &program).unwrap_or_else(|wrong| panic!("{wrong}"));
+            if updated {
+                // Of the second call only the way along the contour is left: down, along the slope and the floor, up the
+                // wall, and away from it.
+                let second = events.iter().filter(|event| event.at.cycle.is_some() && event.at.line > 40);
+                let cuts = second.filter(|event| matches!(event.kind, EventKind::Move { kind: MoveKind::Feed, .. }));
+                assert_eq!(cuts.count(), 5);
+            }
+        }
+    }
+}

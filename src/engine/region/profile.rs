@@ -95,10 +95,11 @@ impl Shape {
                 let length = libm::sqrt(1.0 + slope * slope);
                 let off = (through.y + slope * (centre.x - through.x) - centre.y) / length;
                 let half = radius * radius - off * off;
-                if half < 0.0 {
+                // A line that touches the arc but for rounding meets it there.
+                if half < -2.0 * SAME * radius {
                     return places([0.0; 2], 0);
                 }
-                let (half, foot) = (libm::sqrt(half), centre.x - off * slope / length);
+                let (half, foot) = (libm::sqrt(half.max(0.0)), centre.x - off * slope / length);
                 places([foot - half / length, foot + half / length], 2)
             }
         }
