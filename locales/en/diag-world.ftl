@@ -18,6 +18,7 @@ diag-scene-expected =
         [rotary-axis] Expected the letter of a rotary axis (A, B or C), found "{ $found }".
         [parallel-axis] Expected the letter of a parallel axis (U, V or W), found "{ $found }".
         [carried] A rotary axis carries the workpiece or the tool, not "{ $found }".
+        [encoder] The encoder of an axis is motor or axis, not "{ $found }".
         [orientation] The orientation must be fixed, two or any, not "{ $found }".
         [shaft] The shaft must be thinner than the ball; its diameter is { $found }.
         [measurements] 1, 2 or 3 measurements are possible, not "{ $found }".

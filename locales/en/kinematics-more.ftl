@@ -66,5 +66,6 @@ title-match-interchangeable-head = Match an interchangeable head
 title-compensate-drift = Compensate drift
 
 # --- kinematics ---
+message-backlash-angle-too-small = The backlash found is not much smaller than the angle entered in { $q-backlash-angle }: it may be greater than measured. Enter a larger angle and measure again.
 message-kinematics-limit-exceeded = The kinematics data change by more than the permitted limit. Confirm with NC start that they are to be accepted.
 message-delete-saved-kinematics = Several saved kinematics match the name. Confirm that all of them are to be deleted.

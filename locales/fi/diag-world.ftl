@@ -17,6 +17,7 @@ diag-scene-expected =
         [rotary-axis] Tässä pitäisi olla kiertoakselin kirjain (A, B tai C), ei ”{ $found }”.
         [parallel-axis] Tässä pitäisi olla yhdensuuntaisen lisäakselin kirjain (U, V tai W), ei ”{ $found }”.
         [carried] Kiertoakseli kantaa työkappaletta (workpiece) tai työkalua (tool), ei ”{ $found }”.
+        [encoder] Akselin anturi on moottorissa (motor) tai akselilla (axis), ei ”{ $found }”.
         [orientation] Suuntauksen on oltava fixed, two tai any eikä ”{ $found }”.
         [shaft] Kosketusvarren varsiosan on oltava kuulaa ohuempi; sen halkaisija on { $found }.
         [measurements] Mittauksia voi olla 1, 2 tai 3, ei ”{ $found }”.

@@ -66,5 +66,6 @@ title-match-interchangeable-head = Vaihtopään sovitus
 title-compensate-drift = Ryöminnän kompensointi
 
 # --- kinematics ---
+message-backlash-angle-too-small = Mitattu välys ei ole paljon pienempi kuin parametrin { $q-backlash-angle } kulma: välys voi olla mitattua suurempi. Anna suurempi kulma ja mittaa uudelleen.
 message-kinematics-limit-exceeded = Kinematiikkatiedot muuttuvat enemmän kuin raja-arvo sallii. Vahvista ne NC-käynnistyksellä.
 message-delete-saved-kinematics = Useampi tallennettu kinematiikka vastaa nimeä. Vahvista, että ne kaikki poistetaan.

@@ -17,6 +17,7 @@ diag-scene-expected =
         [rotary-axis] Qui è prevista la lettera di un asse rotativo (A, B o C), non «{ $found }».
         [parallel-axis] Qui è prevista la lettera di un asse parallelo (U, V o W), non «{ $found }».
         [carried] Un asse rotativo porta il pezzo (workpiece) o l’utensile (tool), non «{ $found }».
+        [encoder] L’encoder di un asse è sul motore (motor) o sull’asse (axis), non «{ $found }».
         [orientation] L’orientamento deve essere fixed, two o any, non «{ $found }».
         [shaft] Il gambo dello stilo deve essere più sottile della sfera; il suo diametro è { $found }.
         [measurements] Sono possibili 1, 2 o 3 misurazioni, non «{ $found }».

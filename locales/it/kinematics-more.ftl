@@ -67,5 +67,6 @@ title-match-interchangeable-head = Taratura di una testa intercambiabile
 title-compensate-drift = Compensazione deriva
 
 # --- kinematics ---
+message-backlash-angle-too-small = Il gioco rilevato non è molto minore dell’angolo inserito in { $q-backlash-angle }: può essere maggiore di quello misurato. Inserire un angolo più grande e ripetere la misura.
 message-kinematics-limit-exceeded = I dati cinematici cambiano oltre il valore limite ammesso. Confermarne l’acquisizione con Avvio NC.
 message-delete-saved-kinematics = Al nome corrispondono più cinematiche salvate. Confermare la cancellazione di tutte.

@@ -17,6 +17,7 @@ diag-scene-expected =
         [rotary-axis] Espera-se a letra de um eixo rotativo (A, B ou C), encontrou-se «{ $found }».
         [parallel-axis] Espera-se a letra de um eixo paralelo (U, V ou W), encontrou-se «{ $found }».
         [carried] Um eixo rotativo leva a peça (workpiece) ou a ferramenta (tool), não «{ $found }».
+        [encoder] O encoder de um eixo está no motor (motor) ou no eixo (axis), não «{ $found }».
         [orientation] A orientação tem de ser fixed, two ou any, não «{ $found }».
         [shaft] A haste tem de ser mais fina do que a esfera; o seu diâmetro é { $found }.
         [measurements] São possíveis 1, 2 ou 3 medições, não «{ $found }».

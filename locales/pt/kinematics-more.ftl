@@ -66,5 +66,6 @@ title-match-interchangeable-head = Ajustar uma cabeça intercambiável
 title-compensate-drift = Compensar a deriva
 
 # --- kinematics ---
+message-backlash-angle-too-small = A folga encontrada não é muito menor do que o ângulo introduzido em { $q-backlash-angle }: pode ser maior do que a medida. Introduza um ângulo maior e meça de novo.
 message-kinematics-limit-exceeded = Os dados da cinemática alteram-se mais do que o valor limite permitido. Confirme a aceitação com arranque NC.
 message-delete-saved-kinematics = Ao nome correspondem várias cinemáticas guardadas. Confirme que todas devem ser apagadas.

@@ -17,6 +17,7 @@ diag-scene-expected =
         [rotary-axis] Tukaj mora stati črka rotacijske osi (A, B ali C), ne »{ $found }«.
         [parallel-axis] Tukaj mora stati črka vzporedne osi (U, V ali W), ne »{ $found }«.
         [carried] Rotacijska os nosi obdelovanec (workpiece) ali orodje (tool), ne »{ $found }«.
+        [encoder] Dajalnik osi je na motorju (motor) ali na osi (axis), ne »{ $found }«.
         [orientation] Usmeritev mora biti fixed, two ali any, ne »{ $found }«.
         [shaft] Steblo mora biti tanjše od tipalne krogle; njegov premer je { $found }.
         [measurements] Mogoče so 1, 2 ali 3 meritve, ne »{ $found }«.

@@ -67,5 +67,6 @@ title-match-interchangeable-head = Uskladitev menjalne glave
 title-compensate-drift = Izravnava zdrsa
 
 # --- kinematics ---
+message-backlash-angle-too-small = Izmerjena zračnost ni veliko manjša od kota v { $q-backlash-angle }, zato je lahko večja od izmerjene. Vnesite večji kot in merite znova.
 message-kinematics-limit-exceeded = Podatki o kinematiki se spremenijo za več, kot dovoljuje mejna vrednost. Prevzem potrdite z NC-zagonom.
 message-delete-saved-kinematics = Imenu ustreza več shranjenih kinematik. Potrdite, da se izbrišejo vse.

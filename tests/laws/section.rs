@@ -86,6 +86,36 @@ fn has(cells: &[Cell], point: DVec2) -> bool {
     cells.iter().any(|cell| cell.contains(point))
 }
 
+/// Places beside each other, as far apart as a step, leave cusps; the way from the first to the last of them takes these
+/// away, and no more.
+fn levels_cusps(
+    radius: f64,
+    (step, count): (f64, u32),
+    at: DVec2,
+    edges: [f64; 2],
+    to_and_fro: bool,
+) -> Result<(), TestCaseError> {
+    let corners = [DVec2::ZERO, DVec2::from_angle(edges[0]) * 100.0, DVec2::from_angle(edges[1]) * 100.0];
+    let insert = Rounded::around(&corners, radius);
+    let mut section = Section::ring([-30.0, 60.0], [2.0, 28.0]);
+    let places: Vec<DVec2> = (0..count).map(|n| at + DVec2::new(f64::from(n) * step, 0.0)).collect();
+    for place in &places {
+        section.cut(&insert.swept(TipWay::Line { from: *place, to: *place }, false), &mut |_| {});
+    }
+    let (mut from, mut to) = (places[0], places[places.len() - 1]);
+    if to_and_fro {
+        (from, to) = (to, from);
+    }
+    section.cut(&insert.swept(TipWay::Line { from, to }, false), &mut |_| {});
+    let level = at.y - radius;
+    for n in 0..=400 {
+        let x = from.lerp(to, f64::from(n) / 400.0).x;
+        let top = section.at(x).first().map_or(0.0, |stretch| stretch[1]);
+        prop_assert!((top - level).abs() < 1e-6, "{} instead of {} at {}", top, level, x);
+    }
+    Ok(())
+}
+
 laws! {
     #![proptest_config(crate::cases::config(60))]
 
@@ -140,6 +170,14 @@ laws! {
 
     /// A ring of which an arc is the profile has the volume that slices have.
     #[test]
+    fn a_way_along_cusps_levels_them(
+        (radius, share, count) in (0.2..2.0_f64, 0.05..1.9_f64, 2..14_u32), (x, y) in (-5.0..5.0_f64, 10.0..20.0_f64),
+        (front, open) in (0.6..1.6_f64, 0.2..1.2_f64), to_and_fro in any::<bool>(),
+    ) {
+        levels_cusps(radius, (radius * share, count), DVec2::new(x, y), [front, front + open], to_and_fro)?;
+    }
+
+    #[test]
     fn volumes_are_exact(radius in 1.0..8.0_f64, high in 0.0..20.0_f64, from in -9.0..0.0_f64, to in 0.1..9.0_f64) {
         let mut section = Section::ring([from, to], [0.0, 40.0]);
         let ball = Rounded::around(&[DVec2::new(0.0, high + radius)], radius);
@@ -156,5 +194,18 @@ laws! {
         };
         let truth: f64 = (0..slices).map(slice).sum();
         prop_assert!((removed - truth).abs() < 1e-5 * truth, "{removed} {truth}");
+    }
+}
+
+/// Cuts that end at a wall with a nose of 1.13 and 0.584 between them, and the way along that wall.
+#[test]
+fn a_way_along_a_wall_levels_the_cusps_of_cuts() {
+    let edges = [130.14_f64, 165.14].map(f64::to_radians);
+    // Seen with the wall below: what leans back along it leans along the way.
+    for (front, back) in [(edges[0], edges[1]), (PI - edges[1], PI - edges[0]), (0.7, 1.3)] {
+        for start in [-13.5, -14.63, 0.0, 0.1] {
+            levels_cusps(1.13, (0.584, 14), DVec2::new(start, 16.13), [front, back], false)
+                .unwrap_or_else(|wrong| panic!("{wrong}"));
+        }
     }
 }

@@ -568,3 +568,63 @@ laws! {
         prop_assert!((length / mean / time - 1.0).abs() < EXACT, "{} instead of {}\n{}", mean, length / time, program);
     }
 }
+
+/// The tool begins as high as the surface, on which an allowance stays: it goes back over that, and not through it.
+#[test]
+fn the_way_back_goes_over_the_allowance_of_the_surface() {
+    let program = "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\nL X+120 Z-5 R0 FMAX M303\n\
+        CYCL DEF 814 Q215=+1 Q460=+1 Q491=+120 Q492=-7 Q493=+112 Q494=-22 Q495=+0 Q501=+0 Q502=+0.2 Q500=+0 Q496=+0 Q503=+0 \
+        Q504=+0.2 Q463=+0.6 Q478=+300 Q483=+0.55 Q484=+0 Q505=+100 Q506=+1\nCYCL CALL\nM30\n";
+    let scene = "scene: 1\ntools: [{T: 1, L: 80, R: 0, RS: 1.33}]\nstart: [60, 0, -5]\n";
+    // The blank is as high as the allowance in front of the contour.
+    let ring = Ring { z: [-40.0, -6.0], radii: [0.0, 60.275] };
+    let (events, body) = turned_body::run(program, scene, Some(ring)).expect("it runs");
+    let rapid_back = events.iter().any(|event| {
+        matches!(&event.at.cycle, Some((_, Some(step))) if step.starts_with("rapid-to-starting-point"))
+            && matches!(&event.kind, EventKind::Move { path, .. } if (path.at(1.0).x - 61.0).abs() < EXACT)
+    });
+    assert!(rapid_back, "over the surface with the clearance of 1");
+    let body = body.expect("a stock");
+    assert!(body.has(DVec2::new(-6.9, 60.27)), "the allowance on the surface is whole");
+}
+
+/// The floor is narrower than the insert leans: cuts end at the wall in front of what the edge leaves above, and the tool
+/// comes out along that edge. What a first call has left a second one does not cut again.
+#[test]
+fn an_insert_that_leans_back_comes_out_of_a_narrow_valley() {
+    for depth in [0.6, 4.4] {
+        let job = Job {
+            face: true,
+            inside: false,
+            upwards: false,
+            plunges: true,
+            length: 34.77,
+            height: 8.76,
+            first: 0.0,
+            wall: 0.0,
+            corner: 0.0,
+            elements: (0, 0),
+            size: 0.2,
+            radius: 1.13,
+            edges: Some((104.86, 35.0)),
+            oversizes: (0.0, 0.0),
+            depth,
+            clearance: 1.0,
+            above: 0.0,
+            smoothing: 1,
+            operation: 1,
+        };
+        for updated in [false, true] {
+            let program = job.program_of(&[job.length, job.length], updated);
+            let (events, body) = job.run_program(&program).expect("it runs");
+            body.expect("a stock").is_sound(true, &program).unwrap_or_else(|wrong| panic!("{wrong}"));
+            if updated {
+                // Of the second call only the way along the contour is left: down, along the slope and the floor, up the
+                // wall, and away from it.
+                let second = events.iter().filter(|event| event.at.cycle.is_some() && event.at.line > 40);
+                let cuts = second.filter(|event| matches!(event.kind, EventKind::Move { kind: MoveKind::Feed, .. }));
+                assert_eq!(cuts.count(), 5);
+            }
+        }
+    }
+}

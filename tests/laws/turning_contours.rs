@@ -535,3 +535,23 @@ laws! {
         }
     }
 }
+
+/// Behind a hill the contour ends in a valley, and above its end an insert whose edge leans back leaves a wedge: the tool goes
+/// out along that edge, neither through the wedge nor through the hill.
+#[test]
+fn an_insert_that_leans_back_leaves_a_valley_along_its_edge() {
+    for (front, clearance) in [(100.0, 0.5), (107.0, 1.0), (95.0, 0.1)] {
+        let program = format!(
+            "TOOL CALL 1 Z\nFUNCTION MODE TURN\nFUNCTION TURNDATA SPIN VCONST:OFF S500\nL X+70 Z+2 R0 FMAX M303\n\
+             CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL 2\n\
+             CYCL DEF 810 Q215=2 Q460={clearance} Q478=300 Q483=0 Q484=0 Q505=100 Q463=2 Q506=0 Q499=0 Q479=0 Q480=0 Q482=0 Q487=1 Q488=0\n\
+             CYCL CALL\nM30\nLBL 2\nL X+50 Z+0\nL Z-5\nL X+60 Z-15\nL X+50 Z-25\nL Z-32\nLBL 0\n"
+        );
+        let scene = format!(
+            "scene: 1\ntools: [{{T: 1, L: 80, R: 0, RS: 0.4, T-ANGLE: {front}, P-ANGLE: 45}}]\nstart: [35, 0, 2]\n"
+        );
+        let ring = Ring { z: [-50.0, 0.0], radii: [0.0, 35.0] };
+        let (_, body) = turned_body::run(&program, &scene, Some(ring)).expect("it runs");
+        body.expect("a stock").is_sound(true, &program).unwrap_or_else(|wrong| panic!("{wrong}"));
+    }
+}

@@ -5,7 +5,17 @@ use glam::DVec3;
 
 fn rotary(letter: char, carries: Carried, about: (Axis, f64), centre: DVec3) -> RotaryMachineAxis {
     let axis = RotaryAxis::from_letter(letter).expect("a letter");
-    RotaryMachineAxis { axis, carries, about, centre, askew: DVec3::ZERO, limits: None, hirth: None, rapid: 3600.0 }
+    RotaryMachineAxis {
+        axis,
+        carries,
+        about,
+        centre,
+        askew: DVec3::ZERO,
+        limits: None,
+        hirth: None,
+        is_measured_at_motor: false,
+        rapid: 3600.0,
+    }
 }
 
 /// Tables of two axes with centres of their own, heads, and one axis of each.

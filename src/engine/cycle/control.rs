@@ -1,6 +1,7 @@
 //! The control on which strategies act: a run, as far as they may see it.
 //!
 //! Invariant: nothing is decided here; each function does the one thing that its trait says.
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -362,6 +363,12 @@ impl Kinematics for OfRun<'_, '_, '_, '_> {
         match self.run.params.text(name) {
             Ok(name) => Ok(name.to_string()),
             Err(_) => Ok(self.run.params.number(q)?.to_string()),
+        }
+    }
+
+    fn forget_texts(&mut self, numbers: RangeInclusive<u16>) {
+        for number in numbers {
+            self.run.params.forget(QRef { kind: QKind::Qs, number });
         }
     }
 

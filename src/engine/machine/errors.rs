@@ -11,7 +11,8 @@ use crate::engine::geometry::RotaryAxis;
 pub struct TrueMachine {
     /// Its axes: where and about which lines they really turn.
     pub machine: Machine,
-    /// The backlash of A, B and C, degrees: what an axis carries lags behind by half of it in either direction.
+    /// The backlash of A, B and C, degrees: what an axis carries lags behind by half of it in either direction, once the
+    /// axis has taken it up.
     pub backlash: DVec3,
     /// By how much the tool really is beside where the linear axes say, mm.
     pub drift: DVec3,
@@ -40,11 +41,13 @@ impl TrueMachine {
         if turned == 0 { 0.0 } else { of.copied().unwrap_or_default() }
     }
 
-    /// How far what the axes carry is from where they say, degrees, after they have moved.
+    /// How far what the axes carry is from where they say, degrees, after they have moved: a way shorter than the backlash
+    /// does not take all of it up.
     pub fn lag(&self, before: DVec3, way: DVec3) -> DVec3 {
         RotaryAxis::ALL.into_iter().fold(before, |lag, axis| {
             let (way, backlash) = (axis.of(way), axis.of(self.backlash));
-            if way == 0.0 { lag } else { axis.with(lag, -backlash / 2.0 * way.signum()) }
+            let most = backlash.abs() / 2.0;
+            axis.with(lag, (axis.of(lag) - way).clamp(-most, most))
         })
     }
 }

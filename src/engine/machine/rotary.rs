@@ -34,6 +34,8 @@ pub struct RotaryMachineAxis {
     pub askew: DVec3,
     /// The grid of an axis with Hirth teeth, degrees; others stop anywhere.
     pub hirth: Option<f64>,
+    /// Whether its angle is measured with the encoder of its motor, and not with one of its own.
+    pub is_measured_at_motor: bool,
     /// The lowest and the highest machine coordinate in degrees; without them it turns without end.
     pub limits: Option<(f64, f64)>,
     /// Rapid traverse in degrees a minute.
@@ -62,6 +64,11 @@ impl RotaryMachineAxis {
     /// Whether it turns without end.
     pub const fn is_endless(&self) -> bool {
         self.limits.is_none()
+    }
+
+    /// Whether the coordinate is at least so far from both limits, degrees.
+    pub fn keeps_from_limits(&self, degrees: f64, way: f64) -> bool {
+        self.reaches(degrees - way) && self.reaches(degrees + way)
     }
 
     /// Whether the coordinate is within its limits.
@@ -139,7 +146,7 @@ fn read_axis(node: &Node, reader: &mut Reader<'_>) -> Option<RotaryMachineAxis> 
             return None;
         }
     };
-    reader.only_keys(node, &["axis", "carries", "about", "min", "max", "rapid", "centre", "askew", "hirth"]);
+    reader.only_keys(node, &["axis", "carries", "about", "min", "max", "rapid", "centre", "askew", "hirth", "encoder"]);
     let letter = reader.need(node, "axis")?;
     let mut letters = letter.text().unwrap_or_default().chars();
     let axis = letters.next().and_then(RotaryAxis::from_letter).filter(|_| letters.next().is_none());
@@ -156,6 +163,14 @@ fn read_axis(node: &Node, reader: &mut Reader<'_>) -> Option<RotaryMachineAxis> 
         None => None,
         Some(grid) => Some(above_zero(grid, reader)?),
     };
+    let is_measured_at_motor = match node.get("encoder").map(Node::text) {
+        None | Some(Some("axis")) => false,
+        Some(Some("motor")) => true,
+        Some(_) => {
+            reader.expected(node.get("encoder").unwrap_or(node), "encoder");
+            return None;
+        }
+    };
     let mut angle = |key: &str| node.get(key).map_or(Some(None), |node| reader.number(node).map(Some));
     let limits = match (angle("min")?, angle("max")?) {
         (None, None) => None,
@@ -167,7 +182,7 @@ fn read_axis(node: &Node, reader: &mut Reader<'_>) -> Option<RotaryMachineAxis> 
     };
     let rapid = reader.need(node, "rapid")?;
     let rapid = above_zero(rapid, reader)?;
-    Some(RotaryMachineAxis { axis, carries, about, centre, askew, hirth, limits, rapid })
+    Some(RotaryMachineAxis { axis, carries, about, centre, askew, hirth, is_measured_at_motor, limits, rapid })
 }
 
 /// A number above zero that is no length.

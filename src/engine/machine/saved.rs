@@ -140,6 +140,9 @@ impl Machine {
             if let Some(grid) = axis.hirth {
                 let _ = write!(text, ", hirth: {grid}");
             }
+            if axis.is_measured_at_motor {
+                text.push_str(", encoder: motor");
+            }
             let (centre, askew) = (vector(axis.centre), vector(axis.askew));
             let _ = writeln!(text, ", rapid: {}, centre: {centre}, askew: {askew}}}", axis.rapid);
         }

@@ -115,6 +115,8 @@ pub struct Survey {
     pub fit: Option<Fit>,
     /// What was found of the axes that were measured.
     pub reports: Vec<AxisReport>,
+    /// Whether nothing follows from it, as it does not tell directions that were asked for.
+    pub is_only_logged: bool,
 }
 
 impl Survey {
@@ -170,6 +172,25 @@ impl Survey {
         if square == 0.0 { 0.0 } else { (displaced.dot(along) / square).to_degrees() }
     }
 
+    /// The mean backlash of an axis, degrees, if it was measured.
+    pub fn backlash(&self, axis: RotaryAxis) -> Option<f64> {
+        let (reference, others) = self.of_axis(axis);
+        let circle = self.around(axis, reference?).map_or(0.0, |(_, arm)| arm.length());
+        let turned: Vec<f64> = others
+            .iter()
+            .filter_map(|station| Some(self.angle_of(axis, station, station.again? - station.seen).abs()))
+            .collect();
+        (circle >= LEAST_CIRCLE && !turned.is_empty()).then(|| mean(&turned))
+    }
+
+    /// The reports stay, and nothing is optimized.
+    pub fn only_log(&mut self) {
+        (self.is_only_logged, self.fit) = (true, None);
+        for report in &mut self.reports {
+            (report.optimized, report.correction) = (None, DVec3::ZERO);
+        }
+    }
+
     /// Reports on every axis, with the kinematics that fit best and those that also fit directions.
     pub fn report(&mut self, fit: &Fit, with_directions: &Fit) {
         let reports = self.axes().filter_map(|plan| self.report_axis(*plan, fit, with_directions)).collect();
@@ -185,10 +206,6 @@ impl Survey {
         let place = |machine: &Machine| machine.rotary(axis).map_or(DVec3::ZERO, |found| found.centre);
         let circle = self.around(axis, reference).map_or(0.0, |(_, arm)| arm.length());
         let told = circle >= LEAST_CIRCLE;
-        let turned: Vec<f64> = others
-            .iter()
-            .filter_map(|station| Some(self.angle_of(axis, station, station.again? - station.seen).abs()))
-            .collect();
         let positioning: Vec<f64> =
             others.iter().zip(&left).map(|(station, left)| self.angle_of(axis, station, *left)).collect();
         let askew = |machine: &Machine| machine.rotary(axis).map_or(DVec3::ZERO, |found| found.askew);
@@ -199,7 +216,7 @@ impl Survey {
             greatest: errors.iter().map(|error| error.length()).fold(0.0, f64::max),
             optimized: fit.determines(axis).then(|| root_mean_square(&left)),
             askew: with_directions.determines(axis).then(|| change.length()),
-            backlash: (told && !turned.is_empty()).then(|| mean(&turned)),
+            backlash: self.backlash(axis),
             positioning: if told { mean(&positioning) } else { 0.0 },
             circle,
             correction: place(&fit.machine) - place(&self.model),

@@ -95,10 +95,11 @@ impl Shape {
                 let length = libm::sqrt(1.0 + slope * slope);
                 let off = (through.y + slope * (centre.x - through.x) - centre.y) / length;
                 let half = radius * radius - off * off;
-                if half < 0.0 {
+                // A line that touches the arc but for rounding meets it there.
+                if half < -2.0 * SAME * radius {
                     return places([0.0; 2], 0);
                 }
-                let (half, foot) = (libm::sqrt(half), centre.x - off * slope / length);
+                let (half, foot) = (libm::sqrt(half.max(0.0)), centre.x - off * slope / length);
                 places([foot - half / length, foot + half / length], 2)
             }
         }
@@ -346,11 +347,15 @@ impl Envelope {
         places.retain(|x| (from..=to).contains(x));
         places.sort_by(f64::total_cmp);
         let mut found: Vec<[f64; 2]> = Vec::new();
-        for pair in places.windows(2) {
-            let &[a, b] = pair else { continue };
+        let mut begin = from;
+        for b in places {
+            if b - begin <= SAME {
+                continue;
+            }
+            let a = std::mem::replace(&mut begin, b);
             let middle = a.midpoint(b);
             let least = other.height(middle).map_or(level, |height| height.max(level));
-            if b - a <= SAME || self.height(middle).is_none_or(|height| height <= least + margin) {
+            if self.height(middle).is_none_or(|height| height <= least + margin) {
                 continue;
             }
             match found.last_mut() {
@@ -562,11 +567,13 @@ pub(super) fn highest(pieces: &[Piece]) -> Vec<Piece> {
     let mut waiting: Vec<usize> = (0..pieces.len()).collect();
     waiting.sort_by(|a, b| pieces[*b].from.total_cmp(&pieces[*a].from));
     let mut here: Vec<usize> = Vec::with_capacity(pieces.len());
-    for pair in places.windows(2) {
-        let &[from, to] = pair else { continue };
-        if to - from <= SAME {
+    let mut begin = places.first().copied().unwrap_or_default();
+    for to in places {
+        // Several places that are nearly the same are one: what is between them stays no gap.
+        if to - begin <= SAME {
             continue;
         }
+        let from = std::mem::replace(&mut begin, to);
         let middle = from.midpoint(to);
         here.retain(|piece| middle <= pieces[*piece].to);
         while let Some(next) = waiting.pop_if(|next| pieces[*next].from <= middle) {

@@ -122,6 +122,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("mask-missing", Class::Program),
     ("mask-unreadable", Class::Program),
     ("measuring-position-at-zero", Class::Control),
+    ("measuring-position-near-limit", Class::Control),
     ("milling-mode-missing", Class::Program),
     ("move-limit", Class::Limit),
     ("no-cycle-to-call", Class::Program),

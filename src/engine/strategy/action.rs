@@ -3,6 +3,8 @@
 //! A strategy asks for no more than it needs: one that writes a table takes `&mut dyn Tables`. [`Control`] is all of
 //! them; the engine is one, and a test can be another. Invariant: lengths are mm, angles degrees, coordinates by axis
 //! unless they are said to be main, minor and tool coordinate.
+use std::ops::RangeInclusive;
+
 use glam::DVec3;
 
 use super::contour::Contours;
@@ -576,6 +578,9 @@ pub trait Kinematics {
     /// # Errors
     /// It has no value.
     fn name_given(&self, meaning: &str) -> Result<String, Fault>;
+
+    /// Text parameters have no values from now on.
+    fn forget_texts(&mut self, numbers: RangeInclusive<u16>);
 
     /// Date and time as logs write them.
     fn moment(&self) -> String;

@@ -167,6 +167,13 @@ impl Reach {
         self.below(level, [self.begin.x, self.end.x])
     }
 
+    /// Whether the insert has one place between upright walls: it comes straight down to the floor and goes straight out.
+    pub fn is_one_place(&self) -> bool {
+        let [first, last] = self.feet;
+        let wide = [self.begin.x - last, first - last, self.end.x - first].into_iter().map(f64::abs);
+        wide.fold(0.0, f64::max) < ONE
+    }
+
     /// Whether nothing is in the way at a height between two places.
     pub fn is_free(&self, height: f64, one: f64, other: f64) -> bool {
         let (from, to) = (one.min(other) + SIDE, one.max(other) - SIDE);

@@ -10,7 +10,8 @@ use super::signature::{Mm, results, strategy};
 use crate::base::expr::{cosd, sind};
 use crate::engine::geometry::{Axis, RotaryAxis};
 use crate::engine::machine::{
-    Arm, AxisPlan, AxisReport, Carried, Fit, LEAST_CIRCLE, Machine, Station, Survey, expected, on_grid, sphere,
+    Arm, AxisPlan, AxisReport, Carried, Fit, LEAST_CIRCLE, Machine, RotaryMachineAxis, Station, Survey, expected,
+    on_grid, sphere,
 };
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -36,6 +37,8 @@ strategy! {
         overtravel: f64 = Angle,
         /// Whether a position at 0 is left out; else it is an error.
         skip_zero: bool = Number,
+        /// How far from its limits an axis must be measured whose angle the encoder of its motor measures, degrees.
+        before_limit: Option<f64> = Angle,
         /// The first angle of A.
         start_a: f64 = Angle,
         /// The last angle.
@@ -111,6 +114,14 @@ strategy! {
 }
 
 results! {
+    /// How the measurements went.
+    MeasuredResults {
+        /// Whether a backlash is more than half of the way beyond a position, which must be much longer: 1, else 0.
+        backlash_in_doubt: f64 = Number,
+    }
+}
+
+results! {
     /// What an optimization would do.
     ChangeResults {
         /// Whether all of it could be calculated: 1, else 0.
@@ -144,14 +155,30 @@ results! {
     }
 }
 
+/// Nothing can be calculated.
+const NOTHING: ChangeResults = ChangeResults { calculated: 0.0, exceeds: 0.0 };
 /// Angles that differ by less, degrees, are the same.
 const SAME: f64 = 1e-9;
 /// A whole turn.
 const TURN: f64 = 360.0;
 /// An axis turns at most so far at once, degrees, while the ball stays over the sphere.
 const MOST_STEP: f64 = 10.0;
+/// The greatest share of the way beyond a position that a backlash may be.
+const MOST_BACKLASH: f64 = 0.5;
 /// The share of the clearance that the straight way of the linear axes may come nearer to the sphere than the ends of it.
 const NEARER: f64 = 0.25;
+
+/// The fault of another tool axis than Z (001:14032, 002:50).
+///
+/// # Errors
+/// The tool axis is not Z.
+pub(super) fn along_z(control: &dyn Control) -> Result<(), Fault> {
+    let tool = control.plane().tool;
+    if tool == Axis::Z {
+        return Ok(());
+    }
+    Err(Fault::control("kinematics-tool-axis").arg("axis", tool.letter().to_string()))
+}
 
 /// How a sphere is probed.
 struct Work<'c> {
@@ -174,10 +201,7 @@ impl<'c> Work<'c> {
         feed: Mm<f64>,
         reference: f64,
     ) -> Result<Self, Fault> {
-        let tool = control.plane().tool;
-        if tool != Axis::Z {
-            return Err(Fault::control("kinematics-tool-axis").arg("axis", tool.letter().to_string()));
-        }
+        along_z(control)?;
         if let Some(number) = control.limit("rotary-axis-m-function").filter(|number| *number >= 0.0) {
             return Err(Fault::unsupported("unsupported-m").arg("word", format!("M{number}")));
         }
@@ -344,7 +368,8 @@ impl MeasureRotaryAxes {
     }
 
     /// The positions of an axis without those at 0, where the reference measurement is.
-    fn positions(&self, plan: &AxisPlan, hirth: Option<f64>) -> Result<Vec<f64>, Fault> {
+    fn positions(&self, plan: &AxisPlan, of: Option<&RotaryMachineAxis>) -> Result<Vec<f64>, Fault> {
+        let hirth = of.and_then(|of| of.hirth);
         let at_zero = |angle: &f64| {
             let rest = angle.rem_euclid(TURN);
             rest.min(TURN - rest) < SAME
@@ -355,6 +380,14 @@ impl MeasureRotaryAxes {
             return Err(Fault::control("measuring-position-at-zero").arg("axis", letter));
         }
         positions.retain(|angle| !at_zero(angle));
+        // The control needs that way to make up for the backlash (001:14532, 002:1029-1033).
+        if let (Some(of), Some(way)) = (of.filter(|of| of.is_measured_at_motor), self.before_limit) {
+            let near = positions.iter().find(|angle| of.reaches(**angle) && !of.keeps_from_limits(**angle, way));
+            if let Some(angle) = near {
+                let fault = Fault::control("measuring-position-near-limit").arg("axis", plan.axis.letter().to_string());
+                return Err(fault.arg("angle", *angle).arg("way", way));
+            }
+        }
         Ok(positions)
     }
 
@@ -384,10 +417,10 @@ struct Measured<'a> {
 }
 
 impl Action for MeasureRotaryAxes {
-    type Results = ();
+    type Results = MeasuredResults;
     const PROBES: bool = true;
 
-    fn act(&self, control: &mut dyn Control) -> Done {
+    fn act(&self, control: &mut dyn Control) -> Done<MeasuredResults> {
         control.release_tip()?;
         let plans = self.plans(&control.kinematics());
         let (start, datum) = (control.angles(), control.angle_datum());
@@ -410,7 +443,7 @@ impl Action for MeasureRotaryAxes {
             .fold(DVec3::ZERO, |angles, plan| plan.axis.with(angles, on_grid(plan.incidence, grid(plan.axis))));
         for plan in plans.iter().filter(|plan| plan.points > 0) {
             let (axis, hirth) = (plan.axis, grid(plan.axis));
-            let positions = self.positions(plan, hirth)?;
+            let positions = self.positions(plan, model.rotary(axis))?;
             let at_zero = axis.with(incident, 0.0);
             let circle = work.circle(axis, at_zero, sphere);
             let measured = self.overtravel != 0.0 && hirth.is_none() && circle >= LEAST_CIRCLE;
@@ -434,9 +467,20 @@ impl Action for MeasureRotaryAxes {
         }
         work.go_to(start, sphere, self.retraction.0)?;
         let arm = work.arm;
-        let survey = Survey { model, arm, radius: self.radius.0, plans, stations, fit: None, reports: Vec::new() };
+        let survey = Survey {
+            model,
+            arm,
+            radius: self.radius.0,
+            plans,
+            stations,
+            fit: None,
+            reports: Vec::new(),
+            is_only_logged: false,
+        };
+        let most = self.overtravel.abs() * MOST_BACKLASH;
+        let in_doubt = survey.axes().any(|plan| survey.backlash(plan.axis).is_some_and(|backlash| backlash > most));
         control.keep_survey(survey);
-        Ok(())
+        Ok(MeasuredResults { backlash_in_doubt: f64::from(u8::from(in_doubt)) })
     }
 }
 
@@ -512,6 +556,9 @@ impl Action for OptimizeAxisPositions {
     type Results = ChangeResults;
 
     fn act(&self, control: &mut dyn Control) -> Done<ChangeResults> {
+        if control.survey()?.is_only_logged {
+            return Ok(NOTHING);
+        }
         let (survey, fit) = optimize(control, false)?;
         all_told(&fit)?;
         Ok(keep(control, survey, fit))
@@ -522,8 +569,13 @@ impl Action for OptimizeAxisAngles {
     type Results = ChangeResults;
 
     fn act(&self, control: &mut dyn Control) -> Done<ChangeResults> {
-        let (survey, mut fit) = optimize(control, true)?;
-        all_told(&fit)?;
+        let (mut survey, mut fit) = optimize(control, true)?;
+        if !fit.undetermined.is_empty() {
+            // What was measured is logged all the same (002:880-882); nothing is optimized.
+            survey.only_log();
+            control.keep_survey(survey);
+            return Ok(NOTHING);
+        }
         // Places follow in another series of measurements.
         for axis in &mut fit.machine.rotary {
             if let Some(known) = survey.model.rotary(axis.axis) {

@@ -2,6 +2,7 @@
 //!
 //! Invariant: what is restored describes the same axes as the kinematics in effect (001:14060-14062).
 use super::action::{Action, Control};
+use super::kinematics::along_z;
 use super::signature::{results, strategy};
 use crate::engine::machine::{Machine, MemoryReport, SavedKinematics, matches_pattern};
 use crate::engine::report::ending::Done;
@@ -18,6 +19,16 @@ strategy! {
 strategy! {
     /// How many memories fit the name that is entered, in which wildcards may be.
     FindSavedKinematics = "find-saved-kinematics" {}
+}
+
+strategy! {
+    /// Text parameters have no values any more: a cycle has used them for itself.
+    UseTextParameters = "use-text-parameters" {
+        /// The first of them.
+        first: f64 = Number,
+        /// The last.
+        last: f64 = Number,
+    }
 }
 
 results! {
@@ -65,6 +76,7 @@ impl Action for SaveKinematics {
     type Results = ();
 
     fn act(&self, control: &mut dyn Control) -> Done {
+        along_z(control)?;
         let name = control.name_given(LOCATION)?;
         let machine = control.kinematics();
         let saved = SavedKinematics { name: name.clone(), saved: control.moment(), machine: machine.clone() };
@@ -86,6 +98,7 @@ impl Action for FindSavedKinematics {
     type Results = FoundMemories;
 
     fn act(&self, control: &mut dyn Control) -> Done<FoundMemories> {
+        along_z(control)?;
         let (_, memories) = chosen(control)?;
         Ok(FoundMemories { count: memories.len() as f64 })
     }
@@ -95,6 +108,7 @@ impl Action for RestoreKinematics {
     type Results = ();
 
     fn act(&self, control: &mut dyn Control) -> Done {
+        along_z(control)?;
         let (name, memories) = chosen(control)?;
         let before = control.kinematics();
         if let Some(other) = memories.iter().find(|memory| !memory.machine.is_same_description(&before)) {
@@ -113,6 +127,7 @@ impl Action for ShowSavedKinematics {
     type Results = ();
 
     fn act(&self, control: &mut dyn Control) -> Done {
+        along_z(control)?;
         let memories = listed(&control.memories());
         control.keep_memory_report(MemoryReport { memories, ..MemoryReport::default() });
         Ok(())
@@ -128,6 +143,15 @@ impl Action for DeleteSavedKinematics {
         memories.retain(|memory| !chosen.contains(memory));
         control.set_memories(memories);
         control.keep_memory_report(MemoryReport { name, memories: listed(&chosen), ..MemoryReport::default() });
+        Ok(())
+    }
+}
+
+impl Action for UseTextParameters {
+    type Results = ();
+
+    fn act(&self, control: &mut dyn Control) -> Done {
+        control.forget_texts(self.first as u16..=self.last as u16);
         Ok(())
     }
 }

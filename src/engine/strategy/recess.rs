@@ -101,7 +101,8 @@ strategy! {
 }
 
 strategy! {
-    /// Down the flank at which the tool is.
+    /// Down the flank at which the tool is; where roughing has recessed between walls as far from each other as the insert is
+    /// wide, nothing is left of it.
     FollowGrooveWall = "follow-groove-wall" {
         /// Whether the second flank.
         second: bool = Number,
@@ -290,6 +291,10 @@ impl OverContours for FollowGrooveWall {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let groove = groove(contours)?;
         let reach = groove.reach(self.rough);
+        if self.rough && reach.is_one_place() {
+            // The recess that came down there was all of it.
+            return Ok(());
+        }
         let foot = reach.feet[usize::from(self.second)];
         groove.follow(reach, pen, DVec2::new(foot, reach.floor), self.at);
         Ok(())

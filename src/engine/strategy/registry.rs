@@ -125,6 +125,7 @@ pub static STRATEGIES: &[Strategy] = &[
     act::<memory::RestoreKinematics>(),
     act::<memory::ShowSavedKinematics>(),
     act::<memory::DeleteSavedKinematics>(),
+    act::<memory::UseTextParameters>(),
     act::<kinematics::MeasureRotaryAxes>(),
     act::<kinematics::PresetIntoSphere>(),
     act::<kinematics::RateKinematics>(),

@@ -111,7 +111,8 @@ strategy! {
 }
 
 strategy! {
-    /// To where the cycle began at rapid traverse, axis by axis.
+    /// To where the cycle began at rapid traverse, axis by axis; where something is behind the tool and above it, out along
+    /// the edge in front.
     ReturnToTurningStart = "return-to-turning-start" {}
 }
 
@@ -125,12 +126,21 @@ fn down(plunging: Option<f64>, feed: f64) -> f64 {
     plunging.filter(|feed| *feed > 0.0).unwrap_or(feed)
 }
 
-/// Back at 45 degrees to a height.
+/// Out to a height at rapid traverse. Over the contour the edge in front, if it leans back, may stand under what it has left
+/// above: then along that edge, which takes the insert through nothing but where it is, seen as without end.
+fn out(turned: &Turned, pen: &mut Pen, height: f64) {
+    let here = turned.here(pen);
+    let leans = if here.x > turned.beginning().x + SPARE { turned.leans_back } else { 0.0 };
+    turned.line(pen, DVec2::new(here.x - (height - here.y).max(0.0) * leans, height), RAPID);
+}
+
+/// Back at 45 degrees to a height, as far as there is room; never steeper than the edge in front leans back.
 fn lift(turned: &Turned, pen: &mut Pen, height: f64, feed: f64) {
     let here = turned.here(pen);
     let room = turned.cut_at(here.y, here.x).map_or(0.0, |[from, _]| here.x - from);
     let rise = (height - here.y).max(0.0);
-    turned.line(pen, here + DVec2::new(-rise.min(room.max(0.0)), rise), feed);
+    let back = rise.min(room.max(0.0)).max(rise * turned.leans_back);
+    turned.line(pen, here + DVec2::new(-back, rise), feed);
 }
 
 /// To the beginning of a cut over what is in front of it, and down the contour.
@@ -141,7 +151,7 @@ fn plunge(turned: &Turned, pen: &mut Pen, cut: [f64; 2], (level, before): (f64, 
     let from = from.or_else(|| turned.envelope.summit(near)).unwrap_or(DVec2::new(cut[0], before));
     let here = turned.here(pen);
     let over = turned.over().max(here.y);
-    turned.line(pen, DVec2::new(here.x, over), RAPID);
+    out(turned, pen, over);
     if turned.along_contour && above.is_none() && turned.heading.y > -SPARE {
         // In front of the contour there is nothing, and above it what the cut before has left.
         turned.line(pen, DVec2::new(turned.beginning().x, over), RAPID);
@@ -174,7 +184,7 @@ fn come_down(turned: &Turned, pen: &mut Pen, to: DVec2, feed: f64) {
         true => near,
         false => turned.over().max(here.y),
     };
-    turned.line(pen, DVec2::new(here.x, over), RAPID);
+    out(turned, pen, over);
     turned.line(pen, DVec2::new(to.x, over), RAPID);
     turned.line(pen, DVec2::new(to.x, near.min(over)), RAPID);
     turned.line(pen, to, feed);
@@ -204,7 +214,7 @@ impl OverContours for InfeedToTurningLevel {
             Some(cut) if turned.is_open(cut.range()) => {
                 let (here, x) = (turned.here(pen), turned.beginning().x);
                 if here.x > x + SPARE {
-                    turned.line(pen, DVec2::new(here.x, turned.over().max(here.y)), RAPID);
+                    out(turned, pen, turned.over().max(here.y));
                     turned.line(pen, DVec2::new(x, turned.over().max(here.y)), RAPID);
                 }
                 turned.line(pen, DVec2::new(turned.here(pen).x, level), RAPID);
@@ -282,7 +292,7 @@ impl OverContours for ReturnToStartOfCut {
             return Ok(());
         }
         let height = if is_free(turned, here) { here.y } else { turned.over().max(here.y) };
-        turned.line(pen, DVec2::new(here.x, height), RAPID);
+        out(turned, pen, height);
         turned.line(pen, DVec2::new(to.x, height), RAPID);
         Ok(())
     }
@@ -330,9 +340,18 @@ impl OverContours for ReturnToTurningStart {
         // Of what is above the end of the contour, an insert leaves what its edge in front leans away from: a wedge that is
         // the wider the higher up.
         let wedge = (to.y - turned.end.y) * turned.leans_back;
-        let back = wedge > turned.end.x - here.x && is_free(turned, here);
-        let over = if back { here.y } else { here.y.max(to.y) };
-        turned.line(pen, DVec2::new(here.x, over), RAPID);
+        let high = here.y.max(to.y);
+        let (over, x) = match wedge > turned.end.x - here.x {
+            true if is_free(turned, here) => (here.y, here.x),
+            // Out along the edge in front: the insert stays where it is already, seen as without end.
+            true => (high, here.x - (high - here.y) * turned.leans_back),
+            false => (high, here.x),
+        };
+        // On the surface in front of a contour there may be an allowance that is higher than where the cycle began.
+        let way = [to.x.min(x), to.x.max(x)];
+        let top = turned.envelope.summit(way).map_or(over, |summit| summit.y);
+        let over = if top > over + TOUCHING { over.max(turned.over()) } else { over };
+        turned.line(pen, DVec2::new(x, over), RAPID);
         turned.line(pen, DVec2::new(to.x, over), RAPID);
         turned.line(pen, to, RAPID);
         Ok(())
