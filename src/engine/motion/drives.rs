@@ -150,7 +150,9 @@ impl<'r, 'e> Drives<'r, 'e> {
         let now = self.world.system.reported();
         if now != before {
             self.world.renew();
-            self.report.report(EventKind::Transform(now));
+            if !now.is_near(&before) {
+                self.report.report(EventKind::Transform(now));
+            }
         }
     }
 
