@@ -165,4 +165,30 @@ mod found {
         assert!((begins[0] + 12.5 + half).abs() < 1e-6 && (begins[1] + 12.5 - half).abs() < 1e-6, "{begins:?}");
         assert_eq!(run(&program("FSELECT 3\n")).code, "free-contour-selection");
     }
+
+    /// Two circles fit an arc of which only the height of its centre and that of its end are known; the second one is found
+    /// from few of the places from which it is looked for.
+    #[test]
+    fn an_arc_that_few_places_lead_to() {
+        let program = |choice: &str| {
+            format!(
+                "BEGIN PGM LAW MM\nTOOL CALL 1 Z S1000 F500\n99 L X+34.53695277375441 Y+4.300152958264283 R0 FMAX\n\
+                100 FC DR+ CCY+17.367559843532725 Y+46.72705946320228 CLSD+\n101 FL  LEN70.74651587566518\n\
+                102 FCT DR+ CCX+7.925666624380831 CCY-23.574059438514475 X+13.367656199651597\n103 FLT   CLSD-\n{choice}\
+                END PGM LAW MM\n"
+            )
+        };
+        assert_eq!(run(&program("")).code, "free-contour-several");
+        let mut ends: Vec<f64> = ["FSELECT1\n", "FSELECT2\n"]
+            .map(|choice| {
+                let ran = run(&program(choice));
+                assert_eq!(ran.code, "");
+                ran.elements[0].to.x
+            })
+            .to_vec();
+        ends.sort_by(f64::total_cmp);
+        // One is that of the drawing.
+        assert!((ends[0] + 2.3597088763565295).abs() < 1e-6 && (ends[1] - 18.211042125118254).abs() < 1e-6, "{ends:?}");
+        assert_eq!(run(&program("FSELECT3\n")).code, "free-contour-selection");
+    }
 }

@@ -26,9 +26,11 @@ const MOST_OPEN: usize = 512;
 /// More solutions than that are none: they belong to a system that is not determined.
 const MOST_SOLUTIONS: usize = 32;
 /// So many starts at least find nothing new before the search ends.
-const QUIET_STARTS: usize = 40;
+const QUIET_STARTS: usize = 160;
 /// So many where nothing was found at all.
 const PATIENT_STARTS: usize = 360;
+/// After so many every second start has short arcs.
+const SHORT_AFTER: usize = 40;
 /// The ends of short arcs are no farther from each other, as a share of the size of the contour.
 const SHORT: f64 = 0.1;
 /// Never more starts than that.
@@ -557,7 +559,7 @@ impl<'a> System<'a> {
             if start - last > quiet {
                 break;
             }
-            let short = start > QUIET_STARTS && start % 2 == 1;
+            let short = start > SHORT_AFTER && start % 2 == 1;
             let Some(x) = self.search(self.start(&mut numbers, short)) else { continue };
             let solution = self.solution(&x);
             if found.iter().any(|known| known.is(&solution)) || !self.holds(&solution) {
