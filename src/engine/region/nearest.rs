@@ -123,10 +123,19 @@ impl Nearest {
         let mut group: Vec<usize> = (0..lines).collect();
         let mut bridges = Vec::with_capacity(lines);
         loop {
-            // The shortest way out of each group of lines that are joined already.
+            // The shortest way out of each group of lines that are joined already, but for the largest one: the others come
+            // to it, and from its many segments all of its own that are near would be passed over.
             let mut best: Vec<Option<Bridge>> = vec![None; lines];
+            let mut sizes = vec![0; lines];
+            for (line, run) in &self.runs {
+                sizes[group[*line]] += run.len();
+            }
+            let largest = (0..lines).max_by_key(|own| sizes[*own]);
             for (line, run) in &self.runs {
                 let own = group[*line];
+                if Some(own) == largest {
+                    continue;
+                }
                 let limit = |best: &[Option<Bridge>]| best[own].map_or(f64::INFINITY, |best| best.length() - EQUAL);
                 let others = |line: usize| group[line] != own;
                 if self.is_far(run, limit(&best), &others) {
