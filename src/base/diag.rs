@@ -4,6 +4,7 @@
 //! locale files at the edge of the program, never here. Invariant: this module knows no language and
 //! no rule.
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -340,4 +341,17 @@ impl Mistakes {
     pub fn take(&self) -> Vec<Diagnostic> {
         std::mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
+}
+
+/// A word that is read while the program runs, for as long as it runs: the code of a finding, the name of an argument. Only
+/// for words of which there are few.
+pub fn interned(word: &str) -> &'static str {
+    static WORDS: OnceLock<Mutex<BTreeSet<&'static str>>> = OnceLock::new();
+    let mut words = WORDS.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = words.get(word) {
+        return known;
+    }
+    let interned: &'static str = Box::leak(word.to_owned().into_boxed_str());
+    words.insert(interned);
+    interned
 }

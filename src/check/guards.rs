@@ -2,8 +2,7 @@
 //!
 //! Invariant: a guard that needs anything else (a parameter that is not certain, the tool, the machine) says nothing;
 //! of the state of the control it hears what is certain.
-use std::collections::BTreeSet;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::Arc;
 
 use super::Facts;
 use super::cycle::{OFF, Ready, STATES, read_as, replaced, state, tool};
@@ -160,16 +159,4 @@ impl Env for Written {
         let found = self.texts.iter().find(|(own, _)| *own == q);
         found.map(|(_, text)| Arc::clone(text)).ok_or(EvalError::Undefined(q))
     }
-}
-
-/// The code for as long as the program runs. There are as many as the specifications have guards.
-pub(crate) fn lasting(code: &str) -> &'static str {
-    static CODES: OnceLock<Mutex<BTreeSet<&'static str>>> = OnceLock::new();
-    let mut codes = CODES.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = codes.get(code) {
-        return known;
-    }
-    let lasting: &'static str = Box::leak(code.to_owned().into_boxed_str());
-    codes.insert(lasting);
-    lasting
 }

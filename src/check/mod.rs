@@ -34,7 +34,6 @@ pub use flow::{
     Called, Callee, CycleCall, Graph, Loaded, Mark, Modal, Pending, ProgramCall, Project, Rows, Run, ToolName, Use,
     Way, circles, named,
 };
-pub(crate) use guards::lasting;
 pub use incident::{Incident, Observed};
 pub use machine::Machine;
 pub use program::{Defined, Definition, Flow, Item, Reading, Unread};

@@ -7,13 +7,13 @@
 use std::collections::{BTreeSet, HashMap};
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use serde_json::{Value, json};
 use sha2::{Digest as _, Sha256};
 
 use crate::base::data;
-use crate::base::diag::{Arg, Diagnostic, Edit, Place, Severity, Source, Span};
+use crate::base::diag::{Arg, Diagnostic, Edit, Place, Severity, Source, Span, interned};
 use crate::program::syntax::Dialect;
 use crate::system;
 
@@ -175,34 +175,22 @@ fn read(entry: &Value, source: &Arc<Source>) -> Option<Diagnostic> {
         .into_iter()
         .find(|own| Some(own.as_str()) == severity.as_str())?;
     let arg = |value: &Value| {
-        let name = lasting(value.get(0)?.as_str()?);
+        let name = interned(value.get(0)?.as_str()?);
         let value = value.get(1)?;
         let value = value.as_str().map(Arg::from).or_else(|| value.as_f64().map(Arg::Number))?;
         Some((name, value))
     };
-    let beside = |value: &Value| Some((lasting(value.get(0)?.as_str()?), Place::new(source, span(value.get(1)?)?)));
+    let beside = |value: &Value| Some((interned(value.get(0)?.as_str()?), Place::new(source, span(value.get(1)?)?)));
     let fix = match fix {
         Value::Null => None,
         fix => Some(Edit { span: span(fix.get(0)?)?, text: fix.get(1)?.as_str()?.to_owned() }),
     };
     Some(Diagnostic {
-        code: lasting(code.as_str()?),
+        code: interned(code.as_str()?),
         severity,
         place: Some(Place::new(source, span(place)?)),
         args: args.as_array()?.iter().map(arg).collect::<Option<_>>()?,
         related: related.as_array()?.iter().map(beside).collect::<Option<_>>()?,
         fix,
     })
-}
-
-/// The word for as long as the program runs. There are as many as codes and names of arguments.
-fn lasting(word: &str) -> &'static str {
-    static WORDS: OnceLock<Mutex<BTreeSet<&'static str>>> = OnceLock::new();
-    let mut words = WORDS.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = words.get(word) {
-        return known;
-    }
-    let lasting: &'static str = Box::leak(word.to_owned().into_boxed_str());
-    words.insert(lasting);
-    lasting
 }

@@ -24,6 +24,9 @@ const TOLERANCE: f64 = 0.01;
 /// How often a block of contours is looked at on average: contours that do not end hold all that come after them.
 const PATIENCE: usize = 48;
 
+/// So many points may be compared with sides of other contours.
+const COMPARISONS: usize = 1 << 24;
+
 /// The axes in which contours are described.
 const PLANE: [Axis; 2] = [Axis::X, Axis::Y];
 /// The same of what is turned.
@@ -45,6 +48,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // What was looked at: contours, each with what a cycle wants of it.
     let (mut known, mut lists) = (HashSet::new(), HashSet::new());
     let mut patience = facts.program.blocks().len().saturating_mul(PATIENCE).saturating_add(100_000);
+    let mut comparisons = COMPARISONS;
     for list in listed(facts) {
         if let Some(second) = second_label(facts, &list) {
             for reader in &list.readers {
@@ -60,7 +64,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let finding = rule.at(facts, at).arg("what", "same").arg("word", facts.text(other).to_owned());
                 found.push(finding.arg("cycle", cycle));
             }
-            for (block, what, reader) in no_pocket(&list).into_iter().chain(nested(&list)).chain(too_wide(facts, &list))
+            for (block, what, reader) in
+                no_pocket(&list).into_iter().chain(nested(&list, &mut comparisons)).chain(too_wide(facts, &list))
             {
                 let finding = rule.at(facts, facts.content(block)).arg("what", what).arg("word", "");
                 found.push(finding.arg("cycle", reader.key.to_string()));
@@ -162,14 +167,9 @@ fn no_pocket<'f, 'a>(list: &Listed<'f, 'a>) -> Option<(&'a Block, &'static str, 
 /// The first block of a pocket that lies completely in another one and removes nothing: it was to be an island.
 ///
 /// A pocket in an island is one. Roundings and chamfers do not count, arcs are polygons.
-fn nested<'f, 'a>(list: &Listed<'f, 'a>) -> Option<(&'a Block, &'static str, &'f Defined<'a>)> {
-    /// Lists with more corners are not looked at: each is compared with all others.
-    const MOST: usize = 1 << 11;
+fn nested<'f, 'a>(list: &Listed<'f, 'a>, patience: &mut usize) -> Option<(&'a Block, &'static str, &'f Defined<'a>)> {
     let roughs = |own: &&&Defined<'_>| own.related_cycle().is_some_and(|cycle| with_meaning(cycle, ROUGHING).is_some());
     let reader = list.readers.iter().find(roughs)?;
-    if list.contours.iter().map(|contour| contour.len()).sum::<usize>() > MOST {
-        return None;
-    }
     let shapes: Vec<(Vec<[f64; 2]>, bool)> = list
         .contours
         .iter()
@@ -180,6 +180,9 @@ fn nested<'f, 'a>(list: &Listed<'f, 'a>) -> Option<(&'a Block, &'static str, &'f
             Some((points, is_inside(area, side?)))
         })
         .collect::<Option<_>>()?;
+    // Each point is compared with each side of the others.
+    let points: usize = shapes.iter().map(|(points, _)| points.len()).sum();
+    *patience = patience.checked_sub(points.saturating_mul(points))?;
     let lies_in = |inner: &[[f64; 2]], outer: &[[f64; 2]]| inner.iter().all(|point| holds(outer, *point));
     let (inner, contour) =
         shapes.iter().zip(&list.contours).enumerate().find_map(|(at, ((points, pocket), contour))| {

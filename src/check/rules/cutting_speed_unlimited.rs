@@ -42,13 +42,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Whether blocks leave the cutting speed constant.
-pub(super) fn is_cutting_speed_constant(facts: &Facts<'_>, blocks: &[Block]) -> bool {
-    let last = blocks.iter().rev().find_map(|block| match &block.kind {
-        BlockKind::Statement(own) => speed(facts, own),
+/// The places of the blocks that switch the cutting speed, and whether it is constant from there on.
+pub(super) fn switches(facts: &Facts<'_>) -> Vec<(usize, bool)> {
+    let blocks = facts.program.blocks().iter().enumerate();
+    let switches = blocks.filter_map(|(index, block)| match &block.kind {
+        BlockKind::Statement(own) => Some((index, matches!(speed(facts, own)?, Speed::Constant { .. }))),
         _ => None,
     });
-    matches!(last, Some(Speed::Constant { .. }))
+    switches.collect()
 }
 
 fn speed(facts: &Facts<'_>, own: &Statement) -> Option<Speed> {

@@ -6,9 +6,9 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 
 use super::differs_from_other_control::Other;
 use super::together;
-use crate::base::diag::{Diagnostic, Severity};
+use crate::base::diag::{Diagnostic, Severity, interned};
 use crate::check::cycle::Ready;
-use crate::check::guards::{Written, lasting, place};
+use crate::check::guards::{Written, place};
 use crate::check::incident::Incident;
 use crate::check::tools::Tools;
 use crate::check::travel::incidents;
@@ -98,8 +98,8 @@ fn with_tools(facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 continue;
             }
             let place = place(&facts.read(&related), ready, &written).unwrap_or(own.view.head);
-            if seen.insert((place.start, lasting(code))) {
-                let rule = Rule { code: lasting(code), severity: severity(ready), run: together };
+            if seen.insert((place.start, interned(code))) {
+                let rule = Rule { code: interned(code), severity: severity(ready), run: together };
                 let sentence = text::guard_sentence(on, cycle, code, facts.against.readers);
                 found.push(rule.at(facts, place).arg("message", sentence.unwrap_or_else(|| code.to_owned())));
             }
@@ -131,7 +131,7 @@ fn finding(
 ) -> Option<Diagnostic> {
     let code = ready.code.as_deref()?;
     let place = place(definition, ready, written).unwrap_or(definition.view.head);
-    let rule = Rule { code: lasting(code), severity: severity(ready), run: together };
+    let rule = Rule { code: interned(code), severity: severity(ready), run: together };
     let sentence = text::guard_sentence(facts.against.on, cycle, code, facts.against.readers);
     Some(rule.at(facts, place).arg("message", sentence.unwrap_or_else(|| code.to_owned())))
 }

@@ -5,7 +5,7 @@
 //!
 //! Cylinders are those of the simple cycles for shoulders, where their end is written as a number. Nothing is said of
 //! threads on contours that cycles read from subprograms.
-use super::cutting_speed_unlimited::is_cutting_speed_constant;
+use super::cutting_speed_unlimited::switches;
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::program::{number, with_meaning};
 use crate::check::{Defined, Facts, Pending, Rule};
@@ -42,6 +42,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // Whether something turns what is not known, or inside.
     let (mut open, mut inside) = (false, false);
     let mut seen = std::collections::HashSet::new();
+    let switches = switches(facts);
     for call in &facts.run.calls {
         let Pending::Definition(index) = call.modal.pending else {
             open = true;
@@ -60,9 +61,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let read = facts.read(&related);
         let value = |meaning: &str| read.item(meaning).and_then(number).map(|own| own * unit);
         if with_meaning(cycle, PITCH).is_some() {
-            let (before, place) = (facts.program.blocks().get(..own.view.first), own.view.head);
-            if before.is_some_and(|before| is_cutting_speed_constant(facts, before)) {
-                let finding = rule.at(facts, place).arg("what", "speed").arg("value", "");
+            let before = switches.partition_point(|(index, _)| *index < own.view.first);
+            if before.checked_sub(1).is_some_and(|last| switches[last].1) {
+                let finding = rule.at(facts, own.view.head).arg("what", "speed").arg("value", "");
                 found.push(finding.arg("other", ""));
             }
             thread(rule, facts, own, (&cylinders, open, inside), unit, found);

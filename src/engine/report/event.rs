@@ -124,18 +124,16 @@ impl Coordinates {
     pub(crate) fn is_near(&self, other: &Self) -> bool {
         /// The last digits of calculations.
         const SAME: f64 = 1e-10;
-        let vectors = |own: &Self| {
-            let all = [own.origin, own.basic_rotation, own.datum, own.mirror.0, own.mirror.1, own.angles];
-            let numbers = all.into_iter().flat_map(|vector| vector.to_array());
-            numbers.chain([own.preset, own.rotation]).chain(own.matrix.into_iter().flatten()).collect::<Vec<f64>>()
+        let numbers = |own: &Self| {
+            let vectors = [own.origin, own.basic_rotation, own.datum, own.mirror.0, own.mirror.1, own.angles];
+            let numbers = vectors.into_iter().flat_map(|vector| vector.to_array());
+            numbers.chain([own.preset, own.rotation]).chain(own.matrix.into_iter().flatten())
         };
         (self.scaling, self.tilt, self.tip_held, self.axes_counted)
             == (other.scaling, other.tilt, other.tip_held, other.axes_counted)
-            && vectors(self).iter().zip(vectors(other)).all(|(own, other)| (own - other).abs() <= SAME)
+            && numbers(self).zip(numbers(other)).all(|(own, other)| (own - other).abs() <= SAME)
     }
-}
 
-impl Coordinates {
     /// From program to machine coordinates.
     pub fn frame(&self) -> Frame {
         Frame::of_rows(self.matrix)

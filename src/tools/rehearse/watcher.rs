@@ -7,8 +7,8 @@ use super::body::Body;
 use super::path::Ways;
 use super::series::Rows;
 use super::work::{Hole, Work};
-use crate::base::diag::Arg;
-use crate::check::{Incident, Observed, ToolKind, lasting, removes_material};
+use crate::base::diag::{Arg, interned};
+use crate::check::{Incident, Observed, ToolKind, removes_material};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MoveKind, Status, Tool};
 use crate::engine::solid::Path;
@@ -306,7 +306,7 @@ impl<'w> Watcher<'w> {
         if fault.of_cycle && self.width().is_some() {
             let machines = key.filter(|key| self.cycle(*key).is_some_and(removes_material));
             if let Some(key) = machines {
-                self.report(self.line, Incident::Refused(key, lasting(&fault.code)));
+                self.report(self.line, Incident::Refused(key, interned(&fault.code)));
             }
         }
         if fault.class != Class::Program || fault.of_cycle {
