@@ -2,11 +2,13 @@
 //!
 //! Invariant: whoever reads a value cannot tell whether it was there before or was made for them. Making one value may
 //! ask for others, but never for itself.
+use std::any::{Any, TypeId};
 use std::borrow::Borrow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt;
+use std::hash::Hash;
 use std::ops::Deref;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 type Maker<T> = Arc<dyn Fn() -> T + Send + Sync>;
 type MakerOf<K, V> = Arc<dyn Fn(&K) -> Option<V> + Send + Sync>;
@@ -154,5 +156,46 @@ impl<K: Ord, V> OnDemand<K, V> {
 impl<K: Ord + fmt::Debug, V: fmt::Debug> fmt::Debug for OnDemand<K, V> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_map().entries(self.iter()).finish()
+    }
+}
+
+/// What is made of values once and kept beside them, by type and by key. A copy begins without anything, so that what is
+/// changed in it is not answered with what was made before.
+pub struct Made<K>(Mutex<HashMap<(TypeId, K), Arc<dyn Any + Send + Sync>>>);
+
+impl<K> Default for Made<K> {
+    fn default() -> Self {
+        Self(Mutex::default())
+    }
+}
+
+impl<K> Clone for Made<K> {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl<K> fmt::Debug for Made<K> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str("Made")
+    }
+}
+
+impl<K: Eq + Hash> Made<K> {
+    /// What was made of a key, or is made now. Two threads that ask at the same time may both make it; one of them is kept.
+    pub fn get_or<T: Any + Send + Sync>(&self, key: K, make: impl FnOnce() -> T) -> Arc<T> {
+        let key = (TypeId::of::<T>(), key);
+        let known = self.lock().get(&key).cloned();
+        if let Some(known) = known.and_then(|known| known.downcast().ok()) {
+            return known;
+        }
+        let made = Arc::new(make());
+        self.lock().insert(key, Arc::clone(&made) as Arc<dyn Any + Send + Sync>);
+        made
+    }
+
+    fn lock(&self) -> MutexGuard<'_, HashMap<(TypeId, K), Arc<dyn Any + Send + Sync>>> {
+        // Whoever panicked while it was locked had only read or added one entry.
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -11,7 +11,7 @@ use super::pages::Pages;
 use super::profile::{Control, Erratum, Named, Topic};
 use super::vocabulary::{Doubtful, Keyword, ParameterKind, Quantity, Reference, Shape};
 use super::worked::Worked;
-use crate::base::demand::{Deferred, OnDemand};
+use crate::base::demand::{Deferred, Made, OnDemand};
 use crate::base::diag::{Mistakes, Place};
 use crate::base::expr::{QKind, QRef};
 
@@ -240,6 +240,8 @@ pub struct OnControl {
     pub meanings: Arc<OnDemand<String, Meaning>>,
     /// Its worked programs, in the order of their files.
     pub worked: Deferred<Vec<Worked>>,
+    /// What others make of each cycle once: its compiled run.
+    pub made: Made<CycleKey>,
 }
 
 impl OnControl {

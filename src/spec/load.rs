@@ -14,7 +14,7 @@ use super::profile::{Control, Errata, Erratum, Topic, Topics};
 use super::vocabulary::{ParameterKind, Quantity};
 use super::worked::Worked;
 use super::yaml::{self, Node};
-use crate::base::demand::OnDemand;
+use crate::base::demand::{Made, OnDemand};
 use crate::base::diag::{Diagnostic, Source, dedupe};
 use crate::base::expr::QRef;
 
@@ -160,6 +160,7 @@ fn load_control(profile: &Control, files: &Files, found: &mut Vec<Diagnostic>) -
         fragments: OnDemand::default(),
         meanings: Arc::new(meanings(&files.dictionary, id, found)),
         worked: files.worked.iter().filter_map(|file| worked(file, id, found)).collect::<Vec<_>>().into(),
+        made: Made::default(),
     };
     for file in &files.fragments {
         let Some(fragment) = file.decode_for::<Fragment>(id, found) else { continue };

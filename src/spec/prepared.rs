@@ -14,7 +14,7 @@ use super::load::{self, File};
 use super::tree;
 use super::vocabulary::Keyword;
 use crate::base::data::Prepared;
-use crate::base::demand::{Deferred, OnDemand};
+use crate::base::demand::{Deferred, Made, OnDemand};
 use crate::base::diag::{Diagnostic, Mistakes, Source};
 use crate::base::expr::QRef;
 
@@ -153,7 +153,7 @@ fn control(id: &str, files: &Reader, index: &Arc<Index<'static>>) -> Option<OnCo
             paths.filter_map(own).collect()
         })
     };
-    Some(OnControl { control: profile, cycles, outlines, fragments, meanings, worked })
+    Some(OnControl { control: profile, cycles, outlines, fragments, meanings, worked, made: Made::default() })
 }
 
 fn key(line: &CycleLine<'_>) -> Option<CycleKey> {

@@ -2,7 +2,7 @@
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Arg, Diagnostic};
-use crate::engine::plan::Watch;
+use crate::engine::plan::Compiled;
 use crate::program::syntax::Program;
 use crate::spec::{CycleKey, OnControl};
 
@@ -75,9 +75,9 @@ pub(crate) struct Settings<'e> {
     pub(crate) envelope: bool,
     /// Other controls, for cycles that the manual of this one only names.
     pub(crate) others_on: Vec<&'e OnControl>,
-    /// Values of a cycle that are noted.
+    /// A cycle of which values are noted.
     pub(crate) watching: Watching<'e>,
 }
 
-/// A cycle with the values of its run that are noted.
-pub(crate) type Watching<'e> = Option<(CycleKey, &'e [Watch])>;
+/// A cycle with its run, which notes values.
+pub(crate) type Watching<'e> = Option<(CycleKey, &'e Compiled)>;

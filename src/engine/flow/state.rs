@@ -120,13 +120,20 @@ impl Cycles<'_> {
         if let Some(plan) = self.plans.get(&cycle.key) {
             return Ok(Arc::clone(plan));
         }
-        let watches = watching.as_ref().filter(|(key, _)| *key == cycle.key).map_or(&[][..], |(_, watches)| watches);
-        let (plan, mistakes) = plan::compile_watched(cycle, on, watches);
-        if let Some(mistake) = mistakes.first() {
+        let own = watching.filter(|(key, _)| *key == cycle.key);
+        let kept;
+        let compiled = match own {
+            Some((_, watched)) => watched,
+            None => {
+                kept = plan::compiled(cycle, on);
+                &kept
+            }
+        };
+        if let Some(mistake) = compiled.mistakes.first() {
             let fault = Fault::new(Class::Internal, "plan-mistake").arg("reason", mistake.code);
             return Err(fault.arg("cycle", cycle.key.to_string()).into());
         }
-        let plan = Arc::new(plan);
+        let plan = Arc::clone(&compiled.plan);
         self.plans.insert(cycle.key, Arc::clone(&plan));
         Ok(plan)
     }

@@ -74,13 +74,43 @@ pub struct Plan {
     pub probes: bool,
 }
 
+/// A compiled run with the mistakes that were found.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// The run; it lacks whatever a mistake is about.
+    pub plan: Arc<Plan>,
+    /// What is wrong in the specification.
+    pub mistakes: Vec<Diagnostic>,
+}
+
+impl Compiled {
+    fn of((plan, mistakes): (Plan, Vec<Diagnostic>)) -> Self {
+        Self { plan: Arc::new(plan), mistakes }
+    }
+
+    /// The same run with places at which values are noted, made for one look.
+    pub fn watched(cycle: &Cycle, on: &OnControl, watches: &[Watch]) -> Self {
+        Self::of(compile_watched(cycle, on, watches))
+    }
+}
+
+/// The run of a cycle, compiled once for its control.
+pub fn compiled(cycle: &Cycle, on: &OnControl) -> Arc<Compiled> {
+    let make = || Compiled::of(compile(cycle, on));
+    match on.cycles.get(&cycle.key) {
+        Some(own) if std::ptr::eq(own, cycle) => on.made.get_or(cycle.key, make),
+        // Another description under the same key.
+        _ => Arc::new(make()),
+    }
+}
+
 /// Compiles the run of a cycle. The plan lacks whatever a diagnostic is about.
-pub fn compile(cycle: &Cycle, on: &OnControl) -> (Plan, Vec<Diagnostic>) {
+fn compile(cycle: &Cycle, on: &OnControl) -> (Plan, Vec<Diagnostic>) {
     compile_watched(cycle, on, &[])
 }
 
 /// The same with places at which values are noted.
-pub fn compile_watched(cycle: &Cycle, on: &OnControl, watches: &[Watch]) -> (Plan, Vec<Diagnostic>) {
+fn compile_watched(cycle: &Cycle, on: &OnControl, watches: &[Watch]) -> (Plan, Vec<Diagnostic>) {
     let mut compiler = Compiler::new(cycle, on, watches);
     let mut scope = names::Scope::default();
     compiler.old_fields(&mut scope);

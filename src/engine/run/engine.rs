@@ -9,7 +9,7 @@ use crate::engine::flow::settings::{Limits, Programs, Settings, Texts};
 use crate::engine::flow::state::Run;
 use crate::engine::motion::drives::Drives;
 use crate::engine::params::Params;
-use crate::engine::plan::Watch;
+use crate::engine::plan::Compiled;
 use crate::engine::report::ending::{Done, Leave};
 use crate::engine::report::event::{At, Event, EventKind, Status};
 use crate::engine::report::fault::Fault;
@@ -90,10 +90,10 @@ impl<'e> Engine<'e> {
         self
     }
 
-    /// The same with values of a cycle that are noted each time that a step of it has been executed.
+    /// The same with a run of a cycle that notes values each time that a step of it has been executed.
     #[must_use]
-    pub const fn watching(mut self, cycle: CycleKey, watches: &'e [Watch]) -> Self {
-        self.settings.watching = Some((cycle, watches));
+    pub const fn watching(mut self, cycle: CycleKey, watched: &'e Compiled) -> Self {
+        self.settings.watching = Some((cycle, watched));
         self
     }
 

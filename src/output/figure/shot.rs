@@ -298,14 +298,14 @@ pub(super) fn take(
     let runner = runner.unwrap_or(cycle);
     let asked = all_asked(figure, dimensions);
     let watches: Vec<Watch> = asked.iter().map(|asked| asked.watch.clone()).collect();
-    let (_, mistakes) = plan::compile_watched(runner, on, &watches);
-    if !mistakes.is_empty() {
-        return Err(mistakes);
+    let watched = plan::Compiled::watched(runner, on, &watches);
+    if !watched.mistakes.is_empty() {
+        return Err(watched.mistakes);
     }
     let (program, called, scene) = conform::ready(world, on, cycle, &altered(cycle, example, figure, chosen))?;
     let program = syntax::parse(&program);
     let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(world.catalogue);
-    let engine = engine.with_programs(&called).watching(runner.key, &watches);
+    let engine = engine.with_programs(&called).watching(runner.key, &watched);
     let mut events = Vec::new();
     let outcome = engine.run(&mut |event| events.push(event));
     let moment = asked.first().and_then(|own| noted(&outcome.noted, 0, own));

@@ -230,11 +230,11 @@ fn clause(clause: &crate::spec::Clause) -> Option<Clause> {
 
 /// Clauses that a case claims to prove and that the cycle does not have.
 fn clauses(cycle: &Cycle, on: &OnControl, example: &Example) -> Vec<Diagnostic> {
-    let (plan, _) = plan::compile(cycle, on);
+    let plan = &plan::compiled(cycle, on).plan;
     let mut found = Vec::new();
     for clause in &example.proves {
         let unknown = [
-            clause.step.as_ref().filter(|id| !has_step(&plan, id.as_str())),
+            clause.step.as_ref().filter(|id| !has_step(plan, id.as_str())),
             clause.parameter.as_ref().filter(|id| !has_parameter(cycle, id.as_str())),
             clause.result.as_ref().filter(|id| !has_result(cycle, id.as_str())),
         ];

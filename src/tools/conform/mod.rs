@@ -180,7 +180,7 @@ fn execute(world: &World<'_>, jobs: &[Job<'_>]) -> Vec<Result> {
 
 /// What the examples showed of a cycle, and what they did not.
 fn cycle_report(on: &OnControl, cycle: &Cycle, seen: &Shown) -> CycleReport {
-    let (plan, _) = plan::compile(cycle, on);
+    let plan = &plan::compiled(cycle, on).plan;
     let id = |sentence: &plan::Sentence| match sentence.kind {
         plan::SentenceKind::Step => format!("step-{}", sentence.id),
         plan::SentenceKind::Say => format!("say-{}", sentence.id),

@@ -124,7 +124,7 @@ fn of_cycle(
     stale: &BTreeMap<String, BTreeSet<String>>,
     executed: &Executed,
 ) -> CycleCoverage {
-    let (plan, _) = plan::compile(cycle, on);
+    let plan = &plan::compiled(cycle, on).plan;
     let all = || plan.sentences.iter().map(|sentence| sentence.id.to_string());
     let left_out = executed.get(&(on.id().to_owned(), cycle.key)).cloned();
     let left_out = left_out.unwrap_or_else(|| LeftOut { unexecuted: all().collect(), unprovoked: BTreeSet::new() });
