@@ -24,11 +24,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::FnAssign(_) | BlockKind::Formula(_))) {
         return;
     }
-    // The last block that calls each definition.
-    let mut calls: HashMap<u32, usize> = HashMap::new();
+    // The last block that calls each definition, before the definition and after it.
+    let mut calls: HashMap<u32, [usize; 2]> = HashMap::new();
     for call in &facts.run.calls {
-        if let Pending::Definition(index) = call.modal.pending {
-            let last = calls.entry(index).or_default();
+        let Pending::Definition(index) = call.modal.pending else { continue };
+        if let Some(definition) = facts.definitions.get(index as usize) {
+            let [before, after] = calls.entry(index).or_default();
+            let last = if call.block < definition.view.first { before } else { after };
             *last = call.block.max(*last);
         }
     }
@@ -47,7 +49,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 BlockKind::Formula(formula) => (formula.target, formula.target_span),
                 _ => continue,
             };
-            if calls.get(&index).is_none_or(|last| *last <= at) {
+            // Where the definition follows, in a subprogram that has run already, it runs again before a call after it.
+            let next = calls.get(&index).map_or(0, |last| last[usize::from(definition.view.first <= at)]);
+            if next <= at {
                 continue;
             }
             let known = read.take().filter(|(own, _)| *own == index).map(|(_, written)| written);

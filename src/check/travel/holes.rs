@@ -6,6 +6,8 @@ use crate::base::diag::Span;
 use crate::check::blank::is_unmoved;
 use crate::check::incident::Incident;
 use crate::check::program::{number, with_meaning};
+use crate::check::tools::kind_of_call;
+use crate::check::toolwords::ToolKind;
 use crate::check::{Aspect, Defined, Definition, Loaded, Modal, Pending, Tri};
 use crate::program::syntax::{Block, BlockKind, CallForm, Coord};
 use crate::spec::{Group, Keyword, Quantity, Reference};
@@ -201,7 +203,7 @@ impl Walk<'_, '_> {
             Makes::Pocket => read.item(CIRCLE).and_then(number),
             _ if read.item(NOMINAL).is_some() => read.item(NOMINAL).and_then(number),
             // What only centres is not as wide as its tool.
-            Makes::Hole if !is_whole(&read) => None,
+            Makes::Hole if !is_whole(&read) || self.only_centres(&read, modal, tool) => None,
             _ => tool,
         };
         let Some(width) = width.filter(|width| *width > 0.0) else { return };
@@ -222,6 +224,17 @@ impl Walk<'_, '_> {
                 return;
             }
         }
+    }
+
+    /// Whether a hole is only centred: by a tool for that, or not as deep as a tip of 90 degrees is long.
+    fn only_centres(&self, read: &Definition<'_>, modal: &Modal, width: Option<f64>) -> bool {
+        let kind = match modal.loaded {
+            Loaded::By(block) => kind_of_call(self.facts, block as usize),
+            Loaded::None | Loaded::Unknown => None,
+        };
+        let depth = read.item(DEPTH).and_then(number);
+        matches!(kind, Some(ToolKind::Spot | ToolKind::Chamfer))
+            || depth.zip(width).is_some_and(|(depth, width)| depth.abs() < width / 2.0)
     }
 
     /// Whether a round pocket is cut by the edge of the blank, or a rectangular one covers all of it, or goes far beyond
