@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use ciklo::base::demand::{Deferred, OnDemand};
+use ciklo::base::demand::{Deferred, Made, OnDemand};
 use ciklo::engine::plan;
 use ciklo::spec::{Catalogue, OnControl, Quantity};
 
@@ -40,6 +40,7 @@ fn with_meaning(catalogue: &Catalogue, meaning: &str) -> Catalogue {
                 outlines: BTreeMap::new(),
                 meanings: Arc::default(),
                 worked: Deferred::default(),
+                made: Made::default(),
             };
             reduced.controls.insert(id.clone(), own);
         }
