@@ -6,6 +6,7 @@ use clap::ArgMatches;
 use super::cache::{self, Cache};
 use super::dry_run::DryRun;
 use super::jobs::{Job, Jobs, jobs};
+use super::program::Understood;
 use super::progress::Progress;
 use super::project::{CheckedProgram, Library, Tables};
 use super::session::Session;
@@ -167,7 +168,9 @@ impl Shared<'_> {
             None => {
                 let program = CheckedProgram::new(self.library, self.tables, job, against, self.files);
                 if self.fix {
-                    mend::file(&job.path, against, &program, &job.settings)?
+                    let (file, mut found, fixed) = mend::file(&job.path, against, &program, &job.settings)?;
+                    self.execute(&file, job, &program, &mut found);
+                    (found, fixed)
                 } else {
                     (self.program(job, &program)?, 0)
                 }
@@ -192,14 +195,19 @@ impl Shared<'_> {
         }
         let file = program::understood_bytes(&job.path, bytes, against.catalogue);
         let mut found = file.findings(check::check_in(&file.program, against, program));
-        if let Some(dry_run) = &self.dry_run {
-            dry_run.check(&file, &job.path, program, &mut found);
-        }
+        self.execute(&file, job, program, &mut found);
         // What depends on other files is not remembered.
         if let Some((cache, key)) = known.filter(|_| !program.asked()) {
             cache.keep(key, &found);
         }
         Ok(found)
+    }
+
+    /// Adds what the execution of a program shows, where it is executed.
+    fn execute(&self, file: &Understood, job: &Job<'_>, program: &CheckedProgram<'_>, found: &mut Vec<Diagnostic>) {
+        if let Some(dry_run) = &self.dry_run {
+            dry_run.check(file, &job.path, program, found);
+        }
     }
 }
 

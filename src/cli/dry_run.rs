@@ -1,8 +1,8 @@
 //! What the execution of a checked program shows that reading it does not: rapid traverse through material, cuts above
 //! the cutting edges, shapes that a cycle cannot machine.
 //!
-//! A program is executed if everything is known that its paths depend on: it has a blank and no errors, and each of its
-//! tools is in a table that was named or in a TOOL DEF.
+//! A program is executed if everything is known that its paths depend on: a tool table was named, it has a blank and no
+//! errors, and each of its tools is in a table that was named or in a TOOL DEF.
 //! Invariant: what depends on the machine, which is assumed, is not reported; nor is what the engine cannot do.
 use std::path::Path;
 

@@ -39,13 +39,13 @@ impl<'p> Original<'p> {
     }
 }
 
-/// Fixes a file as far as that is safe: what is found in it then, and how many fixes were made.
+/// Fixes a file as far as that is safe: the program that is there then, what is found in it, and how many fixes were made.
 pub(super) fn file(
     path: &Path,
     against: &Against<'_>,
     project: &dyn Project,
     settings: &Settings,
-) -> Result<(Vec<Diagnostic>, usize), Failure> {
+) -> Result<(Understood, Vec<Diagnostic>, usize), Failure> {
     if path == Path::new("-") {
         return Err(Diagnostic::global("fix-no-file").into());
     }
@@ -60,7 +60,7 @@ pub(super) fn file(
     let fixes = found.iter().filter_map(|diagnostic| diagnostic.fix.as_ref());
     let edits: Vec<Edit> = fixes.filter(writable).cloned().collect();
     if edits.is_empty() {
-        return Ok((found, 0));
+        return Ok((old, found, 0));
     }
     drop(found);
     let text = edited(old.written().source().text(), &edits);
@@ -68,5 +68,6 @@ pub(super) fn file(
     drop(old);
     let mended = program::understood(path, text, encoding, against.catalogue);
     original.store(&mended, against)?;
-    Ok((mended.findings(check::check_in(&mended.program, against, project)), edits.len()))
+    let found = mended.findings(check::check_in(&mended.program, against, project));
+    Ok((mended, found, edits.len()))
 }

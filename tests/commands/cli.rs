@@ -411,6 +411,12 @@ fn labels_are_mended_where_they_stand() {
     assert_eq!(std::fs::read_to_string(&path).unwrap(), expected.replace('\n', "\r\n"));
     let again = run(&words);
     assert!(String::from_utf8_lossy(&again.stderr).contains("Nothing was corrected."));
+    // What only an execution shows is found as well.
+    let slots = scratch.path().join("slots.h");
+    std::fs::copy(root().join("tests/cli/dry/slots.h"), &slots).unwrap();
+    let table = ["--table", "tests/cli/dry/TOOL.T", "--format", "json"];
+    let executed = run(&[&["check", slots.to_str().unwrap(), "--control", "tnc640", "--fix"][..], &table].concat());
+    assert!(String::from_utf8_lossy(&executed.stdout).contains("\"rapid-through-material\""), "{executed:?}");
 }
 
 #[test]
