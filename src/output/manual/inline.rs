@@ -14,7 +14,7 @@ const GUARD: char = '\u{2060}';
 /// The text as inline HTML.
 pub(super) fn html(text: &str, linker: &Linker) -> String {
     let mut out = String::with_capacity(text.len() + 16);
-    if !text.contains(['*', '_', '`', '[', '\\']) {
+    if !text.bytes().any(|byte| matches!(byte, b'*' | b'_' | b'`' | b'[' | b'\\')) {
         linker.text(text, &mut out);
         return out;
     }
