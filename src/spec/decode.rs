@@ -1,7 +1,7 @@
 //! Trees into types: one definition gives the type, its decoding with all mistakes at their places,
 //! and its JSON Schema.
 //!
-//! Invariant: knows the shape of data, not its meaning; meaning is checked in `check`.
+//! Invariant: knows the shape of data, not its meaning; meaning is checked in `lint`.
 use std::sync::Arc;
 
 use serde_json::{Map, Value, json};

@@ -46,6 +46,9 @@ const fn all(value: Tri) -> u64 {
     (u64::MAX / 3) * value as u64
 }
 
+// Two bits for each: the last aspect must have its own.
+const _: () = assert!(shift(Aspect::ShiftZ) < u64::BITS);
+
 const fn shift(aspect: Aspect) -> u32 {
     2 * aspect as u32
 }

@@ -1,6 +1,6 @@
 //! Machines: which axes there are, how far and how fast they go, what turns about what.
 //!
-//! Invariant: a machine is data; it knows no position, no tool and no workpiece.
+//! Invariant: a machine and the tools for it are data; nothing here knows a position or a workpiece.
 mod around;
 mod course;
 mod errors;
