@@ -1,6 +1,6 @@
 //! The box that a program names as its blank.
 use super::{Aspect, Modal, Tri};
-use crate::program::syntax::{Amount, Axis, BlkForm, BlockKind, Program};
+use crate::program::syntax::{Amount, Axis, BlkForm, BlockKind, NamedWord, Program, StatementKind, ValueKind};
 
 /// The axes of places inside of it, in the order of its corners.
 pub(super) const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
@@ -72,4 +72,27 @@ pub(super) fn is_unmoved(modal: &Modal) -> bool {
         Aspect::Tilting,
     ];
     MOVING.iter().all(|own| modal.is(*own) == Tri::No)
+}
+
+/// The height of the upper face of a blank along Z: of the one box, or of the one cylinder.
+pub(super) fn top(program: &Program) -> Option<f64> {
+    if let Some(blank) = Blank::of(program) {
+        return Some(blank.high[2]);
+    }
+    let mut forms = program.blocks().iter().filter_map(|block| match &block.kind {
+        BlockKind::Statement(own) if own.kind == StatementKind::BlkForm => Some(own),
+        _ => None,
+    });
+    let form = forms.next().filter(|_| forms.next().is_none())?;
+    let last = program.slice(form.head).split_whitespace().last()?;
+    let name = |word: &NamedWord| program.slice(word.name).trim().to_ascii_uppercase();
+    let along = form.words.iter().any(|word| name(word) == "Z");
+    if !along || !last.eq_ignore_ascii_case("CYLINDER") {
+        return None;
+    }
+    match form.words.iter().find(|word| name(word) == "DIST").map(|word| word.value.kind) {
+        None => Some(0.0),
+        Some(ValueKind::Number(number)) => Some(number),
+        Some(_) => None,
+    }
 }

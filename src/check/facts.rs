@@ -7,13 +7,14 @@ use std::ops::Deref;
 use std::sync::OnceLock;
 
 use super::Against;
+use super::cycle::Effect;
 use super::flow::{Callees, ProgramCall, Project, Run, calls, follow};
 use super::incident::Incident;
 use super::program::{Defined, Definition, Item, Reading, language_of, number, refused, with_meaning};
 use crate::base::diag::Span;
 use crate::base::expr::QRef;
 use crate::program::syntax::{Amount, CycleForm, Operand, Program, ValueKind};
-use crate::spec::{Cycle, Param};
+use crate::spec::{Cycle, Group, Param};
 
 /// Numbers of parameters.
 type Numbers = Vec<(QRef, f64)>;
@@ -203,9 +204,13 @@ impl<'a> Facts<'a> {
     /// The numbers of the data that a cycle works with, from the definition before it that keeps such.
     pub(super) fn shared_before(&self, definition: &Definition<'_>) -> &[(QRef, f64)] {
         let all = self.shared.get_or_init(|| {
-            let keeps =
-                |own: &&Defined<'_>| own.cycle().zip(own.kept).is_some_and(|(cycle, kept)| kept.effect(cycle).keeps());
-            self.definitions.iter().filter(keeps).map(|own| (own.view.first, numbers(&self.read(own)))).collect()
+            let keeps = |own: &&Defined<'_>| match (own.cycle().zip(own.kept), own.elsewhere) {
+                (Some((cycle, kept)), _) => kept.effect(cycle).keeps(),
+                (None, Some(cycle)) => cycle.file.group == Group::Contours && Effect::of_cycle(cycle).keeps(),
+                (None, None) => false,
+            };
+            let read = |own: &Defined<'a>| numbers(&self.read(&own.as_related_cycle()));
+            self.definitions.iter().filter(keeps).map(|own| (own.view.first, read(own))).collect()
         });
         let after = all.partition_point(|(first, _)| *first < definition.view.first);
         after.checked_sub(1).and_then(|at| all.get(at)).map_or(&[], |(_, numbers)| numbers)

@@ -5,14 +5,14 @@
 use std::sync::Arc;
 
 use super::Facts;
-use super::cycle::{OFF, Ready, STATES, read_as, replaced, state, tool};
+use super::cycle::{Effect, OFF, Ready, STATES, read_as, replaced, state, tool};
 use super::flow::Modal;
 use super::program::{Definition, Item, number};
 use super::tools::Tool;
 use crate::base::diag::Span;
 use crate::base::expr::{Env, EvalError, OnlyParameters, QRef, Resolve, Type, Value, compile};
 use crate::program::syntax::ValueKind;
-use crate::spec::{Cycle, Param};
+use crate::spec::{Cycle, Group, Param};
 
 /// The values that a definition writes as numbers or texts, and the state of the control as far as it is certain.
 #[derive(Default)]
@@ -52,7 +52,11 @@ impl Written {
                 _ => {}
             }
         }
-        if definition.kept.is_some_and(|kept| kept.effect(cycle).recalls()) {
+        let recalls = || match definition.kept {
+            Some(kept) => kept.effect(cycle).recalls(),
+            None => Effect::of_cycle(cycle).recalls(),
+        };
+        if cycle.file.group == Group::Contours && recalls() {
             known.numbers.extend_from_slice(facts.shared_before(definition));
         }
         known

@@ -140,6 +140,8 @@ pub enum Incident {
     Stray([f64; 2]),
     /// A core hole in which no thread is cut, although it is cut in others of the same row.
     Untapped([f64; 2]),
+    /// The same of a hole that is not reamed.
+    Unreamed([f64; 2]),
     /// A place that a circle of holes lacks.
     Gap([f64; 2]),
     /// The corner of a rectangle of four holes, of which one lies elsewhere.

@@ -2,6 +2,7 @@
 use std::collections::HashMap;
 
 use super::state::{Known, Pending, State, Values};
+use crate::base::diag::Span;
 use crate::base::expr::{QKind, QRef};
 use crate::check::cycle::{Aspect, Effect, Then, Tri, removes_material};
 use crate::check::program::{Defined, Definition, Reading};
@@ -54,6 +55,12 @@ impl<'f, 'a> Effects<'f, 'a> {
     /// Whether the spindle is stopped after a call of the definition of that index.
     pub(super) fn stops_spindle(&self, index: u32) -> bool {
         self.definitions.get(index as usize).and_then(|own| self.effect(own)).is_some_and(|effect| effect.stops_spindle)
+    }
+
+    /// The place of the definition that begins with a block, if its cycle calls the one before it: a pattern.
+    pub(super) fn pattern_at(&self, block: usize) -> Option<Span> {
+        let at = self.firsts.binary_search(&u32::try_from(block).ok()?).ok()?;
+        self.definitions.get(at).filter(|own| own.calls_last()).map(|own| own.view.head)
     }
 
     /// What the cycle of a definition does.

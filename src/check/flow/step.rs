@@ -55,6 +55,12 @@ impl<'f, 'a> Steps<'f, 'a> {
         }
     }
 
+    /// The call that a block is which defines a pattern: it calls the cycle before it.
+    pub(super) fn pattern_at(&self, index: usize, block: &Block) -> Option<Span> {
+        let defines = matches!(block.kind, BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_));
+        if defines { self.effects.pattern_at(index) } else { None }
+    }
+
     fn functions(&self, block: &Block, state: &mut State) {
         start(block, &mut state.modal);
         each_function(block, |number| match number {

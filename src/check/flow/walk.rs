@@ -443,6 +443,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
                 run.failing.extend(Steps::failing(block, &states));
                 calls.clear();
                 calls_in(block, &mut words, &mut calls);
+                calls.extend(self.steps.pattern_at(index, block));
                 for span in calls.iter().copied() {
                     // Each way of coming here by itself: the same block may be right for one and wrong for another.
                     seen.clear();

@@ -14,20 +14,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let first = facts.definitions.first().map_or(usize::MAX, |definition| definition.view.first);
     let mut last = None;
     let calls = facts.run.calls.iter().filter(|call| call.modal.pending == Pending::None);
-    for call in calls.filter(|call| !(reported && first < call.block)) {
+    // A pattern is a definition itself.
+    let pattern = |block: usize| facts.definition_at(block).is_some();
+    for call in calls.filter(|call| !(reported && first < call.block) || pattern(call.block)) {
         if last.replace(call.span) != Some(call.span) {
             found.push(rule.at(facts, call.span));
-        }
-    }
-    patterns(rule, facts, found);
-}
-
-/// Definitions of patterns, which call the cycle that was defined before them.
-fn patterns(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    for definition in facts.definitions.iter().filter(|own| own.calls_last()) {
-        let before = facts.run.before(definition.view.first);
-        if before.is_some_and(|modal| modal.pending == Pending::None) {
-            found.push(rule.at(facts, definition.view.head));
         }
     }
 }

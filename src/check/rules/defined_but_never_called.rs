@@ -14,9 +14,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     // The states in which something calls the last cycle.
-    let patterns = facts.definitions.iter().filter(|own| own.calls_last());
-    let patterns = patterns.filter_map(|own| facts.run.before(own.view.first));
-    let calls: Vec<Modal> = facts.run.calls.iter().map(|call| call.modal).chain(patterns).collect();
+    let calls: Vec<Modal> = facts.run.calls.iter().map(|call| call.modal).collect();
     if calls.iter().any(|modal| modal.pending == Pending::Unknown) {
         return;
     }

@@ -1,5 +1,5 @@
 //! Two definitions of a cycle that rough and finish the same pocket or slot, and do not describe the same one: one size
-//! differs. Also one that infeeds ten times as much as the other, and two that only rough and leave the same allowance;
+//! differs; the same of a turned contour. Also one that infeeds ten times as much as the other, and two that only rough and leave the same allowance;
 //! and one that infeeds at least twice its depth, though the depth is greater than the diameter of its tool.
 //!
 //! Only where all the other sizes are equal, so that both certainly mean the same, and where no other definition goes
@@ -15,11 +15,11 @@ use crate::spec::{CycleKey, Group};
 pub(super) const RULE: Rule = Rule { code: "definitions-differ", severity: Severity::Warning, run };
 
 /// The meaning of the choice between roughing and finishing, with the values for roughing alone and for both.
-const OPERATION: &str = "machining-operation";
+const OPERATIONS: [&str; 2] = ["machining-operation", "turning-operation"];
 const ROUGHING: f64 = 1.0;
 const BOTH: f64 = 0.0;
 /// The meanings of what is the same for roughing and finishing.
-const SIZES: [&str; 15] = [
+const SIZES: [&str; 21] = [
     "first-side-length",
     "second-side-length",
     "corner-radius",
@@ -35,6 +35,12 @@ const SIZES: [&str; 15] = [
     "pocket-position",
     "depth",
     "surface-coordinate",
+    "contour-start-diameter",
+    "contour-start-z",
+    "contour-end-diameter",
+    "contour-end-z",
+    "circumferential-surface-angle",
+    "face-angle",
 ];
 /// The meanings of the depth, of an infeed and of what roughing leaves.
 const DEPTH: &str = "depth";
@@ -50,6 +56,8 @@ const SAME: f64 = 1e-6;
 /// A definition of a pocket or a slot.
 struct Pocket {
     key: CycleKey,
+    /// Whether it is a turned contour.
+    turned: bool,
     operation: (f64, Span),
     /// The sizes that its cycle has, in the order of their meanings.
     sizes: Vec<(f64, Span)>,
@@ -125,7 +133,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             })
             .collect();
         if let [(size, rough)] = near.as_slice() {
-            found.push(finding_of(own.sizes[*size], "size", rough.sizes[*size].0));
+            let what = if own.turned { "turned" } else { "size" };
+            found.push(finding_of(own.sizes[*size], what, rough.sizes[*size].0));
         }
     }
     deep(rule, facts, found);
@@ -146,7 +155,7 @@ fn deep(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let read = facts.read(&related);
         let value = |meaning: &str| read.item(meaning).and_then(number);
         // Finishing may go down at once.
-        if value(OPERATION).is_some_and(|operation| operation > ROUGHING) {
+        if value(OPERATIONS[0]).is_some_and(|operation| operation > ROUGHING) {
             continue;
         }
         let (Some(item), Some(infeed), Some(depth)) = (read.item(INFEED), value(INFEED), value(DEPTH)) else {
@@ -173,20 +182,24 @@ fn pockets(facts: &Facts<'_>) -> Vec<Pocket> {
         }
     }
     for (index, own) in facts.definitions.iter().enumerate() {
-        if own.related_cycle().is_none_or(|cycle| cycle.file.group != Group::Pockets) {
+        let Some(group) = own.related_cycle().map(|cycle| cycle.file.group) else { continue };
+        let turned = group == Group::Turning;
+        if !turned && group != Group::Pockets {
             continue;
         }
         let related = own.as_related_cycle();
         let read = facts.read(&related);
         let value = |meaning: &str| read.item(meaning).and_then(|item| Some((number(item)?, item.value_span)));
-        let (Some(operation), Some((depth, _))) = (value(OPERATION), value(DEPTH)) else { continue };
+        let Some(operation) = OPERATIONS.into_iter().find_map(value) else { continue };
+        // What is turned has no depth.
+        let Some(depth) = value(DEPTH).map(|own| own.0).or(turned.then_some(0.0)) else { continue };
         let written: Vec<&str> = SIZES.into_iter().filter(|meaning| read.item(meaning).is_some()).collect();
         let Some(sizes) = written.into_iter().map(value).collect::<Option<Vec<_>>>() else { continue };
         let index = u32::try_from(index).unwrap_or(u32::MAX);
         let tool = tools.get(&index).copied();
         let allowances = ALLOWANCES.map(|meaning| value(meaning).map_or(0.0, |own| own.0));
         let infeed = value(INFEED);
-        pockets.push(Pocket { key: own.key, operation, sizes, depth, infeed, allowances, tool });
+        pockets.push(Pocket { key: own.key, turned, operation, sizes, depth, infeed, allowances, tool });
     }
     // What does both says nothing of another one.
     pockets.retain(|own| own.operation.0 >= BOTH);

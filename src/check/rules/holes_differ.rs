@@ -1,5 +1,5 @@
 //! Holes that do not go together: one of a row is not centred while a centred place stays without a hole; core holes of
-//! which only some are tapped; a circle of holes that lacks one; a place between two calls that is only passed over; an arc
+//! which only some are tapped, or holes of which only some are reamed; a circle of holes that lacks one; a place between two calls that is only passed over; an arc
 //! of a contour whose centre misses the hole that belongs to it.
 //!
 //! The first three need an execution of the whole program. Of arcs at least two others must lie about holes, and the one
@@ -26,11 +26,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = rule.at(facts, span).arg("what", what.to_owned()).arg("value", Arg::Number(x));
         found.push(finding.arg("other", Arg::Number(y)));
     };
-    let mut reported = [false; 4];
+    let mut reported = [false; 5];
     for (span, own) in incidents(facts) {
         let (what, place, at) = match own {
             Incident::Stray(place) => ("stray", *place, 0),
             Incident::Untapped(place) => ("untapped", *place, 1),
+            Incident::Unreamed(place) => ("unreamed", *place, 4),
             Incident::Gap(place) => ("gap", *place, 2),
             Incident::Corner(place) => ("corner", *place, 3),
             _ => continue,
@@ -78,12 +79,14 @@ fn passed<'a>(facts: &Facts<'a>) -> Option<(&'a Block, [f64; 2])> {
         };
         let flat = words.coords.iter().all(|own| matches!(own.axis, Axis::X | Axis::Y)) && !words.coords.is_empty();
         at = crate::check::contours::moved(&words, [Axis::X, Axis::Y], at).unwrap_or([None; 2]);
-        let only_call = words.functions.iter().all(|own| own.number == 99);
+        // Coolant goes with the first position.
+        let only_call = words.functions.iter().all(|own| matches!(own.number, 8 | 9 | 99));
+        let called = words.functions.iter().any(|own| own.number == 99);
         if !flat || !only_call {
             (row, place_of) = (Vec::new(), Vec::new());
             continue;
         }
-        row.push((index, !words.functions.is_empty()));
+        row.push((index, called));
         place_of.push(at);
         // What is called at the end of the row is known when the next movement comes, or at once with M99.
         let next = |from: usize| blocks.get(from..).into_iter().flatten().find(|own| !is_silent(own));

@@ -1,4 +1,6 @@
-//! A jump back whose counter fulfils its condition on no pass: the loop is executed once and never repeated.
+//! A jump back whose counter fulfils its condition on no pass: the loop is executed once and never repeated. Also one in a
+//! loop or a subprogram that is executed several times and never sets the counter back: from the second time on the inner
+//! loop is executed once.
 //!
 //! Only where the counter has a number before the loop, is changed by a known step, and is compared with a number that is
 //! written in the jump: what a parameter limits may be one pass by intention. Silent where anything else may lead into the
@@ -25,9 +27,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let BlockKind::FnJump(jump) = &block.kind else { continue };
         let Some(rest) = patience.checked_sub(facts.program.blocks().len().saturating_mul(2)) else { return };
         patience = rest;
-        if once(facts, own, jump, &mut patience) {
-            found.push(rule.at(facts, facts.content(block)));
-        }
+        let what = if once(facts, own, jump, &mut patience) {
+            "never"
+        } else if again(facts, own, jump, &mut patience) {
+            "again"
+        } else {
+            continue;
+        };
+        found.push(rule.at(facts, facts.content(block)).arg("what", what));
     }
 }
 
@@ -66,6 +73,73 @@ fn once<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut usize
         (Relation::Greater, true) | (Relation::Less, false) => by != 0.0 && first <= end,
         _ => false,
     }
+}
+
+/// Whether the counter of a loop goes on from where it was when a loop around it, or its subprogram, is executed again.
+fn again<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut usize) -> bool {
+    let graph = &facts.run.graph;
+    let start_of = |own: &Use| own.mark.as_ref().and_then(|mark| graph.block_of(mark));
+    let Some(from) = start_of(own).filter(|from| *from <= own.block) else { return false };
+    let (q, limit, left) = match (jump.a.amount, jump.b.amount) {
+        (Amount::Q { q, negative: false }, limit) => (q, limit, true),
+        (limit, Amount::Q { q, negative: false }) => (q, limit, false),
+        _ => return false,
+    };
+    // The smallest loop around it, or the subprogram in which it is.
+    let around = graph.uses.iter().filter(|outer| matches!(outer.way, Way::Jump | Way::Repeat));
+    let around = around.filter_map(|outer| Some((start_of(outer)?, outer.block)));
+    let around = around.filter(|(start, end)| *start < from && own.block < *end).max_by_key(|(start, _)| *start);
+    let Some((start, end)) = around.or_else(|| called_again(facts, q, from, own.block)) else { return false };
+    let mut body = Loop::new(patience);
+    body.add(facts, start, end);
+    let limited = match limit {
+        Amount::Q { q, .. } => is_free(q) && !body.written.contains(&q),
+        Amount::Number(_) => true,
+        Amount::Text(_) => false,
+    };
+    if body.open || !limited || !is_free(q) {
+        return false;
+    }
+    let Some(by) = body.step_of(facts, q, &(start..=end)) else { return false };
+    // The step belongs to the inner loop.
+    let steps = facts.program.blocks().get(from..=own.block).unwrap_or_default();
+    let inside = steps.iter().any(|block| match &block.kind {
+        BlockKind::FnAssign(own) => own.target == q,
+        BlockKind::Formula(own) => own.target == q,
+        _ => false,
+    });
+    inside
+        && match (jump.relation, left) {
+            (Relation::Less, true) | (Relation::Greater, false) => by > 0.0,
+            (Relation::Greater, true) | (Relation::Less, false) => by < 0.0,
+            _ => false,
+        }
+}
+
+/// The subprogram around a loop, if it is called several times after the only block that sets the counter, which nothing
+/// repeats: its label and its end.
+fn called_again(facts: &Facts<'_>, q: QRef, from: usize, to: usize) -> Option<(usize, usize)> {
+    let (graph, blocks) = (&facts.run.graph, facts.program.blocks());
+    let calls = |start: usize| {
+        let leads = move |own: &&Use| own.mark.as_ref().and_then(|mark| graph.block_of(mark)) == Some(start);
+        graph.uses.iter().filter(|own| own.way == Way::Call).filter(leads)
+    };
+    let start = (0..from).rev().take_while(|at| !blocks[*at].ends_subprogram()).filter(|at| calls(*at).count() > 1).last()?;
+    let end = to + blocks.get(to..)?.iter().position(|block| block.ends_subprogram())?;
+    set_once(facts, q, &(start..=end))?;
+    let set = blocks.iter().take(start).position(|block| match &block.kind {
+        BlockKind::FnAssign(own) => own.target == q,
+        BlockKind::Formula(own) => own.target == q,
+        _ => false,
+    })?;
+    let repeats = graph.uses.iter().any(|own| {
+        let to = own.mark.as_ref().and_then(|mark| graph.block_of(mark));
+        matches!(own.way, Way::Jump | Way::Repeat) && to.is_some_and(|to| to <= set) && set <= own.block
+    });
+    // In a subprogram it may be set again.
+    let main = facts.run.main.contains(&set) || !blocks.iter().take(set).any(|block| matches!(block.kind, BlockKind::Lbl(_)));
+    let after = calls(start).filter(|own| own.block > set).count();
+    (!repeats && main && after > 1).then_some((start, end))
 }
 
 /// Whether only the program writes a parameter.

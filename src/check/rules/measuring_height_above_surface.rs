@@ -6,7 +6,7 @@ use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::cycle::{probes, removes_material};
 use crate::check::program::number;
-use crate::check::{Facts, Rule};
+use crate::check::{Aspect, Facts, Modal, Rule, Tri};
 use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "measuring-height-above-surface", severity: Severity::Warning, run };
@@ -42,17 +42,30 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if let (true, Some(item)) = (probes(cycle) && sideways, read.item(HEIGHT))
             && let Some(height) = number(item)
         {
-            let unmoved = facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));
-            heights.push((height, item.value_span, unmoved));
+            let modal = facts.run.before(own.view.first);
+            heights.push((height, item.value_span, modal.map(|modal| (is_unmoved(&modal), may_be_unmoved(&modal)))));
         }
     }
     let top = if has_blank { blank } else { surface };
     let Some(top) = top else { return };
-    let above: Vec<_> = heights.iter().filter(|(height, _, unmoved)| *height > top && *unmoved).collect();
+    // After a preset that was probed nothing is certain, but what is machined says where the workpiece is.
+    let probed = surface.filter(|_| has_blank).map(|surface| surface.max(top));
+    let is_above = |height: f64, moved: Option<(bool, bool)>| match moved {
+        Some((true, _)) => height > top,
+        Some((false, true)) => probed.is_some_and(|probed| height > probed),
+        _ => false,
+    };
+    let above: Vec<_> = heights.iter().filter(|(height, _, moved)| is_above(*height, *moved)).collect();
     if !has_blank && above.len() != 1 {
         return;
     }
     for (height, span, _) in above {
         found.push(rule.at(facts, *span).arg("value", Arg::Number(*height)).arg("other", Arg::Number(top)));
     }
+}
+
+/// Whether nothing certainly shifts, turns or tilts the coordinates along the tool axis.
+fn may_be_unmoved(modal: &Modal) -> bool {
+    let still = [Aspect::ShiftZ, Aspect::Tilting, Aspect::Scaling, Aspect::AxisScaling, Aspect::Mirroring];
+    still.iter().all(|own| modal.is(*own) != Tri::Yes)
 }

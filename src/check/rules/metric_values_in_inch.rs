@@ -1,6 +1,6 @@
 //! Values in a program in inches that look like millimetres: feeds above 10 m/min, feeds of contours with RL or RR, and
 //! of cycles that plunge, of more than a millimetre a revolution, feeds with which a tool mills fifty times as fast as
-//! it cuts elsewhere, a blank of more than 3 m, a depth of several times the height of the blank, a thread with less than
+//! it cuts elsewhere, or 25.4 times as fast as its tool call says with RL or RR, a blank of more than 3 m, a depth of several times the height of the blank, a thread with less than
 //! two turns an inch.
 //!
 //! Every block with such a feed is reported, and once there is one also those whose feed is too great for a movement
@@ -10,7 +10,7 @@ use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::program::with_meaning;
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
 use crate::program::syntax::{Amount, Axis, BlkForm, BlockKind, Compensates, CycleDef, Feed, FeedKind, ValueKind};
-use crate::spec::{Cycle, Group, Quantity};
+use crate::spec::{Cycle, Group, MM_PER_INCH, Quantity};
 
 pub(super) const RULE: Rule = Rule { code: "metric-values-in-inch", severity: Severity::Warning, run };
 
@@ -22,6 +22,8 @@ const FAST: f64 = 1000.0;
 const WIDEST: f64 = 0.4;
 /// So many times as fast as it cuts elsewhere no tool mills: twice what an inch has of millimetres.
 const APART: f64 = 50.0;
+/// So much a feed may differ from another one in the other unit, as it is rounded.
+const ROUNDED: f64 = 0.03;
 /// The meanings of feeds with which cycles plunge.
 const CUTTING: [&str; 2] = ["plunging-feed", "contour-plunging-feed"];
 /// The meanings of feeds with which cycles mill.
@@ -41,6 +43,8 @@ const STEEPEST: f64 = 0.5;
 struct Feeds {
     /// The speed of its spindle, if it is a number.
     speed: Option<f64>,
+    /// The feed of its call.
+    called: Option<f64>,
     /// The least feed.
     least: Option<f64>,
     /// Those that are certainly too great.
@@ -85,6 +89,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 };
                 let own = written(call.feed.as_ref());
                 feeds.least = own.map(|(_, number)| number);
+                feeds.called = feeds.least.filter(|own| *own > 0.0);
                 feeds.found.extend(own.filter(|(_, number)| FASTEST.contains(number)));
             }
             BlockKind::BlkForm(form) => {
@@ -119,7 +124,8 @@ fn too_steep(cycle: &Cycle, written: &CycleDef) -> Option<(Span, f64)> {
 impl Feeds {
     /// Takes the feed of a movement.
     fn moves(&mut self, span: Span, number: f64, cuts: impl Fn() -> bool) {
-        if FASTEST.contains(&number) || ((self.is_wide(number) || self.is_apart(number)) && cuts()) {
+        let doubtful = self.is_wide(number) || self.is_apart(number) || self.is_converted(number);
+        if FASTEST.contains(&number) || (doubtful && cuts()) {
             self.found.push((span, number));
         } else if self.is_wide(number) {
             self.doubtful.push((span, number));
@@ -163,6 +169,12 @@ impl Feeds {
     /// Whether a feed of something that cuts is hardly one in tenths of an inch a minute, by the speed.
     fn is_wide(&self, number: f64) -> bool {
         self.speed.is_some_and(|speed| (FAST..FASTEST.end).contains(&number) && number / speed > WIDEST)
+    }
+
+    /// Whether a feed is the same in millimetres as that of the tool call is in inches, rounded.
+    fn is_converted(&self, number: f64) -> bool {
+        let factor = self.called.map(|called| number / called);
+        factor.is_some_and(|factor| (factor - MM_PER_INCH).abs() <= ROUNDED * MM_PER_INCH)
     }
 
     /// The same by the other feeds of the tool.

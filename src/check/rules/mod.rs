@@ -21,6 +21,7 @@ mod called_program_missing;
 mod called_program_wants;
 mod centre_in_other_plane;
 mod choice_not_offered;
+mod circle_point_wrong;
 mod clearance_height_too_low;
 mod compensation_at_cycle;
 mod compensation_left_on;
@@ -42,6 +43,7 @@ mod coordinate_out_of_range;
 mod core_hole_too_large;
 mod core_hole_too_small;
 mod corner_wrong;
+mod correction_wrong;
 mod cutting_speed_unlimited;
 mod cutting_speed_unusual;
 mod cutting_without_tool;
@@ -240,6 +242,7 @@ pub const RULES: &[&Rule] = &[
     &called_program_wants::RULE,
     &centre_in_other_plane::RULE,
     &choice_not_offered::RULE,
+    &circle_point_wrong::RULE,
     &clearance_height_too_low::RULE,
     &compensation_at_cycle::RULE,
     &compensation_left_on::RULE,
@@ -261,6 +264,7 @@ pub const RULES: &[&Rule] = &[
     &core_hole_too_large::RULE,
     &core_hole_too_small::RULE,
     &corner_wrong::RULE,
+    &correction_wrong::RULE,
     &cutting_speed_unlimited::RULE,
     &cutting_speed_unusual::RULE,
     &cutting_without_tool::RULE,

@@ -3,12 +3,13 @@
 //!
 //! A part that infeeds in each pass needs an incremental value or one that a parameter changes. Only parts are looked at
 //! that consist of movements with numbers, which are repeated several times, in programs with a box as their blank; once is
-//! enough where the tool was brought at a feed to the height from which they are to infeed.
+//! enough where the tool was brought at a feed to the height from which they are to infeed, and where the part begins with
+//! an infeed and has no radius compensation.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, Coord, Motion, Path};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensates, Coord, Motion, Path};
 use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "repeated-infeed", severity: Severity::Warning, run };
@@ -32,6 +33,11 @@ struct Pass {
     sum: f64,
     /// Whether the tool moves at feed.
     feeds: bool,
+    /// Whether it begins with a movement at feed along the tool axis alone, and does not lift the tool: what is repeated is an
+    /// infeed.
+    plunges: bool,
+    /// Whether it has radius compensation: such a contour may have a finishing pass.
+    compensates: bool,
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
@@ -65,7 +71,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 if !pass.changes
                     && pass.feeds
                     && lowest < blank.high[2]
-                    && (times >= LEAST || is_led(facts, blocks, start)) =>
+                    && (times >= LEAST || is_led(facts, blocks, start) || pass.plunges && !pass.compensates) =>
             {
                 found.push(finding.arg("what", "same").arg("value", Arg::Number(lowest)));
             }
@@ -86,9 +92,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// Whether a part calls cycles and defines a transformation, and all of it is absolute: from its second pass on it does the
 /// same each time.
 fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>) -> bool {
-    if !facts.run.calls.iter().any(|call| part.contains(&call.block)) {
-        return false;
-    }
+    let mut works = facts.run.calls.iter().any(|call| part.contains(&call.block));
     let mut transforms = false;
     let all = facts.program.blocks().get(part.clone()).unwrap_or_default().iter().zip(part);
     for (block, index) in all.filter(|(block, _)| !is_silent(block)) {
@@ -115,15 +119,40 @@ fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>) -> bool {
                 }
             }
             BlockKind::CyclCall(_) | BlockKind::Functions(_) => {}
+            BlockKind::CallLbl(call) if call.repeat.is_none() && !block.skip => {
+                let mut uses = facts.run.graph.uses_in(index).iter();
+                let called = uses.next().and_then(|own| facts.run.graph.block_of(own.mark.as_ref()?));
+                if called.is_none_or(|start| !is_same_each_time(facts, start)) {
+                    return false;
+                }
+                works = true;
+            }
             _ => return false,
         }
     }
-    transforms
+    transforms && works
+}
+
+/// Whether a subprogram only moves, be it incrementally, and calls cycles: it leaves no parameter and no transformation
+/// behind.
+fn is_same_each_time(facts: &Facts<'_>, start: usize) -> bool {
+    let body = facts.program.blocks().get(start + 1..).unwrap_or_default();
+    let end = body.iter().position(Block::ends_subprogram);
+    end.is_some_and(|end| {
+        body.iter().take(end).filter(|block| !is_silent(block)).all(|block| match &block.kind {
+            BlockKind::Motion(motion) => {
+                !block.skip && motion.words().coords.iter().all(|own| matches!(own.value.amount, Amount::Number(_)))
+            }
+            BlockKind::CyclCall(_) | BlockKind::Functions(_) => true,
+            _ => false,
+        })
+    })
 }
 
 /// What one pass of a part does; nothing if it has anything but movements.
 fn pass(facts: &Facts<'_>, part: &[Block]) -> Option<Pass> {
     let mut pass = Pass::default();
+    let mut first = true;
     for block in part.iter().filter(|block| !is_silent(block)) {
         let BlockKind::Motion(motion) = &block.kind else { return None };
         let words = motion.words();
@@ -133,6 +162,12 @@ fn pass(facts: &Facts<'_>, part: &[Block]) -> Option<Pass> {
             return None;
         }
         pass.feeds |= !motion.outline().is_rapid() && motion.outline().has_coords();
+        pass.compensates |= motion.outline().compensates() == Compensates::Beside;
+        let infeeds = words.coords.iter().any(|own| own.axis == Axis::Z);
+        match std::mem::replace(&mut first, false) {
+            true => pass.plunges = infeeds && words.coords.len() == 1 && !motion.outline().is_rapid(),
+            false => pass.plunges &= !infeeds,
+        }
         note(facts, &words, &mut pass)?;
     }
     Some(pass)

@@ -1,6 +1,7 @@
 //! A tool that is used otherwise than the tool table says: faster than its greatest speed (NMAX), although it is locked
 //! (TL) and no replacement tool is named (RT), for something that a tool of its type (TYP, of turning tools TYPE) is not
-//! there for, or for centring to a diameter without a point angle (T-ANGLE).
+//! there for, for centring to a diameter without a point angle (T-ANGLE), or for a left-hand thread although nothing says that
+//! the tap is a left-hand one.
 //!
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`) and has the columns. Of the types those are judged
 //! whose name leaves no doubt; each is reported once for a tool call.
@@ -12,7 +13,7 @@ use crate::check::incident::Incident;
 use crate::check::program::{number, with_meaning};
 use crate::check::tools::named;
 use crate::check::travel::first_incident;
-use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolName, Tri, diameter_of};
+use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolKind, ToolName, Tri, diameter_of};
 use crate::program::syntax::{BlockKind, Compensates, ToolRef};
 use crate::spec::{Cycle, Group, MM_PER_INCH};
 
@@ -37,6 +38,8 @@ const RECESSED: &str = "recess-clearance";
 /// The meaning of the tool for which a contour cycle only drills.
 const PILOT: &str = "rough-out-tool";
 
+/// The meaning of the pitch of a thread, which is negative for the left hand.
+const PITCH: &str = "thread-pitch";
 /// The word in the column TL of a tool that is locked.
 const LOCKED: &str = "L";
 /// The meaning of the choice between a depth and a diameter, and its value for the diameter.
@@ -93,6 +96,7 @@ fn by_table(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
     }
     to_diameter(rule, facts, project, found);
+    left_hand(rule, facts, project, found);
     let mut uses = uses(facts);
     uses.sort_by_key(|(span, ..)| span.start);
     let mut reported = HashSet::new();
@@ -192,6 +196,46 @@ fn to_diameter(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mu
             found.push(finding.arg("value", own.key.to_string()).arg("other", ""));
         }
     }
+}
+
+/// A left-hand thread with a tap whose name does not say that it is one, in a program that does not say so either.
+fn left_hand(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<Diagnostic>) {
+    let mut reported = HashSet::new();
+    for call in &facts.run.calls {
+        let (Pending::Definition(index), Loaded::By(block)) = (call.modal.pending, call.modal.loaded) else { continue };
+        let Some(own) = facts.definitions.get(index as usize) else { continue };
+        let taps = |cycle: &Cycle| cycle.file.group == Group::Threads && with_meaning(cycle, MILLED).is_none();
+        if !own.related_cycle().is_some_and(taps) || call.modal.is(Aspect::Counterclockwise) == Tri::Yes {
+            continue;
+        }
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let Some((item, pitch)) = read.item(PITCH).and_then(|item| Some((item, number(item)?))) else { continue };
+        let Some(BlockKind::ToolCall(tool)) = facts.program.blocks().get(block as usize).map(|own| &own.kind) else {
+            continue;
+        };
+        let Some((tool, name)) = tool.tool.and_then(|tool| Some((tool, named(facts, tool)?))) else { continue };
+        let words: Vec<&str> = ["NAME", "DOC"].iter().filter_map(|column| project.tool_word(name, column)).collect();
+        let taps = words.iter().any(|words| ToolKind::named(words) == Some(ToolKind::Tap));
+        if pitch >= 0.0 || !taps || words.iter().any(|words| is_left(words)) {
+            continue;
+        }
+        let said = facts.program.blocks().iter().filter_map(|block| block.comment());
+        if !said.into_iter().any(|comment| is_left(facts.text(comment))) && reported.insert(index) {
+            let finding = rule.at(facts, item.value_span).arg("what", "left").arg("tool", shown(facts, tool));
+            found.push(finding.arg("value", Arg::Number(pitch)).arg("other", ""));
+        }
+    }
+}
+
+/// Whether words name the left hand, in any of the languages.
+fn is_left(words: &str) -> bool {
+    const WHOLE: [&str; 5] = ["L", "LH", "LI", "SX", "IZQ"];
+    const STEMS: [&str; 7] = ["LEFT", "LINK", "SINIST", "ESQUERD", "VASEN", "VASUR", "LEV"];
+    let words = words.to_uppercase();
+    // M8LH, too.
+    let parts = words.split(|sign: char| !sign.is_alphabetic());
+    parts.into_iter().any(|part| WHOLE.contains(&part) || STEMS.iter().any(|stem| part.starts_with(stem)))
 }
 
 /// Whether a tool of a type can be used so; types that leave a doubt can.

@@ -7,7 +7,7 @@
 use std::collections::HashMap;
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::blank::Blank;
+use crate::check::blank::top;
 use crate::check::contours::{listed, moved, wanted};
 use crate::check::program::{is_silent, number, with_meaning};
 use crate::check::tools::named;
@@ -35,7 +35,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     let unit = if facts.inch { MM_PER_INCH } else { 1.0 };
-    let top = Blank::of(facts.program).map(|blank| blank.high[2]);
+    let top = top(facts.program);
     // Which way each tool recesses: outside of the part or inside.
     let mut ways: HashMap<u32, bool> = HashMap::new();
     for call in &facts.run.calls {
@@ -50,7 +50,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         };
         if let (Some(top), Some(end)) = (top, contour.end[1])
             && end > top + ABOVE / unit
-            && contour.start[1].is_none_or(|start| start > top - NEAR)
+            && contour.start[1].is_none_or(|start| top - start < end - top)
         {
             found.push(report(END[1], "above", end).arg("limit", Arg::Number(top)));
             continue;

@@ -1,6 +1,6 @@
 //! A turned thread that does not fit what was turned before: its pitch is far too large for its diameter, its diameter is
-//! another one than that of the cylinder on which it lies, it goes on beyond the end of that cylinder, or it is an inside
-//! thread on a cylinder that was turned outside. Also one that is cut with a constant cutting speed: the spindle speed
+//! another one than that of the cylinder on which it lies, it goes on beyond the end of that cylinder or past the only groove
+//! in it, in which it is to run out, or it is an inside thread on a cylinder that was turned outside. Also one that is cut with a constant cutting speed: the spindle speed
 //! changes with the depth of each pass, and the flanks with it.
 //!
 //! Cylinders are those of the simple cycles for shoulders, where their end is written as a number. Nothing is said of
@@ -22,6 +22,7 @@ const POSITION: &str = "thread-position";
 const INSIDE: f64 = 1.0;
 /// The meanings of the ends of contours, and of their beginning in Z.
 const END: [&str; 2] = ["contour-end-diameter", "contour-end-z"];
+const START: [&str; 2] = ["contour-start-diameter", "contour-start-z"];
 const BEGIN: &str = "contour-start-z";
 /// The greatest part of the diameter that a pitch has: that of the coarsest trapezoidal threads.
 const COARSEST: f64 = 0.35;
@@ -36,9 +37,20 @@ struct Cylinder {
     end: f64,
 }
 
+/// A groove: the diameter in which it was cut, and its far side and near side in Z, mm.
+struct Groove {
+    diameter: f64,
+    far: f64,
+    near: f64,
+}
+
+/// What was turned: cylinders, grooves in them, whether there may be more, and whether something was machined inside.
+type Turned<'t> = (&'t [Cylinder], &'t [Groove], bool, bool);
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let unit = if facts.inch { MM_PER_INCH } else { 1.0 };
     let mut cylinders: Vec<Cylinder> = Vec::new();
+    let mut grooves: Vec<Groove> = Vec::new();
     // Whether something turns what is not known, or inside.
     let (mut open, mut inside) = (false, false);
     let mut seen = std::collections::HashSet::new();
@@ -66,13 +78,20 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let finding = rule.at(facts, own.view.head).arg("what", "speed").arg("value", "");
                 found.push(finding.arg("other", ""));
             }
-            thread(rule, facts, own, (&cylinders, open, inside), unit, found);
+            thread(rule, facts, own, (&cylinders, &grooves, open, inside), unit, found);
         } else if is_shoulder(cycle) {
             match END.map(value) {
                 [Some(diameter), Some(end)] => cylinders.push(Cylinder { diameter, end }),
                 _ => open = true,
             }
-        } else if !is_face(cycle) && with_meaning(cycle, "recess-clearance").is_none() {
+        } else if with_meaning(cycle, "recess-clearance").is_some() {
+            let (start, end) = (START.map(value), END.map(value));
+            if let ([Some(diameter), Some(from)], [Some(bottom), Some(to)]) = (start, end)
+                && bottom < diameter
+            {
+                grooves.push(Groove { diameter, far: from.min(to), near: from.max(to) });
+            }
+        } else if !is_face(cycle) {
             open = true;
         }
     }
@@ -93,7 +112,7 @@ fn thread(
     rule: &Rule,
     facts: &Facts<'_>,
     own: &Defined<'_>,
-    (cylinders, open, inside): (&[Cylinder], bool, bool),
+    (cylinders, grooves, open, inside): Turned<'_>,
     unit: f64,
     found: &mut Vec<Diagnostic>,
 ) {
@@ -130,5 +149,15 @@ fn thread(
         found.push(finding_of(place, "diameter", written, here.diameter / unit));
     } else if end * unit < here.end - RUNOUT {
         found.push(finding_of(last, "end", end, here.end / unit));
+    } else {
+        let own = |groove: &&Groove| {
+            (groove.diameter - here.diameter).abs() <= RUNOUT && groove.near < begin && groove.far > here.end
+        };
+        let mut all = grooves.iter().filter(own);
+        if let (Some(groove), None) = (all.next(), all.next())
+            && end * unit < groove.far - RUNOUT
+        {
+            found.push(finding_of(last, "groove", end, groove.far / unit));
+        }
     }
 }

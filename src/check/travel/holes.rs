@@ -9,8 +9,8 @@ use crate::check::program::{number, with_meaning};
 use crate::check::tools::kind_of_call;
 use crate::check::toolwords::ToolKind;
 use crate::check::{Aspect, Defined, Definition, Loaded, Modal, Pending, Tri};
-use crate::program::syntax::{Block, BlockKind, CallForm, Coord};
-use crate::spec::{Group, Keyword, Quantity, Reference};
+use crate::program::syntax::{Block, BlockKind, CallForm, Coord, CycleForm};
+use crate::spec::{Group, Keyword, Known, Quantity, Reference};
 
 /// How far above the blank holes may begin, which may be drawn too small, in millimetres.
 const ALLOWANCE: f64 = 50.0;
@@ -36,8 +36,8 @@ pub(super) struct Holes {
     made: Vec<([f64; 2], Option<f64>)>,
     /// Whether there may be others.
     others: bool,
-    /// The diameters of round holes and pockets, with their places.
-    wide: Vec<([f64; 2], f64)>,
+    /// The diameters of round holes and pockets, with their places, and their bottoms as far as they are known.
+    wide: Vec<([f64; 2], f64, Option<f64>)>,
     /// What was machined already: the definition, the tool call, the place.
     machined: HashMap<(u32, Loaded, [u64; 2]), Span>,
     /// Whether a tap without a hole, and one that is too deep, were found.
@@ -110,6 +110,22 @@ impl Walk<'_, '_> {
         }
         let [Some(x), Some(y), _] = self.at else { return None };
         Some(vec![[x, y]])
+    }
+
+    /// A cycle of the old form works from where the tool is: one that is called far above the blank cuts air.
+    pub(super) fn old_cycle(&mut self, block: usize, modal: &Modal, span: Span) {
+        let facts = self.facts;
+        let ([Some(x), Some(y), Some(z)], true) = (self.at, is_unmoved(modal)) else { return };
+        let high = self.blank.high[2] + ALLOWANCE * self.unit;
+        let Some(own) = facts.definition_before(block).filter(|_| z > high && self.blank.holds(x, y)) else { return };
+        // No one describes it, so it states no surface.
+        let lines = matches!(own.view.form, CycleForm::Lines(_)) && own.key.keyword == Keyword::CyclDef;
+        let named = matches!(own.known, Known::Named(named) if named.activates.is_none());
+        let text = facts.program.blocks().get(own.view.last + 1..block).unwrap_or_default();
+        let straight = !text.iter().any(|own| matches!(own.kind, BlockKind::Lbl(_) | BlockKind::CallLbl(_)));
+        if lines && named && own.related_cycle().is_none() && straight && self.turned == [false; 3] {
+            self.found.push((span, Incident::Above(z)));
+        }
     }
 
     fn go_to(&mut self, coords: &[Coord]) {
@@ -208,15 +224,21 @@ impl Walk<'_, '_> {
         };
         let Some(width) = width.filter(|width| *width > 0.0) else { return };
         let same = SAME * self.unit;
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        let bottom = value(SURFACE).zip(value(THREAD_DEPTH).or_else(|| value(DEPTH)));
+        let bottom = bottom.map(|(surface, depth)| surface + depth);
         for place in places {
             if !threads {
                 if self.holes.wide.len() < super::MANY {
-                    self.holes.wide.push((*place, width));
+                    self.holes.wide.push((*place, width, bottom));
                 }
                 continue;
             }
             let near = |other: [f64; 2]| (0..2).all(|axis| (other[axis] - place[axis]).abs() <= same);
-            let here = self.holes.wide.iter().filter(|(other, _)| near(*other)).map(|(_, width)| *width);
+            // What is shallower than the thread only centres it, or is a counterbore.
+            let whole = |own: Option<f64>| own.zip(bottom).is_none_or(|(own, thread)| own <= thread + same);
+            let here = self.holes.wide.iter().filter(|(other, _, own)| near(*other) && whole(*own));
+            let here = here.map(|(_, width, _)| *width);
             let hole = here.fold(0.0, f64::max);
             // The external thread of a hollow stud is wider than its hole, too.
             if hole >= width - same {

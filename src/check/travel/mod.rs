@@ -156,7 +156,13 @@ fn found(facts: &Facts<'_>) -> Vec<(Span, Incident)> {
                 }
                 _ => walk.lose(),
             }
+            // Cycles for patterns are carried out as definitions.
+            let pattern = matches!(block.kind, BlockKind::CycleDef(_));
             while let Some(call) = calls.next_if(|call| call.block == index) {
+                if pattern {
+                    continue;
+                }
+                walk.old_cycle(index, &call.modal, call.span);
                 let places = walk.places_of_call(block);
                 walk.machine(&call.modal, call.span, places);
             }

@@ -19,6 +19,8 @@ const ROW: usize = 3;
 const CIRCLE: usize = 4;
 /// The meaning that only cycles for centring have.
 const CENTRES: &str = "centring-diameter";
+/// A reamer takes no more off the diameter than this, and this part of the diameter, mm.
+const REAMED: (f64, f64) = (0.4, 0.02);
 /// How far the drill for a thread may differ from its core, mm.
 const CORE: f64 = 0.16;
 /// So much of its diameter a hole may lie from the edge of the blank.
@@ -33,23 +35,31 @@ enum Kind {
     Centred,
     Drilled,
     Threaded,
-    /// Reamed, countersunk, bored.
+    Reamed,
+    /// Countersunk, bored.
     Other,
 }
 
 /// What one tool call does with one cycle.
 struct Row {
     made: (u32, CycleKey),
+    /// The setting in which its places are meant.
+    setting: usize,
     kind: Kind,
     width: Option<f64>,
     /// The places, with the lines where they are reported and written.
     places: Vec<([f64; 2], usize, usize)>,
 }
 
+/// The preset, its place and its turn, the tilt of the plane and the rotary axes: places of the machine in the same setting
+/// are places of one workpiece.
+type Setting = Vec<i64>;
+
 /// The rows of a program.
 #[derive(Default)]
 pub(super) struct Rows {
     rows: Vec<Row>,
+    settings: Vec<Setting>,
     count: usize,
     /// Whether there may be holes that are not among them.
     pub(super) open: bool,
@@ -58,6 +68,19 @@ pub(super) struct Rows {
 impl Row {
     fn has(&self, place: [f64; 2]) -> bool {
         self.places.iter().any(|(own, ..)| is_same(*own, place))
+    }
+
+    /// Whether a hole as wide as those of this row is what a tap or a reamer of another one needs.
+    fn fits(&self, finishes: &Self) -> bool {
+        let Some((own, other)) = self.width.zip(finishes.width) else { return false };
+        if (own - own.round()).abs() <= SAME {
+            return false;
+        }
+        if finishes.kind == Kind::Reamed {
+            return own < other - SAME && other - own <= REAMED.0 + REAMED.1 * other;
+        }
+        let coarse = crate::check::COARSE.iter().find(|(diameter, _)| (diameter - other).abs() <= 0.02);
+        coarse.is_some_and(|(_, pitch)| (own - (other - pitch)).abs() <= CORE)
     }
 }
 
@@ -83,6 +106,7 @@ impl Watcher<'_> {
             // A countersink works with the cycle for centring, too.
             _ if self.kind() == Some(ToolKind::Spot) => Kind::Centred,
             _ if centres && self.kind().is_none() => Kind::Centred,
+            _ if !centres && self.kind() == Some(ToolKind::Reamer) => Kind::Reamed,
             _ if centres || self.kind().is_some_and(|own| own != ToolKind::Drill) => Kind::Other,
             _ => Kind::Drilled,
         };
@@ -91,11 +115,19 @@ impl Watcher<'_> {
         let made = (self.calls, work.key);
         let extent = work.high.x - work.low.x;
         let width = self.width().map(|width| if work.milled { width + extent } else { width });
-        self.at_edge(work, place, width.filter(|_| kind != Kind::Centred && kind != Kind::Other));
+        if !self.away() {
+            self.at_edge(work, place, width.filter(|_| matches!(kind, Kind::Drilled | Kind::Threaded)));
+        }
         let own = (place, work.line, work.written);
-        match self.series.rows.iter_mut().find(|row| row.made == made) {
+        let setting = self.setting();
+        let series = &mut self.series;
+        let setting = series.settings.iter().position(|own| *own == setting).unwrap_or_else(|| {
+            series.settings.push(setting);
+            series.settings.len() - 1
+        });
+        match series.rows.iter_mut().find(|row| row.made == made && row.setting == setting) {
             Some(row) => row.places.push(own),
-            None => self.series.rows.push(Row { made, kind, width, places: vec![own] }),
+            None => series.rows.push(Row { made, setting, kind, width, places: vec![own] }),
         }
     }
 
@@ -122,18 +154,35 @@ impl Watcher<'_> {
     /// The program is over: what its rows of holes say together.
     pub(super) fn judge_rows(&mut self) {
         let rows = std::mem::take(&mut self.series);
-        if rows.open || self.lost {
+        if rows.open {
             return;
         }
-        let rows = rows.rows;
+        let settings = rows.settings.len();
+        let mut all: Vec<Vec<Row>> = (0..settings).map(|_| Vec::new()).collect();
+        for row in rows.rows {
+            if let Some(own) = all.get_mut(row.setting) {
+                own.push(row);
+            }
+        }
+        all.iter().for_each(|rows| self.judge_setting(rows));
+    }
+
+    /// The same of the rows in one setting.
+    fn judge_setting(&mut self, rows: &[Row]) {
         let unit = self.unit;
-        if let Some((line, place)) = stray(&rows) {
+        if let Some((line, place)) = stray(rows).or_else(|| self.beside_centres(rows)) {
             self.report(line, Incident::Stray(place.map(|own| own * unit)));
         }
-        if let Some((line, place)) = untapped(&rows) {
-            self.report(line, Incident::Untapped(place.map(|own| own * unit)));
+        if let Some((line, place, reamed)) = unfinished(rows) {
+            let place = place.map(|own| own * unit);
+            self.report(line, if reamed { Incident::Unreamed(place) } else { Incident::Untapped(place) });
         }
-        let others = rows.iter().filter(|row| row.kind != Kind::Other);
+        if let Some((line, place, reamed)) = self.beside_holes(rows) {
+            let none = Incident::Reamed { what: "none", value: 0.0, other: 0.0 };
+            self.report(line, if reamed { none } else { Incident::NoHole(place.map(|own| own * unit)) });
+        }
+        let plain_kind = |row: &&Row| matches!(row.kind, Kind::Centred | Kind::Drilled | Kind::Threaded);
+        let others = rows.iter().filter(plain_kind);
         if let Some((line, place)) = others.filter_map(corner).next() {
             self.report(line, Incident::Corner(place.map(|own| own * unit)));
         }
@@ -144,7 +193,7 @@ impl Watcher<'_> {
                 _ => false,
             })
         };
-        let gaps = rows.iter().filter(|row| row.kind != Kind::Other).find_map(|row| {
+        let gaps = rows.iter().filter(plain_kind).find_map(|row| {
             let (_, _, written) = row.places.first()?;
             let one = row.places.iter().all(|(.., own)| own == written) && plain(written);
             let places: Vec<[f64; 2]> = row.places.iter().map(|(place, ..)| *place).collect();
@@ -181,30 +230,84 @@ fn stray(rows: &[Row]) -> Option<(usize, [f64; 2])> {
     })
 }
 
-/// The first core hole of a row of which only a part is tapped, with the line of the tapping.
-fn untapped(rows: &[Row]) -> Option<(usize, [f64; 2])> {
-    for (at, thread) in rows.iter().enumerate().filter(|(_, row)| row.kind == Kind::Threaded) {
-        let Some(diameter) = thread.width else { continue };
-        let Some((_, pitch)) = crate::check::COARSE.iter().find(|(own, _)| (own - diameter).abs() <= 0.02) else {
-            continue;
-        };
+/// The first hole of a row of which only a part is tapped or reamed though all are as wide as the tap or reamer needs, with
+/// the line of that, and whether it is a reamer.
+fn unfinished(rows: &[Row]) -> Option<(usize, [f64; 2], bool)> {
+    for (at, finishes) in rows.iter().enumerate().filter(|(_, row)| row.finishes()) {
         for drilled in rows.iter().take(at).filter(|row| row.kind == Kind::Drilled) {
-            let core = drilled.width.is_some_and(|width| {
-                (width - (diameter - pitch)).abs() <= CORE && (width - width.round()).abs() > SAME
-            });
-            let tapped = drilled.places.iter().filter(|(place, ..)| thread.has(*place)).count();
-            if !core || tapped == 0 || drilled.places.len() < ROW {
+            let done = drilled.places.iter().filter(|(place, ..)| finishes.has(*place)).count();
+            if !drilled.fits(finishes) || done == 0 || drilled.places.len() < ROW {
                 continue;
             }
-            let later = |place: [f64; 2]| {
-                rows.iter().any(|row| row.made.0 > drilled.made.0 && row.kind != Kind::Centred && row.has(place))
-            };
-            if let Some((place, ..)) = drilled.places.iter().find(|(place, ..)| !later(*place)) {
-                return Some((thread.places.first()?.1, *place));
+            if let Some(place) = left(rows, drilled) {
+                return Some((finishes.places.first()?.1, place, finishes.kind == Kind::Reamed));
             }
         }
     }
     None
+}
+
+/// The first place of a drilled row to which no other tool comes later.
+fn left(rows: &[Row], drilled: &Row) -> Option<[f64; 2]> {
+    let later = |place: [f64; 2]| {
+        rows.iter().any(|row| row.made.0 > drilled.made.0 && row.kind != Kind::Centred && row.has(place))
+    };
+    drilled.places.iter().map(|(place, ..)| *place).find(|place| !later(*place))
+}
+
+impl Row {
+    const fn finishes(&self) -> bool {
+        matches!(self.kind, Kind::Threaded | Kind::Reamed)
+    }
+}
+
+impl Watcher<'_> {
+    /// The setting in effect.
+    fn setting(&self) -> Setting {
+        let mut setting = self.frame.clone();
+        for (axis, angle) in &self.angles {
+            setting.extend([axis.letter() as i64, (angle / SAME).round() as i64]);
+        }
+        setting
+    }
+
+    /// Whether a milled hole or pocket is at a place.
+    fn is_hollow(&self, place: [f64; 2]) -> bool {
+        self.holes.iter().any(|own| is_same(own.at, place))
+    }
+
+    /// The first place of a row that is tapped or reamed without a hole, while holes of another row that are as wide as it
+    /// needs stay as they are.
+    fn beside_holes(&self, rows: &[Row]) -> Option<(usize, [f64; 2], bool)> {
+        for (at, finishes) in rows.iter().enumerate().filter(|(_, row)| row.finishes()) {
+            let before = || rows.iter().take(at);
+            let hole = |place: [f64; 2]| before().any(|row| row.kind != Kind::Centred && row.has(place));
+            let mut without = finishes.places.iter().filter(|(place, ..)| !hole(*place) && !self.is_hollow(*place));
+            let Some((place, line, _)) = without.next() else { continue };
+            let waits = |row: &&Row| row.kind == Kind::Drilled && row.fits(finishes) && left(rows, row).is_some();
+            if before().any(|row| waits(&row)) {
+                return Some((*line, *place, finishes.kind == Kind::Reamed));
+            }
+        }
+        None
+    }
+
+    /// The first hole of a row that was not centred, while another row of as many places was centred, and no tool comes
+    /// there.
+    fn beside_centres(&self, rows: &[Row]) -> Option<(usize, [f64; 2])> {
+        let others = |place: [f64; 2]| rows.iter().any(|row| row.kind != Kind::Centred && row.has(place));
+        let centred = |place: [f64; 2]| rows.iter().any(|row| row.kind == Kind::Centred && row.has(place));
+        let idle = rows.iter().enumerate().find(|(_, row)| {
+            let unused = |place: [f64; 2]| !others(place) && !self.is_hollow(place);
+            row.kind == Kind::Centred && row.places.len() > 1 && row.places.iter().all(|(place, ..)| unused(*place))
+        });
+        let (at, idle) = idle?;
+        let drilled = rows.iter().skip(at + 1).find(|row| {
+            let count = row.places.len() == idle.places.len();
+            row.kind == Kind::Drilled && count && !row.places.iter().any(|(place, ..)| centred(*place))
+        })?;
+        drilled.places.first().map(|(place, line, _)| (*line, *place))
+    }
 }
 
 /// The hole of four that is not at the corner of the rectangle which the others form, by a slip in one coordinate: its line,

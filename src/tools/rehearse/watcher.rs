@@ -65,13 +65,15 @@ pub(super) struct Watcher<'w> {
     /// Whether the plane is tilted, be it without the axes.
     tilted: bool,
     /// Whether the tool has another axis than the blank.
-    across: bool,
+    pub(super) across: bool,
+    /// The preset, its place and its turn, and the tilt of the plane.
+    pub(super) frame: Vec<i64>,
     scaled: bool,
     pub(super) at: DVec3,
     known: [bool; 3],
     /// The line of the program itself that is executed, or from which another one was called.
     pub(super) line: usize,
-    angles: Vec<(RotaryAxis, f64)>,
+    pub(super) angles: Vec<(RotaryAxis, f64)>,
     preset: Option<f64>,
     worked: bool,
     pub(super) radii: Vec<(f64, f64)>,
@@ -135,6 +137,7 @@ impl<'w> Watcher<'w> {
             lost: false,
             tilted: false,
             across: false,
+            frame: Vec::new(),
             scaled: false,
             at: DVec3::ZERO,
             known: [false; 3],
@@ -188,6 +191,7 @@ impl<'w> Watcher<'w> {
             EventKind::Move { kind, path, turned, feed, .. } => {
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
                 self.lost |= turned.is_some();
+                self.series.open |= turned.is_some();
                 let block = self.blocks.get(&self.line).copied().filter(|_| own && key.is_none());
                 self.go(path, (!rapid).then_some(*feed), key, (event.at.line, block));
             }
@@ -293,6 +297,10 @@ impl<'w> Watcher<'w> {
         self.tilted = now.tilt.is_some_and(|tilt| tilt.length() > 1e-6);
         self.scaled = (now.scaling.0 - 1.0).abs() > 1e-9 || now.scaling.1.is_some();
         self.transformed(now);
+        let tilt = now.tilt.unwrap_or_default();
+        let angles = [now.origin, now.basic_rotation, tilt].map(|own| own.to_array());
+        let all = std::iter::once(now.preset).chain(angles.into_iter().flatten());
+        self.frame = all.map(|own| (own / SAME).round() as i64).collect();
         let other = self.preset.is_some_and(|before| before != now.preset);
         self.lost |= other && self.worked;
         if other || self.preset.is_none() {

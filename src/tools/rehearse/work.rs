@@ -48,7 +48,7 @@ impl Work {
 /// A hole that was made.
 #[derive(Clone, Copy)]
 pub(super) struct Hole {
-    at: [f64; 2],
+    pub(super) at: [f64; 2],
     bottom: f64,
     /// How wide it is, if that is known.
     width: Option<f64>,
@@ -122,12 +122,20 @@ impl Watcher<'_> {
 
     /// A cycle has done what it does at a place.
     pub(super) fn finish(&mut self) {
-        // What does not go down is a way between, or cuts from below.
-        let down =
-            |own: &Work| own.low.z < own.start.z - SKIN || !matches!(own.group, Group::Drilling | Group::Threads);
-        let Some(work) = self.work.take().filter(|own| down(own)) else { return };
+        let Some(work) = self.work.take() else { return };
+        let drills = matches!(work.group, Group::Drilling | Group::Threads);
+        let down = work.low.z < work.start.z - SKIN;
         if self.away() {
-            self.series.open |= matches!(work.group, Group::Drilling | Group::Threads);
+            // What the tool makes along its axis has a place in the setting of the machine.
+            let straight = down && !work.milled && (work.high - work.low).truncate().length() <= SAME;
+            match drills && straight && !self.across {
+                true => self.note_hole(&work),
+                false => self.series.open |= drills,
+            }
+            return;
+        }
+        // What does not go down is a way between, or cuts from below.
+        if drills && !down {
             return;
         }
         // Where the tool is after a change is where the one before it was.

@@ -1,0 +1,142 @@
+//! A size that is corrected by what was measured, the wrong way round: the deviation is added, or it is that of the other side.
+//!
+//! A deviation is the actual size less the nominal one: what is too large is made smaller by taking it away from the size
+//! with which it is machined again, be it a pocket or a stud. Only of parameters that are corrected by themselves and are a
+//! size of a pocket, a stud or a slot.
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::base::expr::{Node, Op, QRef};
+use crate::check::cycle::{probes, removes_material};
+use crate::check::{Facts, Rule};
+use crate::program::syntax::{Amount, Block, BlockKind, FnOp, ValueKind};
+
+pub(super) const RULE: Rule = Rule { code: "correction-wrong", severity: Severity::Warning, run };
+
+/// The meanings of deviations of sizes.
+const DEVIATIONS: [&str; 4] = [MAIN, MINOR, "diameter-deviation", "measured-length-deviation"];
+const MAIN: &str = "side-main-deviation";
+const MINOR: &str = "side-minor-deviation";
+/// The meanings of the sizes that cycles machine.
+const SIZES: [&str; 5] = [FIRST, SECOND, "circle-diameter", "nominal-diameter", "milled-slot-width"];
+const FIRST: &str = "first-side-length";
+const SECOND: &str = "second-side-length";
+
+/// A parameter that is changed by a deviation.
+struct Correction {
+    target: QRef,
+    deviation: QRef,
+    span: Span,
+    added: bool,
+    /// The first block of the measurement.
+    measured: usize,
+}
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let (results, corrections) = corrections(facts);
+    if corrections.is_empty() {
+        return;
+    }
+    let sizes = sizes(facts);
+    let sizes_of = |own: &Correction| sizes.get(&own.target);
+    for own in &corrections {
+        let Some(sizes) = sizes_of(own) else { continue };
+        let told = |what: &'static str| {
+            let finding = rule.at(facts, own.span).arg("what", what).arg("parameter", own.target.to_string());
+            finding.arg("other", own.deviation.to_string())
+        };
+        if own.added {
+            found.push(told("added"));
+            continue;
+        }
+        // The same deviation also corrects the side that it is of, and the other deviation no side.
+        let meaning = |q: QRef| results.get(&(own.measured, q)).copied();
+        let (Some(own_meaning), Some(only), 1) = (meaning(own.deviation), sizes.first(), sizes.len()) else { continue };
+        let (side, other) = match own_meaning {
+            MAIN => (FIRST, MINOR),
+            MINOR => (SECOND, MAIN),
+            _ => continue,
+        };
+        let same = || corrections.iter().filter(|own_other| own_other.measured == own.measured);
+        let twice = same().any(|other| {
+            other.deviation == own.deviation && sizes_of(other).is_some_and(|sizes| sizes.contains(side))
+        });
+        let measured = results.iter().any(|((at, _), meaning)| *at == own.measured && *meaning == other);
+        let unused = !same().any(|own_other| meaning(own_other.deviation) == Some(other));
+        if (*only == FIRST || *only == SECOND) && *only != side && twice && measured && unused {
+            found.push(told("side"));
+        }
+    }
+}
+
+/// The meanings of results, by the measurement and the parameter; and what they correct.
+fn corrections(facts: &Facts<'_>) -> (BTreeMap<(usize, QRef), &'static str>, Vec<Correction>) {
+    let (mut results, mut all) = (BTreeMap::new(), Vec::new());
+    let mut measured = None;
+    for (index, block) in facts.marked() {
+        if let Some(own) = facts.definition_at(index) {
+            let Some(cycle) = own.related_cycle().filter(|cycle| probes(cycle)) else { continue };
+            for result in &cycle.file.results {
+                let meaning = DEVIATIONS.into_iter().find(|own| *own == result.is.as_str());
+                if let Some((meaning, q)) = meaning.zip(result.q) {
+                    results.insert((index, q), meaning);
+                    measured = Some(index);
+                }
+            }
+            continue;
+        }
+        let Some(measured) = measured else { continue };
+        if let Some((target, deviation, added, span)) = correction(block)
+            && results.contains_key(&(measured, deviation))
+        {
+            all.push(Correction { target, deviation, span, added, measured });
+        }
+    }
+    (results, all)
+}
+
+/// A parameter to which another one is added, or from which it is taken away: both, whether it is added, and the place.
+fn correction(block: &Block) -> Option<(QRef, QRef, bool, Span)> {
+    let plain = |amount: Amount| match amount {
+        Amount::Q { q, negative: false } => Some(q),
+        _ => None,
+    };
+    let (target, span, added, a, b) = match &block.kind {
+        BlockKind::FnAssign(own) => {
+            let added = match own.op {
+                FnOp::Add => true,
+                FnOp::Sub => false,
+                _ => return None,
+            };
+            (own.target, own.target_span, added, plain(own.a.amount)?, plain(own.b.as_ref()?.amount)?)
+        }
+        BlockKind::Formula(own) => {
+            let Node::Binary(op @ (Op::Add | Op::Sub), left, right) = &own.expr.node else { return None };
+            let (Node::Q(a), Node::Q(b)) = (&left.node, &right.node) else { return None };
+            (own.target, own.target_span, *op == Op::Add, *a, *b)
+        }
+        _ => return None,
+    };
+    if a == target {
+        Some((target, b, added, span))
+    } else if b == target && added {
+        Some((target, a, added, span))
+    } else {
+        None
+    }
+}
+
+/// The sizes that parameters are, by their meanings.
+fn sizes(facts: &Facts<'_>) -> BTreeMap<QRef, BTreeSet<&'static str>> {
+    let mut sizes: BTreeMap<QRef, BTreeSet<&'static str>> = BTreeMap::new();
+    for own in facts.definitions.iter().filter(|own| own.related_cycle().is_some_and(removes_material)) {
+        let related = own.as_related_cycle();
+        for item in &facts.read(&related).items {
+            let meaning = item.param.and_then(|param| SIZES.into_iter().find(|own| *own == param.is.as_str()));
+            if let (Some(meaning), Some(ValueKind::Q { q, negative: false })) = (meaning, item.value.map(|own| own.kind)) {
+                sizes.entry(q).or_default().insert(meaning);
+            }
+        }
+    }
+    sizes
+}
