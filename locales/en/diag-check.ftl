@@ -375,7 +375,11 @@ diag-text-wrong =
         [alone] “{ $found }” in the text of { $parameter } is neither doubled nor followed by a letter.
        *[character] The character “{ $found }” is not permitted in { $parameter }.
     }
-diag-thread-pitch-unusual = A pitch of { $value } is not a standard one for a thread with a diameter of { $other }.
+diag-thread-pitch-unusual =
+    { $what ->
+        [feed] The feed rate and the speed make a pitch of { $value }, but that of the tap is { $other }.
+       *[pitch] A pitch of { $value } is not a standard one for a thread with a diameter of { $other }.
+    }
 diag-tool-axis-missing = This tool call has no tool axis, and no earlier one has named it.
 diag-tool-axis-other =
     { $what ->
@@ -532,6 +536,7 @@ diag-definitions-differ =
         [deep] The infeed { $value } takes the whole depth { $other } at once, which is more than the diameter of the tool.
         [infeed] The infeed is { $value } here, and { $other } in the other definition of the same pocket or slot.
         [operation] Both definitions of this pocket or slot only rough: the allowance of { $other } stays.
+        [turned] The value is { $value } here, and { $other } in the definition that roughs the same turned contour.
        *[size] The value is { $value } here, and { $other } in the definition that roughs the same pocket or slot.
     }
 diag-helix-too-steep = The helix goes down by { $value } in one turn; more than { $other } no tool cuts here.
@@ -539,6 +544,9 @@ diag-holes-differ =
     { $what ->
         [stray] The hole at { $value }, { $other } was not centred, and a place that was centred has no hole.
         [untapped] The core hole at { $value }, { $other } is not tapped, but others of the same row are.
+        [unreamed] The hole at { $value }, { $other } is not reamed, but others of the same row are.
+        [uncentred] The hole at { $value }, { $other } was not centred, but all others of the same row were.
+        [unused] The place { $value }, { $other } was centred and stays without a hole, unlike all others of the same row.
         [gap] The circle of holes lacks the one at { $value }, { $other }.
         [corner] This hole does not lie at the corner { $value }, { $other } of the rectangle that the three others form.
         [passed] The tool stops at { $value }, { $other } and does nothing there; the blocks before and after call the cycle.
@@ -566,6 +574,7 @@ diag-turned-thread-wrong =
     { $what ->
         [pitch] The pitch { $value } is far too large for a thread with the diameter { $other }.
         [end] The thread goes to { $value }, behind the end of its cylinder at { $other }.
+        [groove] The thread goes to { $value }, past the groove that ends at { $other }.
         [inside] An inside thread is cut at the diameter { $value }, which was turned outside.
         [speed] The thread is turned at a constant cutting speed (VCONST:ON): the spindle speed changes from pass to pass.
        *[diameter] The thread has the diameter { $value }, but { $other } was turned there.
@@ -574,4 +583,10 @@ diag-tilted-work =
     { $what ->
         [beside] In the tilted plane this cycle meets nothing of the blank.
        *[stands] The cycle begins at { $value }, but in the tilted plane the blank stands up to { $other } here.
+    }
+diag-circle-point-wrong = { $parameter } and { $other } are both calculated with { $value } of the same angle: a point on a circle has the sine in one coordinate and the cosine in the other.
+diag-correction-wrong =
+    { $what ->
+        [side] { $parameter } is corrected by { $other }, which is the deviation of the other side.
+       *[added] The deviation { $other } is added to the size { $parameter }: it must be taken away.
     }

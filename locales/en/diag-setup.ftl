@@ -59,6 +59,7 @@ diag-tool-table-contradicts =
         [turning] { $value } is not meant for tool { $tool }, which is of type { $other } in the table of turning tools (TYPE).
         [size] Tool { $tool } has a diameter of { $other } in the tool table, and its name says { $value }.
         [oversize] The oversize { $value } (DR) leaves nothing of the radius { $other } of tool { $tool }.
+        [left] The pitch { $value } is that of a left-hand thread, and nothing says that tool { $tool } is a left-hand tap.
        *[type] { $value } is not meant for tool { $tool }, which is of type { $other } in the tool table (TYP).
     }
 diag-translate-encoding = The file is written in { $encoding }: it has the same bytes there, and all letters of the new labels.
@@ -84,7 +85,11 @@ diag-finishing-before-roughing =
        *[order] { $cycle } finishes the contour here, before { $other } roughs it out.
     }
 diag-label-unused = Nothing calls, repeats or jumps to label { $label } in this subprogram.
-diag-loop-runs-once = This jump back is never taken: its counter fulfils the condition on no pass.
+diag-loop-runs-once =
+    { $what ->
+        [again] From the second time on this loop is executed only once: nothing sets its counter back.
+       *[never] This jump back is never taken: its counter fulfils the condition on no pass.
+    }
 diag-parameter-unused =
     { $parameter } is given a value here, and nothing reads it.
 diag-probing-direction-wrong =

@@ -374,7 +374,11 @@ diag-text-wrong =
         [alone] Parametrin { $parameter } tekstin merkkiä ”{ $found }” ei ole kahdennettu eikä sen jäljessä ole kirjainta.
        *[character] Merkki ”{ $found }” ei ole sallittu parametrissa { $parameter }.
     }
-diag-thread-pitch-unusual = Nousu { $value } ei ole vakionousu kierteelle, jonka halkaisija on { $other }.
+diag-thread-pitch-unusual =
+    { $what ->
+        [feed] Syöttöarvosta ja kierrosluvusta tulee nousu { $value }, mutta kierretapin nousu on { $other }.
+       *[pitch] Nousu { $value } ei ole vakionousu kierteelle, jonka halkaisija on { $other }.
+    }
 diag-tool-axis-missing = Tässä työkalukutsussa ei ole työkaluakselia, eikä mikään aiempi kutsu ole nimennyt sitä.
 diag-tool-axis-other =
     { $what ->
@@ -531,6 +535,7 @@ diag-definitions-differ =
         [deep] Asetussyvyys { $value } lastuaa koko syvyyden { $other } kerralla; se on enemmän kuin työkalun halkaisija.
         [infeed] Asetussyvyys on tässä { $value } ja saman taskun tai uran toisessa määrittelyssä { $other }.
         [operation] Tämän taskun tai uran molemmat määrittelyt vain rouhivat: työvara { $other } jää jäljelle.
+        [turned] Arvo on tässä { $value } ja saman sorvattavan muodon rouhivassa määrittelyssä { $other }.
        *[size] Arvo on tässä { $value } ja saman taskun tai uran rouhivassa määrittelyssä { $other }.
     }
 diag-helix-too-steep = Kierukka laskeutuu kierroksella { $value }; enempää kuin { $other } ei työkalu tässä lastua.
@@ -538,6 +543,9 @@ diag-holes-differ =
     { $what ->
         [stray] Reikä kohdassa { $value }; { $other } on ilman keskiöporausta, ja yhdessä keskiöporauksen kohdassa ei ole reikää.
         [untapped] Esireikää kohdassa { $value }; { $other } ei kierteitetä, vaikka saman rivin muita kierteitetään.
+        [unreamed] Reikää kohdassa { $value }; { $other } ei kalvita, vaikka saman rivin muita kalvitaan.
+        [uncentred] Reikä kohdassa { $value }; { $other } on ilman keskiöporausta, vaikka saman rivin kaikki muut on keskiöity.
+        [unused] Kohta { $value }; { $other } on keskiöity mutta jää ilman reikää, toisin kuin saman rivin kaikki muut.
         [gap] Reikäympyrästä puuttuu reikä kohdassa { $value }; { $other }.
         [corner] Tämä reikä ei ole kolmen muun muodostaman suorakulmion nurkassa { $value }; { $other }.
         [passed] Työkalu pysähtyy kohtaan { $value }; { $other } eikä tee siinä mitään; edeltävä ja seuraava lause kutsuvat työkierron.
@@ -565,6 +573,7 @@ diag-turned-thread-wrong =
     { $what ->
         [pitch] Nousu { $value } on aivan liian suuri kierteelle, jonka halkaisija on { $other }.
         [end] Kierre ulottuu arvoon { $value }, lieriönsä pään { $other } taakse.
+        [groove] Kierre ulottuu arvoon { $value }, kohdassa { $other } päättyvän uran ohi.
         [inside] Halkaisijalle { $value }, joka on sorvattu ulkopuolelta, tehdään sisäkierre.
         [speed] Kierre sorvataan vakiolastuamisnopeudella (VCONST:ON): karan kierrosluku muuttuu lastusta toiseen.
        *[diameter] Kierteen halkaisija on { $value }, mutta siihen on sorvattu { $other }.
@@ -573,4 +582,10 @@ diag-tilted-work =
     { $what ->
         [beside] Käännetyssä tasossa tämä työkierto ei osu aihioon lainkaan.
        *[stands] Työkierto alkaa arvosta { $value }, mutta käännetyssä tasossa aihio ulottuu tässä arvoon { $other }.
+    }
+diag-circle-point-wrong = { $parameter } ja { $other } lasketaan kumpikin saman kulman funktiolla { $value }: ympyrän pisteellä on toisessa koordinaatissa sini ja toisessa kosini.
+diag-correction-wrong =
+    { $what ->
+        [side] Parametria { $parameter } korjataan arvolla { $other }, joka on toisen sivun ero.
+       *[added] Ero { $other } lisätään mittaan { $parameter }: se on vähennettävä.
     }

@@ -59,6 +59,7 @@ diag-tool-table-contradicts =
         [turning] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on sorvaustyökalujen taulukossa { $other } (TYPE).
         [size] Työkalun { $tool } halkaisija on työkalutaulukossa { $other }, mutta nimessä { $value }.
         [oversize] Työvara { $value } (DR) ei jätä työkalun { $tool } säteestä { $other } mitään.
+        [left] Nousu { $value } on vasenkätisen kierteen nousu, mutta mikään ei kerro, että työkalu { $tool } olisi vasenkätinen kierretappi.
        *[type] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on työkalutaulukossa { $other } (TYP).
     }
 diag-translate-encoding = Tiedosto kirjoitetaan merkistöllä { $encoding }: tavut pysyvät siinä samoina, ja siinä ovat uusien NC-tekstien kaikki kirjaimet.
@@ -84,7 +85,11 @@ diag-finishing-before-roughing =
        *[order] { $cycle } silittää muodon tässä, ennen kuin { $other } rouhii sen.
     }
 diag-label-unused = Mikään ei kutsu tai toista tämän aliohjelman labelia { $label } eikä hyppää siihen.
-diag-loop-runs-once = Tätä hyppyä taaksepäin ei koskaan tehdä: laskuri ei täytä ehtoa millään kierroksella.
+diag-loop-runs-once =
+    { $what ->
+        [again] Toisesta kerrasta alkaen tämä silmukka suoritetaan vain kerran: mikään ei palauta sen laskuria.
+       *[never] Tätä hyppyä taaksepäin ei koskaan tehdä: laskuri ei täytä ehtoa millään kierroksella.
+    }
 diag-parameter-unused = Parametri { $parameter } saa tässä arvon, eikä mikään lue sitä.
 diag-probing-direction-wrong =
     { $cycle } koskettaa akselin { $axis } reunaa suunnassa { $value }: kappale on sillä puolella, jolta kosketusjärjestelmä tulee.

@@ -374,7 +374,11 @@ diag-text-wrong =
         [alone] «{ $found }» nel testo di { $parameter } non è doppio né precede una lettera.
        *[character] Il carattere «{ $found }» non è ammesso in { $parameter }.
     }
-diag-thread-pitch-unusual = Un passo di { $value } non è normalizzato per una filettatura del diametro di { $other }.
+diag-thread-pitch-unusual =
+    { $what ->
+        [feed] Avanzamento e numero di giri danno un passo di { $value }, ma quello del maschio è { $other }.
+       *[pitch] Un passo di { $value } non è normalizzato per una filettatura del diametro di { $other }.
+    }
 diag-tool-axis-missing = Questa chiamata utensile non ha l’asse utensile, e nessuna chiamata precedente lo ha indicato.
 diag-tool-axis-other =
     { $what ->
@@ -531,6 +535,7 @@ diag-definitions-differ =
         [deep] L’accostamento { $value } asporta in una volta tutta la profondità { $other }, maggiore del diametro dell’utensile.
         [infeed] L’accostamento è qui { $value }, nell’altra definizione della stessa tasca o scanalatura { $other }.
         [operation] Entrambe le definizioni di questa tasca o scanalatura sgrossano soltanto: rimane il sovrametallo di { $other }.
+        [turned] Il valore è qui { $value }, nella definizione che sgrossa lo stesso profilo di tornitura { $other }.
        *[size] Il valore è qui { $value }, nella definizione che sgrossa la stessa tasca o scanalatura { $other }.
     }
 diag-helix-too-steep = L’elica scende di { $value } in un giro; più di { $other } qui nessun utensile taglia.
@@ -538,6 +543,9 @@ diag-holes-differ =
     { $what ->
         [stray] Il foro in { $value }; { $other } non è stato centrato, e un punto centrato è senza foro.
         [untapped] Il preforo in { $value }; { $other } non viene filettato, altri della stessa serie sì.
+        [unreamed] Il foro in { $value }; { $other } non viene alesato, altri della stessa serie sì.
+        [uncentred] Il foro in { $value }; { $other } non è stato centrato, tutti gli altri della stessa serie sì.
+        [unused] Il punto { $value }; { $other } è stato centrato e resta senza foro, a differenza di tutti gli altri della stessa serie.
         [gap] Nel cerchio di fori manca quello in { $value }; { $other }.
         [corner] Questo foro non è nel vertice { $value }; { $other } del rettangolo formato dagli altri tre.
         [passed] L’utensile si ferma in { $value }; { $other } e non vi fa nulla; i blocchi prima e dopo chiamano il ciclo.
@@ -565,6 +573,7 @@ diag-turned-thread-wrong =
     { $what ->
         [pitch] Il passo { $value } è troppo grande per una filettatura del diametro { $other }.
         [end] La filettatura arriva a { $value }, oltre la fine del suo cilindro a { $other }.
+        [groove] La filettatura arriva a { $value }, oltre la gola che termina a { $other }.
         [inside] Al diametro { $value }, tornito all’esterno, viene eseguita una filettatura interna.
         [speed] La filettatura viene tornita a velocità di taglio costante (VCONST:ON): il numero di giri cambia da una passata all’altra.
        *[diameter] La filettatura ha il diametro { $value }, ma lì è stato tornito { $other }.
@@ -573,4 +582,10 @@ diag-tilted-work =
     { $what ->
         [beside] Nel piano ruotato questo ciclo non incontra in nessun punto il pezzo grezzo.
        *[stands] Il ciclo inizia a { $value }, ma nel piano ruotato qui il pezzo grezzo arriva a { $other }.
+    }
+diag-circle-point-wrong = { $parameter } e { $other } sono calcolati entrambi con { $value } dello stesso angolo: un punto su un cerchio ha in una coordinata il seno e nell’altra il coseno.
+diag-correction-wrong =
+    { $what ->
+        [side] { $parameter } viene corretto di { $other }, che è lo scostamento dell’altro lato.
+       *[added] Lo scostamento { $other } viene aggiunto alla misura { $parameter }: va sottratto.
     }

@@ -59,6 +59,7 @@ diag-tool-table-contradicts =
         [turning] { $value } non è adatto all’utensile { $tool }, che nella tabella degli utensili per tornire è di tipo { $other } (TYPE).
         [size] L’utensile { $tool } ha nella tabella utensili il diametro { $other }, ma il nome dice { $value }.
         [oversize] Il sovrametallo { $value } (DR) non lascia nulla del raggio { $other } dell’utensile { $tool }.
+        [left] Il passo { $value } è quello di una filettatura sinistrorsa, e nulla dice che l’utensile { $tool } sia un maschio sinistrorso.
        *[type] { $value } non è adatto all’utensile { $tool }, che nella tabella utensili è di tipo { $other } (TYP).
     }
 diag-translate-encoding = Il file viene scritto in { $encoding }: questa codifica conserva gli stessi byte e contiene tutte le lettere delle nuove etichette.
@@ -84,7 +85,11 @@ diag-finishing-before-roughing =
        *[order] { $cycle } esegue qui la finitura del profilo, prima che { $other } lo svuoti.
     }
 diag-label-unused = Nulla chiama o ripete il label { $label } di questo sottoprogramma, e nessun salto vi conduce.
-diag-loop-runs-once = Questo salto all’indietro non viene mai eseguito: il contatore non soddisfa la condizione in nessun passaggio.
+diag-loop-runs-once =
+    { $what ->
+        [again] Dalla seconda volta in poi questa ripetizione viene eseguita una volta sola: nulla riporta indietro il suo contatore.
+       *[never] Questo salto all’indietro non viene mai eseguito: il contatore non soddisfa la condizione in nessun passaggio.
+    }
 diag-parameter-unused =
     { $parameter } riceve qui un valore, e nulla lo legge.
 diag-probing-direction-wrong =

@@ -375,7 +375,11 @@ diag-text-wrong =
         [alone] «{ $found }» no texto de { $parameter } não está escrito em dobro nem seguido de uma letra.
        *[character] O carácter «{ $found }» não é permitido em { $parameter }.
     }
-diag-thread-pitch-unusual = Um passo de { $value } não é normalizado para uma rosca com o diâmetro { $other }.
+diag-thread-pitch-unusual =
+    { $what ->
+        [feed] O avanço e as rotações dão um passo de { $value }, mas o do macho é { $other }.
+       *[pitch] Um passo de { $value } não é normalizado para uma rosca com o diâmetro { $other }.
+    }
 diag-tool-axis-missing = Esta chamada da ferramenta não tem eixo da ferramenta, e nenhuma anterior o indicou.
 diag-tool-axis-other =
     { $what ->
@@ -532,6 +536,7 @@ diag-definitions-differ =
         [deep] A penetração { $value } corta de uma vez toda a profundidade { $other }, que é maior do que o diâmetro da ferramenta.
         [infeed] A penetração é aqui { $value }, e { $other } na outra definição da mesma caixa ou ranhura.
         [operation] As duas definições desta caixa ou ranhura só desbastam: a medida excedente de { $other } fica.
+        [turned] O valor é aqui { $value }, e { $other } na definição que desbasta o mesmo contorno torneado.
        *[size] O valor é aqui { $value }, e { $other } na definição que desbasta a mesma caixa ou ranhura.
     }
 diag-helix-too-steep = A hélice desce { $value } numa volta; mais de { $other } nenhuma ferramenta corta aqui.
@@ -539,6 +544,9 @@ diag-holes-differ =
     { $what ->
         [stray] O furo em { $value }; { $other } não foi centrado, e um lugar centrado está sem furo.
         [untapped] O furo prévio em { $value }; { $other } não é roscado, mas outros da mesma série são.
+        [unreamed] O furo em { $value }; { $other } não é alargado, mas outros da mesma série são.
+        [uncentred] O furo em { $value }; { $other } não foi centrado, mas todos os outros da mesma série foram.
+        [unused] O lugar { $value }; { $other } foi centrado e fica sem furo, ao contrário de todos os outros da mesma série.
         [gap] No círculo de furos falta o furo em { $value }; { $other }.
         [corner] Este furo não está no canto { $value }; { $other } do retângulo que os outros três formam.
         [passed] A ferramenta para em { $value }; { $other } e não faz lá nada; as frases antes e depois chamam o ciclo.
@@ -566,6 +574,7 @@ diag-turned-thread-wrong =
     { $what ->
         [pitch] O passo { $value } é demasiado grande para uma rosca com o diâmetro { $other }.
         [end] A rosca vai até { $value }, para lá do fim do seu cilindro em { $other }.
+        [groove] A rosca vai até { $value }, para lá do recesso que acaba em { $other }.
         [inside] No diâmetro { $value }, torneado por fora, é aberta uma rosca interior.
         [speed] A rosca é torneada com velocidade de corte constante (VCONST:ON): as rotações mudam de passagem para passagem.
        *[diameter] A rosca tem o diâmetro { $value }, mas ali foi torneado { $other }.
@@ -574,4 +583,10 @@ diag-tilted-work =
     { $what ->
         [beside] No plano inclinado este ciclo não encontra o bloco em nenhum ponto.
        *[stands] O ciclo começa em { $value }, mas no plano inclinado o bloco chega aqui a { $other }.
+    }
+diag-circle-point-wrong = { $parameter } e { $other } são calculados ambos com { $value } do mesmo ângulo: um ponto num círculo tem numa coordenada o seno e na outra o cosseno.
+diag-correction-wrong =
+    { $what ->
+        [side] { $parameter } é corrigido por { $other }, que é o desvio do outro lado.
+       *[added] O desvio { $other } é somado à medida { $parameter }: tem de ser subtraído.
     }

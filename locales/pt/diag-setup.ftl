@@ -59,6 +59,7 @@ diag-tool-table-contradicts =
         [turning] { $value } não serve para a ferramenta { $tool }, que na tabela de ferramentas de tornear é do tipo { $other } (TYPE).
         [size] A ferramenta { $tool } tem na tabela de ferramentas o diâmetro { $other }, mas o nome diz { $value }.
         [oversize] A medida excedente { $value } (DR) não deixa nada do raio { $other } da ferramenta { $tool }.
+        [left] O passo { $value } é o de uma rosca à esquerda, e nada diz que a ferramenta { $tool } seja um macho à esquerda.
        *[type] { $value } não serve para a ferramenta { $tool }, que na tabela de ferramentas é do tipo { $other } (TYP).
     }
 diag-translate-encoding = O ficheiro é escrito em { $encoding }: tem aí os mesmos bytes e existem todas as letras das novas designações.
@@ -84,7 +85,11 @@ diag-finishing-before-roughing =
        *[order] { $cycle } faz aqui o acabamento do contorno, antes de { $other } o desbastar.
     }
 diag-label-unused = Nada chama ou repete o label { $label } deste subprograma, e nenhum salto conduz a ele.
-diag-loop-runs-once = Este salto para trás nunca é executado: o contador não cumpre a condição em nenhuma passagem.
+diag-loop-runs-once =
+    { $what ->
+        [again] A partir da segunda vez esta repetição só é executada uma vez: nada repõe o seu contador.
+       *[never] Este salto para trás nunca é executado: o contador não cumpre a condição em nenhuma passagem.
+    }
 diag-parameter-unused =
     { $parameter } recebe aqui um valor, e nada o lê.
 diag-probing-direction-wrong =

@@ -378,7 +378,11 @@ diag-text-wrong =
         [alone] »{ $found }« v besedilu parametra { $parameter } ni podvojen in ne stoji pred črko.
        *[character] Znak »{ $found }« v { $parameter } ni dovoljen.
     }
-diag-thread-pitch-unusual = Korak { $value } ni standarden za navoj s premerom { $other }.
+diag-thread-pitch-unusual =
+    { $what ->
+        [feed] Pomik in število vrtljajev dasta korak { $value }, korak navojnega svedra pa je { $other }.
+       *[pitch] Korak { $value } ni standarden za navoj s premerom { $other }.
+    }
 diag-tool-axis-missing = Ta priklic orodja nima orodne osi, pa tudi prejšnji je ni navedel.
 diag-tool-axis-other =
     { $what ->
@@ -535,6 +539,7 @@ diag-definitions-differ =
         [deep] Globina primika { $value } vzame vso globino { $other } naenkrat, kar je več od premera orodja.
         [infeed] Globina primika je tu { $value }, v drugi definiciji istega žepa ali utora pa { $other }.
         [operation] Obe definiciji tega žepa ali utora samo grobo rezkata: nadmera { $other } ostane.
+        [turned] Vrednost je tu { $value }, v definiciji, ki grobo struži isto konturo, pa { $other }.
        *[size] Vrednost je tu { $value }, v definiciji, ki grobo rezka isti žep ali utor, pa { $other }.
     }
 diag-helix-too-steep = Vijačnica se v enem obratu spusti za { $value }; več kot { $other } tu ne reže nobeno orodje.
@@ -542,6 +547,9 @@ diag-holes-differ =
     { $what ->
         [stray] Vrtina pri { $value }; { $other } ni bila centrirana, eno centrirano mesto pa je brez vrtine.
         [untapped] V izvrtino pri { $value }; { $other } se ne vreže navoj, v druge iste vrste pa se.
+        [unreamed] Vrtina pri { $value }; { $other } se ne povrta, druge iste vrste pa se.
+        [uncentred] Vrtina pri { $value }; { $other } ni bila centrirana, vse druge iste vrste pa so bile.
+        [unused] Mesto { $value }; { $other } je bilo centrirano in ostane brez vrtine, drugače kot vsa druga iste vrste.
         [gap] V krogu vrtin manjka vrtina pri { $value }; { $other }.
         [corner] Ta vrtina ne leži v oglišču { $value }; { $other } pravokotnika, ki ga tvorijo druge tri.
         [passed] Orodje se ustavi pri { $value }; { $other } in tam ne naredi ničesar; stavka pred njim in za njim prikličeta cikel.
@@ -569,6 +577,7 @@ diag-turned-thread-wrong =
     { $what ->
         [pitch] Korak { $value } je veliko prevelik za navoj s premerom { $other }.
         [end] Navoj sega do { $value }, čez konec svojega valja pri { $other }.
+        [groove] Navoj sega do { $value }, čez utor, ki se konča pri { $other }.
         [inside] Na premeru { $value }, ki je bil stružen zunaj, se reže notranji navoj.
         [speed] Navoj se struži s konstantno rezalno hitrostjo (VCONST:ON): število vrtljajev se od reza do reza spreminja.
        *[diameter] Navoj ima premer { $value }, tam pa je bilo struženo { $other }.
@@ -577,4 +586,10 @@ diag-tilted-work =
     { $what ->
         [beside] V zavrteni ravnini ta cikel nikjer ne zadene surovca.
        *[stands] Cikel se začne pri { $value }, v zavrteni ravnini pa surovec tu sega do { $other }.
+    }
+diag-circle-point-wrong = { $parameter } in { $other } se oba izračunata z { $value } istega kota: točka na krogu ima v eni koordinati sinus, v drugi pa kosinus.
+diag-correction-wrong =
+    { $what ->
+        [side] { $parameter } se popravi za { $other }, kar je odstopanje druge stranice.
+       *[added] Odstopanje { $other } se prišteje meri { $parameter }: treba ga je odšteti.
     }

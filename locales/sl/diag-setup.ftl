@@ -61,6 +61,7 @@ diag-tool-table-contradicts =
         [turning] { $value } ni za orodje { $tool }, ki je v preglednici stružnih orodij tipa { $other } (TYPE).
         [size] Orodje { $tool } ima v preglednici orodij premer { $other }, njegovo ime pa navaja { $value }.
         [oversize] Negativna nadmera { $value } (DR) od polmera { $other } orodja { $tool } ne pusti ničesar.
+        [left] Korak { $value } je korak levega navoja, nič pa ne pove, da je orodje { $tool } levi navojni sveder.
        *[type] { $value } ni za orodje { $tool }, ki je v preglednici orodij tipa { $other } (TYP).
     }
 diag-translate-encoding = Datoteka je zapisana v { $encoding }: v njem ima enake bajte in vse črke novih oznak.
@@ -86,7 +87,11 @@ diag-finishing-before-roughing =
        *[order] { $cycle } tukaj fino obdela konturo, preden jo { $other } grobo obdela.
     }
 diag-label-unused = Oznake { $label } v tem podprogramu nič ne prikliče in ne ponovi, nanjo tudi noben skok ne vodi.
-diag-loop-runs-once = Ta skok nazaj se nikoli ne izvede: števec v nobenem prehodu ne izpolni pogoja.
+diag-loop-runs-once =
+    { $what ->
+        [again] Od drugič naprej se ta zanka izvede samo enkrat: njenega števca nič ne ponastavi.
+       *[never] Ta skok nazaj se nikoli ne izvede: števec v nobenem prehodu ne izpolni pogoja.
+    }
 diag-parameter-unused =
     { $parameter } tukaj dobi vrednost, nič pa je ne prebere.
 diag-probing-direction-wrong =

@@ -140,7 +140,11 @@ pub enum Incident {
     Stray([f64; 2]),
     /// A core hole in which no thread is cut, although it is cut in others of the same row.
     Untapped([f64; 2]),
-    /// The same of a hole that is not reamed.
+    /// The only hole of a row that was not centred.
+    Uncentred([f64; 2]),
+    /// The only centred place of a row to which no tool comes.
+    Unused([f64; 2]),
+    /// The same as `Untapped` of a hole that is not reamed.
     Unreamed([f64; 2]),
     /// A place that a circle of holes lacks.
     Gap([f64; 2]),

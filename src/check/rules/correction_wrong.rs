@@ -18,7 +18,16 @@ const DEVIATIONS: [&str; 4] = [MAIN, MINOR, "diameter-deviation", "measured-leng
 const MAIN: &str = "side-main-deviation";
 const MINOR: &str = "side-minor-deviation";
 /// The meanings of the sizes that cycles machine.
-const SIZES: [&str; 5] = [FIRST, SECOND, "circle-diameter", "nominal-diameter", "milled-slot-width"];
+const SIZES: [&str; 8] = [
+    FIRST,
+    SECOND,
+    "stud-first-side-length",
+    "stud-second-side-length",
+    "circle-diameter",
+    "finished-part-diameter",
+    "nominal-diameter",
+    "milled-slot-width",
+];
 const FIRST: &str = "first-side-length";
 const SECOND: &str = "second-side-length";
 
@@ -73,17 +82,17 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 fn corrections(facts: &Facts<'_>) -> (BTreeMap<(usize, QRef), &'static str>, Vec<Correction>) {
     let (mut results, mut all) = (BTreeMap::new(), Vec::new());
     let mut measured = None;
+    let mut definitions = facts.definitions.iter().peekable();
     for (index, block) in facts.marked() {
-        if let Some(own) = facts.definition_at(index) {
+        while let Some(own) = definitions.next_if(|own| own.view.first < index) {
             let Some(cycle) = own.related_cycle().filter(|cycle| probes(cycle)) else { continue };
             for result in &cycle.file.results {
                 let meaning = DEVIATIONS.into_iter().find(|own| *own == result.is.as_str());
                 if let Some((meaning, q)) = meaning.zip(result.q) {
-                    results.insert((index, q), meaning);
-                    measured = Some(index);
+                    results.insert((own.view.first, q), meaning);
+                    measured = Some(own.view.first);
                 }
             }
-            continue;
         }
         let Some(measured) = measured else { continue };
         if let Some((target, deviation, added, span)) = correction(block)
@@ -134,7 +143,7 @@ fn sizes(facts: &Facts<'_>) -> BTreeMap<QRef, BTreeSet<&'static str>> {
         for item in &facts.read(&related).items {
             let meaning = item.param.and_then(|param| SIZES.into_iter().find(|own| *own == param.is.as_str()));
             if let (Some(meaning), Some(ValueKind::Q { q, negative: false })) = (meaning, item.value.map(|own| own.kind)) {
-                sizes.entry(q).or_default().insert(meaning);
+                sizes.entry(q).or_default().insert(meaning.trim_start_matches("stud-"));
             }
         }
     }

@@ -19,9 +19,12 @@ const OPERATIONS: [&str; 2] = ["machining-operation", "turning-operation"];
 const ROUGHING: f64 = 1.0;
 const BOTH: f64 = 0.0;
 /// The meanings of what is the same for roughing and finishing.
-const SIZES: [&str; 21] = [
+const SIZES: [&str; 24] = [
     "first-side-length",
     "second-side-length",
+    "stud-first-side-length",
+    "stud-second-side-length",
+    "finished-part-diameter",
     "corner-radius",
     "circle-diameter",
     "slot-length",

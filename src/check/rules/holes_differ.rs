@@ -1,4 +1,5 @@
-//! Holes that do not go together: one of a row is not centred while a centred place stays without a hole; core holes of
+//! Holes that do not go together: one of a row is not centred while a centred place stays without a hole, or the others of
+//! the row are, or the other centred places of it have holes; core holes of
 //! which only some are tapped, or holes of which only some are reamed; a circle of holes that lacks one; a place between two calls that is only passed over; an arc
 //! of a contour whose centre misses the hole that belongs to it.
 //!
@@ -26,11 +27,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = rule.at(facts, span).arg("what", what.to_owned()).arg("value", Arg::Number(x));
         found.push(finding.arg("other", Arg::Number(y)));
     };
-    let mut reported = [false; 5];
+    let mut reported = [false; 7];
     for (span, own) in incidents(facts) {
         let (what, place, at) = match own {
             Incident::Stray(place) => ("stray", *place, 0),
             Incident::Untapped(place) => ("untapped", *place, 1),
+            Incident::Uncentred(place) => ("uncentred", *place, 5),
+            Incident::Unused(place) => ("unused", *place, 6),
             Incident::Unreamed(place) => ("unreamed", *place, 4),
             Incident::Gap(place) => ("gap", *place, 2),
             Incident::Corner(place) => ("corner", *place, 3),

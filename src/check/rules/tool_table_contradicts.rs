@@ -215,7 +215,12 @@ fn left_hand(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut 
             continue;
         };
         let Some((tool, name)) = tool.tool.and_then(|tool| Some((tool, named(facts, tool)?))) else { continue };
-        let words: Vec<&str> = ["NAME", "DOC"].iter().filter_map(|column| project.tool_word(name, column)).collect();
+        let called = match name {
+            ToolName::Name(own) => Some(own),
+            ToolName::Number(_) => None,
+        };
+        let listed = ["NAME", "DOC"].iter().filter_map(|column| project.tool_word(name, column));
+        let words: Vec<&str> = listed.chain(called).collect();
         let taps = words.iter().any(|words| ToolKind::named(words) == Some(ToolKind::Tap));
         if pitch >= 0.0 || !taps || words.iter().any(|words| is_left(words)) {
             continue;

@@ -15,6 +15,8 @@ use crate::spec::{CycleKey, Group};
 const MOST: usize = 1_000;
 /// So many holes make a row.
 const ROW: usize = 3;
+/// So many holes make a row of which one may be left out.
+const SEVERAL: usize = 4;
 /// So many holes make a circle that may lack one.
 const CIRCLE: usize = 4;
 /// The meaning that only cycles for centring have.
@@ -68,6 +70,10 @@ pub(super) struct Rows {
 impl Row {
     fn has(&self, place: [f64; 2]) -> bool {
         self.places.iter().any(|(own, ..)| is_same(*own, place))
+    }
+
+    fn has_any(&self, other: &Self) -> bool {
+        other.places.iter().any(|(own, ..)| self.has(*own))
     }
 
     /// Whether a hole as wide as those of this row is what a tap or a reamer of another one needs.
@@ -173,6 +179,12 @@ impl Watcher<'_> {
         if let Some((line, place)) = stray(rows).or_else(|| self.beside_centres(rows)) {
             self.report(line, Incident::Stray(place.map(|own| own * unit)));
         }
+        if let Some((line, place)) = self.left_out(rows, Kind::Drilled) {
+            self.report(line, Incident::Uncentred(place.map(|own| own * unit)));
+        }
+        if let Some((line, place)) = self.left_out(rows, Kind::Centred) {
+            self.report(line, Incident::Unused(place.map(|own| own * unit)));
+        }
         if let Some((line, place, reamed)) = unfinished(rows) {
             let place = place.map(|own| own * unit);
             self.report(line, if reamed { Incident::Unreamed(place) } else { Incident::Untapped(place) });
@@ -274,6 +286,21 @@ impl Watcher<'_> {
     /// Whether a milled hole or pocket is at a place.
     fn is_hollow(&self, place: [f64; 2]) -> bool {
         self.holes.iter().any(|own| is_same(own.at, place))
+    }
+
+    /// The only hole of a row that was not centred, or the only centred place of a row to which no tool comes, with its line.
+    fn left_out(&self, rows: &[Row], kind: Kind) -> Option<(usize, [f64; 2])> {
+        rows.iter().enumerate().filter(|(_, row)| row.kind == kind && row.places.len() >= SEVERAL).find_map(|(at, row)| {
+            let other = |own: &&Row| own.has_any(row) && (kind == Kind::Drilled) == (own.kind == Kind::Centred);
+            let part = if kind == Kind::Drilled { rows.get(..at)? } else { rows.get(at + 1..)? };
+            let part: Vec<&Row> = part.iter().filter(other).collect();
+            let met = |place: [f64; 2]| part.iter().any(|own| own.has(place));
+            let mut without = row.places.iter().filter(|(place, ..)| !met(*place));
+            let ((place, line, _), None) = (without.next()?, without.next()) else { return None };
+            // What another tool has made there, or makes there in another way, is not looked at.
+            let others = rows.iter().filter(|own| !std::ptr::eq(*own, row)).any(|own| own.has(*place));
+            (!others && !self.is_hollow(*place)).then_some((*line, *place))
+        })
     }
 
     /// The first place of a row that is tapped or reamed without a hole, while holes of another row that are as wide as it
