@@ -1,15 +1,24 @@
 //! A pocket, a stud, a slot or a place of a contour that is so far from the blank that nothing of it is machined there, a
 //! round pocket that the edge of the blank cuts, a rectangular one that leaves nothing of it or goes far beyond it at both
-//! ends; a cycle that stays above the blank, and a movement that cuts far below it, where an execution shows them.
+//! ends; a cycle that stays above the blank, and a movement that cuts far below it, where an execution shows them; a cycle of
+//! the old form that no manual describes and that is called far above the blank: it works from where the tool is.
 //!
 //! Only at places that are known, in programs with a box as their blank and without transformations. Each is said once a
 //! program.
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::check::blank::Blank;
 use crate::check::incident::Incident;
 use crate::check::travel::incidents;
-use crate::check::{Facts, Rule};
+use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::program::syntax::{Axis, Block, BlockKind, CycleForm, Path};
+use crate::spec::{Keyword, Known};
 
 pub(super) const RULE: Rule = Rule { code: "machining-outside-blank", severity: Severity::Warning, run };
+
+/// So far above the blank no cycle begins that works from where the tool is, in millimetres.
+const HIGH: f64 = 50.0;
+/// So many blocks before a call are looked at for the height.
+const BACK: usize = 32;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut outside, mut over, mut above, mut below) = (false, false, false, false);
@@ -26,4 +35,48 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.arg("other", Arg::Number(y)));
         }
     }
+    if let Some((span, height)) = old_cycle(facts).filter(|_| !above) {
+        let finding = rule.at(facts, span).arg("what", "above").arg("value", Arg::Number(height));
+        found.push(finding.arg("other", Arg::Number(0.0)));
+    }
+}
+
+/// The first call of a cycle of the old form far above the blank, with its height.
+fn old_cycle(facts: &Facts<'_>) -> Option<(Span, f64)> {
+    let top = Blank::of(facts.program)?.high[2] + HIGH * facts.millimetre();
+    let blocks = facts.program.blocks();
+    facts.run.calls.iter().find_map(|call| {
+        let own = facts.definition_before(call.block)?;
+        let lines = matches!(own.view.form, CycleForm::Lines(_)) && own.key.keyword == Keyword::CyclDef;
+        // No one describes it, so it states no surface.
+        let named = matches!(own.known, Known::Named(named) if named.activates.is_none());
+        let straight = !blocks.get(own.view.last + 1..call.block)?.iter().any(leads);
+        let flat = call.modal.is(Aspect::Tilting) != Tri::Yes && call.modal.is(Aspect::ShiftZ) != Tri::Yes;
+        if !(lines && named && own.related_cycle().is_none() && straight && flat) {
+            return None;
+        }
+        let height = height(facts, call.block).filter(|height| *height > top)?;
+        Some((call.span, height))
+    })
+}
+
+/// Whether another way may lead to a block, or away from it.
+const fn leads(block: &Block) -> bool {
+    matches!(block.kind, BlockKind::Lbl(_) | BlockKind::CallLbl(_) | BlockKind::CallPgm(_) | BlockKind::FnJump(_))
+}
+
+/// The height to which the blocks before a call have moved the tool, as far as they lie in a row.
+fn height(facts: &Facts<'_>, block: usize) -> Option<f64> {
+    let before = facts.program.blocks().get(block.saturating_sub(BACK)..=block)?;
+    for own in before.iter().rev().take_while(|own| !leads(own) && !own.skip) {
+        let BlockKind::Motion(motion) = &own.kind else { continue };
+        let words = motion.words();
+        if words.functions.iter().any(|own| matches!(own.number, 91 | 92)) || words.path != Path::L {
+            return None;
+        }
+        if let Some(coord) = words.coord(Axis::Z) {
+            return facts.number(&coord.value).filter(|_| !coord.incremental);
+        }
+    }
+    None
 }

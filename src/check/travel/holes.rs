@@ -9,8 +9,8 @@ use crate::check::program::{number, with_meaning};
 use crate::check::tools::kind_of_call;
 use crate::check::toolwords::ToolKind;
 use crate::check::{Aspect, Defined, Definition, Loaded, Modal, Pending, Tri};
-use crate::program::syntax::{Block, BlockKind, CallForm, Coord, CycleForm};
-use crate::spec::{Group, Keyword, Known, Quantity, Reference};
+use crate::program::syntax::{Block, BlockKind, CallForm, Coord};
+use crate::spec::{Group, Keyword, Quantity, Reference};
 
 /// How far above the blank holes may begin, which may be drawn too small, in millimetres.
 const ALLOWANCE: f64 = 50.0;
@@ -110,22 +110,6 @@ impl Walk<'_, '_> {
         }
         let [Some(x), Some(y), _] = self.at else { return None };
         Some(vec![[x, y]])
-    }
-
-    /// A cycle of the old form works from where the tool is: one that is called far above the blank cuts air.
-    pub(super) fn old_cycle(&mut self, block: usize, modal: &Modal, span: Span) {
-        let facts = self.facts;
-        let ([Some(x), Some(y), Some(z)], true) = (self.at, is_unmoved(modal)) else { return };
-        let high = self.blank.high[2] + ALLOWANCE * self.unit;
-        let Some(own) = facts.definition_before(block).filter(|_| z > high && self.blank.holds(x, y)) else { return };
-        // No one describes it, so it states no surface.
-        let lines = matches!(own.view.form, CycleForm::Lines(_)) && own.key.keyword == Keyword::CyclDef;
-        let named = matches!(own.known, Known::Named(named) if named.activates.is_none());
-        let text = facts.program.blocks().get(own.view.last + 1..block).unwrap_or_default();
-        let straight = !text.iter().any(|own| matches!(own.kind, BlockKind::Lbl(_) | BlockKind::CallLbl(_)));
-        if lines && named && own.related_cycle().is_none() && straight && self.turned == [false; 3] {
-            self.found.push((span, Incident::Above(z)));
-        }
     }
 
     fn go_to(&mut self, coords: &[Coord]) {

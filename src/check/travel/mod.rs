@@ -162,7 +162,6 @@ fn found(facts: &Facts<'_>) -> Vec<(Span, Incident)> {
                 if pattern {
                     continue;
                 }
-                walk.old_cycle(index, &call.modal, call.span);
                 let places = walk.places_of_call(block);
                 walk.machine(&call.modal, call.span, places);
             }

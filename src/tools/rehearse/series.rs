@@ -79,9 +79,6 @@ impl Row {
     /// Whether a hole as wide as those of this row is what a tap or a reamer of another one needs.
     fn fits(&self, finishes: &Self) -> bool {
         let Some((own, other)) = self.width.zip(finishes.width) else { return false };
-        if (own - own.round()).abs() <= SAME {
-            return false;
-        }
         if finishes.kind == Kind::Reamed {
             return own < other - SAME && other - own <= REAMED.0 + REAMED.1 * other;
         }
@@ -248,7 +245,9 @@ fn unfinished(rows: &[Row]) -> Option<(usize, [f64; 2], bool)> {
     for (at, finishes) in rows.iter().enumerate().filter(|(_, row)| row.finishes()) {
         for drilled in rows.iter().take(at).filter(|row| row.kind == Kind::Drilled) {
             let done = drilled.places.iter().filter(|(place, ..)| finishes.has(*place)).count();
-            if !drilled.fits(finishes) || done == 0 || drilled.places.len() < ROW {
+            // A hole of whole millimetres may also be one by itself.
+            let whole = drilled.width.is_some_and(|width| (width - width.round()).abs() <= SAME);
+            if whole || !drilled.fits(finishes) || done == 0 || drilled.places.len() < ROW {
                 continue;
             }
             if let Some(place) = left(rows, drilled) {
