@@ -2,19 +2,16 @@
 //!
 //! Only where each of at least two other tools turns it on itself and it is off again when the tool is called. Probes and
 //! tools that do not cut are not looked at, nor programs in which M functions of the machine builder may turn it on.
-//! What only centres or marks is often done dry.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::removes_material;
-use crate::check::program::{each_function, number, with_meaning};
-use crate::check::{Defined, Facts, Pending, Rule};
+use crate::check::program::each_function;
+use crate::check::{Facts, Pending, Rule};
 use crate::program::syntax::{Block, BlockKind, Compensates};
 
 pub(super) const RULE: Rule = Rule { code: "coolant-forgotten", severity: Severity::Warning, run };
 
 /// So many others have it.
 const OTHERS: usize = 2;
-/// So deep a tool only centres or marks, in millimetres.
-const SHALLOW: f64 = 6.0;
 /// The numbers of M functions from which on the machine builder says what they do.
 const BUILDERS: std::ops::RangeInclusive<u16> = 20..=88;
 
@@ -48,8 +45,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     let (mut parts, mut on, mut others): (Vec<Part>, bool, bool) = (Vec::new(), false, false);
-    let cuts: Vec<usize> =
-        facts.run.calls.iter().filter(|call| removes(facts, call.modal.pending)).map(|call| call.block).collect();
+    // What works through a pattern is not looked at: holes are often centred dry.
+    let calls = facts.run.calls.iter().filter(|call| facts.definition_at(call.block).is_none());
+    let cuts: Vec<usize> = calls.filter(|call| removes(facts, call.modal.pending)).map(|call| call.block).collect();
     for (index, block) in facts.program.blocks().iter().enumerate() {
         if let BlockKind::ToolCall(call) = &block.kind
             && call.tool.is_some()
@@ -85,21 +83,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 fn removes(facts: &Facts<'_>, pending: Pending) -> bool {
     match pending {
         Pending::Definition(index) => {
-            let own = facts.definitions.get(index as usize);
-            let own = own.filter(|own| own.related_cycle().is_some_and(removes_material));
-            own.is_some_and(|own| !is_shallow(facts, own))
+            facts.definitions.get(index as usize).and_then(|own| own.related_cycle()).is_some_and(removes_material)
         }
         Pending::None | Pending::Unknown => false,
     }
-}
-
-/// Whether a cycle only centres or marks: that is often done dry.
-fn is_shallow(facts: &Facts<'_>, own: &Defined<'_>) -> bool {
-    let related = own.as_related_cycle();
-    let read = facts.read(&related);
-    let depth = read.item("depth").and_then(number);
-    related.cycle().is_some_and(|cycle| with_meaning(cycle, "centring-diameter").is_some())
-        || depth.is_some_and(|depth| depth.abs() <= SHALLOW * facts.millimetre())
 }
 
 fn mills(block: &Block) -> bool {

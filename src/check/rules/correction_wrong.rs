@@ -67,9 +67,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ => continue,
         };
         let same = || corrections.iter().filter(|own_other| own_other.measured == own.measured);
-        let twice = same().any(|other| {
-            other.deviation == own.deviation && sizes_of(other).is_some_and(|sizes| sizes.contains(side))
-        });
+        let twice = same()
+            .any(|other| other.deviation == own.deviation && sizes_of(other).is_some_and(|sizes| sizes.contains(side)));
         let measured = results.iter().any(|((at, _), meaning)| *at == own.measured && *meaning == other);
         let unused = !same().any(|own_other| meaning(own_other.deviation) == Some(other));
         if (*only == FIRST || *only == SECOND) && *only != side && twice && measured && unused {
@@ -142,7 +141,9 @@ fn sizes(facts: &Facts<'_>) -> BTreeMap<QRef, BTreeSet<&'static str>> {
         let related = own.as_related_cycle();
         for item in &facts.read(&related).items {
             let meaning = item.param.and_then(|param| SIZES.into_iter().find(|own| *own == param.is.as_str()));
-            if let (Some(meaning), Some(ValueKind::Q { q, negative: false })) = (meaning, item.value.map(|own| own.kind)) {
+            if let (Some(meaning), Some(ValueKind::Q { q, negative: false })) =
+                (meaning, item.value.map(|own| own.kind))
+            {
                 sizes.entry(q).or_default().insert(meaning.trim_start_matches("stud-"));
             }
         }

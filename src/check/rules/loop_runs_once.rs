@@ -124,7 +124,8 @@ fn called_again(facts: &Facts<'_>, q: QRef, from: usize, to: usize) -> Option<(u
         let leads = move |own: &&Use| own.mark.as_ref().and_then(|mark| graph.block_of(mark)) == Some(start);
         graph.uses.iter().filter(|own| own.way == Way::Call).filter(leads)
     };
-    let start = (0..from).rev().take_while(|at| !blocks[*at].ends_subprogram()).filter(|at| calls(*at).count() > 1).last()?;
+    let start =
+        (0..from).rev().take_while(|at| !blocks[*at].ends_subprogram()).filter(|at| calls(*at).count() > 1).last()?;
     let end = to + blocks.get(to..)?.iter().position(|block| block.ends_subprogram())?;
     set_once(facts, q, &(start..=end))?;
     let set = blocks.iter().take(start).position(|block| match &block.kind {
@@ -137,7 +138,8 @@ fn called_again(facts: &Facts<'_>, q: QRef, from: usize, to: usize) -> Option<(u
         matches!(own.way, Way::Jump | Way::Repeat) && to.is_some_and(|to| to <= set) && set <= own.block
     });
     // In a subprogram it may be set again.
-    let main = facts.run.main.contains(&set) || !blocks.iter().take(set).any(|block| matches!(block.kind, BlockKind::Lbl(_)));
+    let main =
+        facts.run.main.contains(&set) || !blocks.iter().take(set).any(|block| matches!(block.kind, BlockKind::Lbl(_)));
     let after = calls(start).filter(|own| own.block > set).count();
     (!repeats && main && after > 1).then_some((start, end))
 }

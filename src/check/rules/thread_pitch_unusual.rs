@@ -75,6 +75,7 @@ fn by_feed(
     let item = read.item("plunging-feed")?;
     let made = number(item)? / speed.filter(|speed| *speed > 0.0)?;
     let fits = made >= pitch * (1.0 - FLOATING) && made <= pitch * (1.0 + SAME);
-    let finding = rule.at(facts, item.value_span).arg("what", "feed").arg("value", Arg::Number((made * 1000.0).round() / 1000.0));
+    let finding =
+        rule.at(facts, item.value_span).arg("what", "feed").arg("value", Arg::Number((made * 1000.0).round() / 1000.0));
     (made > 0.0 && !fits).then(|| finding.arg("other", Arg::Number(pitch)))
 }

@@ -289,17 +289,19 @@ impl Watcher<'_> {
 
     /// The only hole of a row that was not centred, or the only centred place of a row to which no tool comes, with its line.
     fn left_out(&self, rows: &[Row], kind: Kind) -> Option<(usize, [f64; 2])> {
-        rows.iter().enumerate().filter(|(_, row)| row.kind == kind && row.places.len() >= SEVERAL).find_map(|(at, row)| {
-            let other = |own: &&Row| own.has_any(row) && (kind == Kind::Drilled) == (own.kind == Kind::Centred);
-            let part = if kind == Kind::Drilled { rows.get(..at)? } else { rows.get(at + 1..)? };
-            let part: Vec<&Row> = part.iter().filter(other).collect();
-            let met = |place: [f64; 2]| part.iter().any(|own| own.has(place));
-            let mut without = row.places.iter().filter(|(place, ..)| !met(*place));
-            let ((place, line, _), None) = (without.next()?, without.next()) else { return None };
-            // What another tool has made there, or makes there in another way, is not looked at.
-            let others = rows.iter().filter(|own| !std::ptr::eq(*own, row)).any(|own| own.has(*place));
-            (!others && !self.is_hollow(*place)).then_some((*line, *place))
-        })
+        rows.iter().enumerate().filter(|(_, row)| row.kind == kind && row.places.len() >= SEVERAL).find_map(
+            |(at, row)| {
+                let other = |own: &&Row| own.has_any(row) && (kind == Kind::Drilled) == (own.kind == Kind::Centred);
+                let part = if kind == Kind::Drilled { rows.get(..at)? } else { rows.get(at + 1..)? };
+                let part: Vec<&Row> = part.iter().filter(other).collect();
+                let met = |place: [f64; 2]| part.iter().any(|own| own.has(place));
+                let mut without = row.places.iter().filter(|(place, ..)| !met(*place));
+                let ((place, line, _), None) = (without.next()?, without.next()) else { return None };
+                // What another tool has made there, or makes there in another way, is not looked at.
+                let others = rows.iter().filter(|own| !std::ptr::eq(*own, row)).any(|own| own.has(*place));
+                (!others && !self.is_hollow(*place)).then_some((*line, *place))
+            },
+        )
     }
 
     /// The first place of a row that is tapped or reamed without a hole, while holes of another row that are as wide as it
