@@ -61,21 +61,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 own if written.passed.contains(&own) => "passed",
                 _ => continue,
             };
-            // A subprogram defines it anew each time before it calls it.
-            let last = calls.get(&index).copied().unwrap_or(at);
-            let anew = definition.view.first > at && !leads_in(facts, definition.view.last + 1, last);
-            if !anew && reported.insert(span.start) {
+            if reported.insert(span.start) {
                 let finding = rule.at(facts, span).arg("parameter", target.to_string()).arg("what", what);
                 found.push(finding.arg("cycle", definition.key.to_string()));
             }
         }
     }
-}
-
-/// Whether a label is between two blocks, to which another way may lead.
-fn leads_in(facts: &Facts<'_>, from: usize, to: usize) -> bool {
-    let between = facts.program.blocks().get(from..to).unwrap_or_default();
-    between.iter().any(|block| matches!(block.kind, BlockKind::Lbl(_)))
 }
 
 /// What a definition does to parameters.
