@@ -17,6 +17,8 @@ pub(super) const RULE: Rule = Rule { code: "machining-outside-blank", severity: 
 
 /// So far above the blank no cycle begins that works from where the tool is, in millimetres.
 const HIGH: f64 = 50.0;
+/// So many lines a cycle has that machines: its name, clearance, depth and more.
+const LINES: usize = 4;
 /// So many blocks before a call are looked at for the height.
 const BACK: usize = 32;
 
@@ -47,9 +49,15 @@ fn old_cycle(facts: &Facts<'_>) -> Option<(Span, f64)> {
     let blocks = facts.program.blocks();
     facts.run.calls.iter().find_map(|call| {
         let own = facts.definition_before(call.block)?;
-        let lines = matches!(own.view.form, CycleForm::Lines(_)) && own.key.keyword == Keyword::CyclDef;
+        // What acts when it is defined has fewer lines.
+        let long = matches!(&own.view.form, CycleForm::Lines(lines) if lines.len() >= LINES);
+        let lines = long && own.key.keyword == Keyword::CyclDef;
         // No one describes it, so it states no surface.
-        let named = matches!(own.known, Known::Named(named) if named.activates.is_none());
+        let named = match own.known {
+            Known::Named(named) => named.activates.is_none(),
+            Known::Unknown => true,
+            Known::Described(_) | Known::Builders => false,
+        };
         let straight = !blocks.get(own.view.last + 1..call.block)?.iter().any(leads);
         let flat = call.modal.is(Aspect::Tilting) != Tri::Yes && call.modal.is(Aspect::ShiftZ) != Tri::Yes;
         if !(lines && named && own.related_cycle().is_none() && straight && flat) {
