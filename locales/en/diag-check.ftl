@@ -375,11 +375,7 @@ diag-text-wrong =
         [alone] “{ $found }” in the text of { $parameter } is neither doubled nor followed by a letter.
        *[character] The character “{ $found }” is not permitted in { $parameter }.
     }
-diag-thread-pitch-unusual =
-    { $what ->
-        [feed] The feed rate and the speed make a pitch of { $value }, but that of the tap is { $other }.
-       *[pitch] A pitch of { $value } is not a standard one for a thread with a diameter of { $other }.
-    }
+diag-thread-pitch-unusual = A pitch of { $value } is not a standard one for a thread with a diameter of { $other }.
 diag-tool-axis-missing = This tool call has no tool axis, and no earlier one has named it.
 diag-tool-axis-other =
     { $what ->

@@ -374,11 +374,7 @@ diag-text-wrong =
         [alone] Parametrin { $parameter } tekstin merkkiä ”{ $found }” ei ole kahdennettu eikä sen jäljessä ole kirjainta.
        *[character] Merkki ”{ $found }” ei ole sallittu parametrissa { $parameter }.
     }
-diag-thread-pitch-unusual =
-    { $what ->
-        [feed] Syöttöarvosta ja kierrosluvusta tulee nousu { $value }, mutta kierretapin nousu on { $other }.
-       *[pitch] Nousu { $value } ei ole vakionousu kierteelle, jonka halkaisija on { $other }.
-    }
+diag-thread-pitch-unusual = Nousu { $value } ei ole vakionousu kierteelle, jonka halkaisija on { $other }.
 diag-tool-axis-missing = Tässä työkalukutsussa ei ole työkaluakselia, eikä mikään aiempi kutsu ole nimennyt sitä.
 diag-tool-axis-other =
     { $what ->

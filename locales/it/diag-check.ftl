@@ -374,11 +374,7 @@ diag-text-wrong =
         [alone] «{ $found }» nel testo di { $parameter } non è doppio né precede una lettera.
        *[character] Il carattere «{ $found }» non è ammesso in { $parameter }.
     }
-diag-thread-pitch-unusual =
-    { $what ->
-        [feed] Avanzamento e numero di giri danno un passo di { $value }, ma quello del maschio è { $other }.
-       *[pitch] Un passo di { $value } non è normalizzato per una filettatura del diametro di { $other }.
-    }
+diag-thread-pitch-unusual = Un passo di { $value } non è normalizzato per una filettatura del diametro di { $other }.
 diag-tool-axis-missing = Questa chiamata utensile non ha l’asse utensile, e nessuna chiamata precedente lo ha indicato.
 diag-tool-axis-other =
     { $what ->

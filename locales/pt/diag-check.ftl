@@ -375,11 +375,7 @@ diag-text-wrong =
         [alone] «{ $found }» no texto de { $parameter } não está escrito em dobro nem seguido de uma letra.
        *[character] O carácter «{ $found }» não é permitido em { $parameter }.
     }
-diag-thread-pitch-unusual =
-    { $what ->
-        [feed] O avanço e as rotações dão um passo de { $value }, mas o do macho é { $other }.
-       *[pitch] Um passo de { $value } não é normalizado para uma rosca com o diâmetro { $other }.
-    }
+diag-thread-pitch-unusual = Um passo de { $value } não é normalizado para uma rosca com o diâmetro { $other }.
 diag-tool-axis-missing = Esta chamada da ferramenta não tem eixo da ferramenta, e nenhuma anterior o indicou.
 diag-tool-axis-other =
     { $what ->

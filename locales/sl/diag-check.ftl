@@ -378,11 +378,7 @@ diag-text-wrong =
         [alone] »{ $found }« v besedilu parametra { $parameter } ni podvojen in ne stoji pred črko.
        *[character] Znak »{ $found }« v { $parameter } ni dovoljen.
     }
-diag-thread-pitch-unusual =
-    { $what ->
-        [feed] Pomik in število vrtljajev dasta korak { $value }, korak navojnega svedra pa je { $other }.
-       *[pitch] Korak { $value } ni standarden za navoj s premerom { $other }.
-    }
+diag-thread-pitch-unusual = Korak { $value } ni standarden za navoj s premerom { $other }.
 diag-tool-axis-missing = Ta priklic orodja nima orodne osi, pa tudi prejšnji je ni navedel.
 diag-tool-axis-other =
     { $what ->

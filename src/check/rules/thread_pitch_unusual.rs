@@ -1,15 +1,14 @@
 //! A tapped thread whose pitch is none of the standard ones for its diameter: the pitch itself, or what the feed rate and
 //! the speed make of it with a floating tap holder.
 //!
-//! Only where a tool table or a TOOL DEF gives a diameter of the metric series (ISO 261) and says nothing of the pitch; where
-//! it says the pitch, the feed rate and the speed must make that. A feed a little below that of the pitch is left to the
-//! tap holder.
+//! Only where a tool table or a TOOL DEF gives a diameter of the metric series (ISO 261) and says nothing of the pitch. A
+//! feed a little below that of the coarse pitch is left to the tap holder.
 use std::collections::HashSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::program::{number, with_meaning};
 use crate::check::tools::{COARSE, Tools};
-use crate::check::{Defined, Facts, Pending, Rule};
+use crate::check::{Facts, Pending, Rule};
 use crate::spec::{Group, MM_PER_INCH};
 
 pub(super) const RULE: Rule = Rule { code: "thread-pitch-unusual", severity: Severity::Warning, run };
@@ -32,11 +31,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         else {
             continue;
         };
-        if own.related_cycle().is_none_or(|cycle| with_meaning(cycle, "milling-type").is_some()) {
-            continue;
-        }
-        if let Some(pitch) = tool.pitch {
-            found.extend(by_feed(rule, facts, own, (pitch, tool.speed)).filter(|_| seen.insert(index)));
+        if own.related_cycle().is_none_or(|cycle| with_meaning(cycle, "milling-type").is_some()) || tool.pitch.is_some()
+        {
             continue;
         }
         let unit = if facts.inch { MM_PER_INCH } else { 1.0 };
@@ -54,28 +50,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let floats = by_feed && pitch <= *coarse && pitch >= coarse * (1.0 - FLOATING);
         if !(near(*coarse) || fine || floats) && pitch.is_finite() && seen.insert(index) {
             let finding = rule.at(facts, item.value_span).arg("value", Arg::Number((pitch * 1000.0).round() / 1000.0));
-            found.push(finding.arg("what", "pitch").arg("other", Arg::Number(diameter)));
+            found.push(finding.arg("other", Arg::Number(diameter)));
         }
     }
-}
-
-/// A tap in a floating holder whose feed rate and speed make another pitch than that of the tap.
-fn by_feed(
-    rule: &Rule,
-    facts: &Facts<'_>,
-    own: &Defined<'_>,
-    (pitch, speed): (f64, Option<f64>),
-) -> Option<Diagnostic> {
-    let related = own.as_related_cycle();
-    let read = facts.read(&related);
-    // In inches a feed may be one of tenths.
-    if facts.inch || read.item("thread-pitch").is_some() {
-        return None;
-    }
-    let item = read.item("plunging-feed")?;
-    let made = number(item)? / speed.filter(|speed| *speed > 0.0)?;
-    let fits = made >= pitch * (1.0 - FLOATING) && made <= pitch * (1.0 + SAME);
-    let finding =
-        rule.at(facts, item.value_span).arg("what", "feed").arg("value", Arg::Number((made * 1000.0).round() / 1000.0));
-    (made > 0.0 && !fits).then(|| finding.arg("other", Arg::Number(pitch)))
 }
