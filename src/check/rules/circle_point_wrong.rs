@@ -14,6 +14,8 @@ pub(super) const RULE: Rule = Rule { code: "circle-point-wrong", severity: Sever
 
 /// More angles in one value are not compared.
 const MOST: usize = 4;
+/// More values are not kept at a time: a point has few.
+const KEPT: usize = 64;
 
 /// A function of an angle, as it is written.
 #[derive(Clone, PartialEq)]
@@ -127,6 +129,13 @@ impl Section {
         // The angle may be another one from here on.
         let name = target.to_string();
         self.values.retain(|_, (own, _)| !own.iter().any(|part| part.angle == name));
+        if parts.is_empty() {
+            self.values.remove(&target);
+            return;
+        }
+        if self.values.len() >= KEPT {
+            self.values.clear();
+        }
         self.values.insert(target, (parts, span));
     }
 

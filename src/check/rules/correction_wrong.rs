@@ -31,6 +31,9 @@ const SIZES: [&str; 8] = [
 const FIRST: &str = "first-side-length";
 const SECOND: &str = "second-side-length";
 
+/// So many corrections by one measurement are compared.
+const MOST: usize = 32;
+
 /// A parameter that is changed by a deviation.
 struct Correction {
     target: QRef,
@@ -47,15 +50,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     let sizes = sizes(facts);
+    let meanings: BTreeSet<(usize, &str)> = results.iter().map(|((at, _), meaning)| (*at, *meaning)).collect();
     let sizes_of = |own: &Correction| sizes.get(&own.target);
     for own in &corrections {
         let Some(sizes) = sizes_of(own) else { continue };
-        let told = |what: &'static str| {
+        let finding_of = |what: &'static str| {
             let finding = rule.at(facts, own.span).arg("what", what).arg("parameter", own.target.to_string());
             finding.arg("other", own.deviation.to_string())
         };
         if own.added {
-            found.push(told("added"));
+            found.push(finding_of("added"));
             continue;
         }
         // The same deviation also corrects the side that it is of, and the other deviation no side.
@@ -66,13 +70,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             MINOR => (SECOND, MAIN),
             _ => continue,
         };
-        let same = || corrections.iter().filter(|own_other| own_other.measured == own.measured);
+        let first = corrections.partition_point(|other| other.measured < own.measured);
+        let after = corrections.get(first..).unwrap_or_default();
+        let same = || after.iter().take(MOST).take_while(|other| other.measured == own.measured);
         let twice = same()
             .any(|other| other.deviation == own.deviation && sizes_of(other).is_some_and(|sizes| sizes.contains(side)));
-        let measured = results.iter().any(|((at, _), meaning)| *at == own.measured && *meaning == other);
-        let unused = !same().any(|own_other| meaning(own_other.deviation) == Some(other));
+        let measured = meanings.contains(&(own.measured, other));
+        let unused = !same().any(|second| meaning(second.deviation) == Some(other));
         if (*only == FIRST || *only == SECOND) && *only != side && twice && measured && unused {
-            found.push(told("side"));
+            found.push(finding_of("side"));
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::base::diag::{Diagnostic, Severity};
 use crate::base::expr::{QKind, QRef};
 use crate::check::loops::{Loop, set_once};
 use crate::check::{Facts, Rule, Use, Way};
-use crate::program::syntax::{Amount, BlockKind, FnJump, Relation};
+use crate::program::syntax::{Amount, Block, BlockKind, FnJump, Relation};
 
 pub(super) const RULE: Rule = Rule { code: "loop-runs-once", severity: Severity::Warning, run };
 
@@ -25,7 +25,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for own in facts.run.graph.uses.iter().filter(|own| own.way == Way::Jump) {
         let Some(block) = facts.program.blocks().get(own.block) else { continue };
         let BlockKind::FnJump(jump) = &block.kind else { continue };
-        let Some(rest) = patience.checked_sub(facts.program.blocks().len().saturating_mul(2)) else { return };
+        let uses = facts.run.graph.uses.len();
+        let Some(rest) = patience.checked_sub(facts.program.blocks().len().saturating_mul(2) + 4 * uses) else { return };
         patience = rest;
         let what = if once(facts, own, jump, &mut patience) {
             "never"
@@ -124,8 +125,12 @@ fn called_again(facts: &Facts<'_>, q: QRef, from: usize, to: usize) -> Option<(u
         let leads = move |own: &&Use| own.mark.as_ref().and_then(|mark| graph.block_of(mark)) == Some(start);
         graph.uses.iter().filter(|own| own.way == Way::Call).filter(leads)
     };
-    let start =
-        (0..from).rev().take_while(|at| !blocks[*at].ends_subprogram()).filter(|at| calls(*at).count() > 1).last()?;
+    let first = blocks.get(..from)?.iter().rposition(Block::ends_subprogram).map_or(0, |end| end + 1);
+    let called = graph.uses.iter().filter(|own| own.way == Way::Call);
+    let called = called.filter_map(|own| graph.block_of(own.mark.as_ref()?));
+    let mut starts: Vec<usize> = called.filter(|start| (first..from).contains(start)).collect();
+    starts.sort_unstable();
+    let start = starts.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])?;
     let end = to + blocks.get(to..)?.iter().position(|block| block.ends_subprogram())?;
     set_once(facts, q, &(start..=end))?;
     let set = blocks.iter().take(start).position(|block| match &block.kind {
