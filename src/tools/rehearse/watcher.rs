@@ -76,6 +76,8 @@ pub(super) struct Watcher<'w> {
     across: bool,
     scaled: bool,
     pub(super) at: DVec3,
+    /// The same in machine coordinates.
+    machine_at: DVec3,
     known: [bool; 3],
     /// The line of the program itself that is executed, or from which another one was called.
     pub(super) line: usize,
@@ -154,6 +156,7 @@ impl<'w> Watcher<'w> {
             across: false,
             scaled: false,
             at: DVec3::ZERO,
+            machine_at: DVec3::ZERO,
             known: [false; 3],
             line: 0,
             angles: Vec::new(),
@@ -221,6 +224,7 @@ impl<'w> Watcher<'w> {
                 let now = self.angles.iter().fold(self.start, |angles, (axis, angle)| axis.with(angles, *angle));
                 let (before, after) = (self.machine.table(self.start), self.machine.table(now));
                 self.parts = (before != after).then(|| before.of(after.inverse()));
+                self.at = self.place(self.machine_at);
             }
             EventKind::Spindle { tool, direction, speed, .. } => {
                 self.speed = *speed;
@@ -383,7 +387,8 @@ impl<'w> Watcher<'w> {
     fn go(&mut self, path: &Path, feed: Option<f64>, key: Option<CycleKey>, (line, block): (usize, Option<&Block>)) {
         let begun = self.known == [true; 3];
         let from = self.place(path.at(0.0));
-        self.at = self.place(path.at(1.0));
+        self.machine_at = path.at(1.0);
+        self.at = self.place(self.machine_at);
         self.learn(from, block);
         if let (Some(key), Some(_), Some(tool)) = (key, feed, self.tool) {
             self.use_tool(tool, key);
@@ -611,6 +616,9 @@ impl<'w> Watcher<'w> {
             let named = words.as_ref().is_some_and(|words| words.coord(axis).is_some_and(|coord| !coord.incremental));
             let moved = (from.to_array()[index] - self.at.to_array()[index]).abs() > 1e-9;
             self.known[index] |= named || moved;
+            // Where a position in machine coordinates is depends on the machine.
+            let of_machine = |words: &syntax::Motion| words.functions.iter().any(|own| matches!(own.number, 91 | 92));
+            self.known[index] &= !words.as_ref().is_some_and(|own| own.coord(axis).is_some() && of_machine(own));
         }
     }
 
