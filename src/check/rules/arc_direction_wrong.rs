@@ -1,13 +1,13 @@
 //! An arc that joins neither of its neighbours tangentially as it is written, and both of them with the other direction of
 //! rotation: the tool turns back at its ends, or goes round the other side of the chord.
 //!
-//! Only where the elements follow each other without roundings and chamfers, and all of them are numbers. Arcs with a right
+//! The movements that switch radius compensation on and off are no neighbours. Only where the elements follow each other without roundings and chamfers, and all of them are numbers. Arcs with a right
 //! angle or less at their ends may be scoops on purpose: they are reported only if the contour has one such arc.
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::contours::Line;
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Axis, BlockKind, Motion, Path};
+use crate::program::syntax::{Axis, BlockKind, Compensation, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "arc-direction-wrong", severity: Severity::Warning, run };
 
@@ -35,6 +35,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // The last elements of the contour, and those arcs in it that are doubtful.
     let mut last: Vec<Piece> = Vec::new();
     let mut doubtful: Vec<Span> = Vec::new();
+    let mut compensated = false;
     for block in facts.program.blocks() {
         let motion = match &block.kind {
             _ if is_silent(block) || block.is_blend() => continue,
@@ -59,7 +60,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         let flat = words.coords.iter().all(|own| matches!(own.axis, Axis::X | Axis::Y | Axis::Pr | Axis::Pa));
-        let away = motion.outline().is_rapid() || !flat || matches!(words.path, Path::Appr(_) | Path::Dep(_));
+        // The way to a contour and the one away from it are no elements of it.
+        let beside = words.compensation.map(|own| matches!(own, Compensation::Rl | Compensation::Rr));
+        let switches = beside.is_some_and(|own| !own || !std::mem::replace(&mut compensated, true));
+        compensated &= beside != Some(false) && !matches!(words.path, Path::Dep(_));
+        let way = matches!(words.path, Path::Appr(_) | Path::Dep(_));
+        let away = motion.outline().is_rapid() || !flat || way || switches;
         let piece = piece(&mut line, &words, facts.content(block));
         line.begin();
         if away || piece.is_none() {
