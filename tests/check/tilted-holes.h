@@ -1,4 +1,4 @@
-; control: tnc640
+; control: tnc640 beside
 0 BEGIN PGM SIDE MM
 BLK FORM 0.1 Z X+0 Y+0 Z-60
 BLK FORM 0.2 X+100 Y+80 Z+0

@@ -1,4 +1,4 @@
-; control: tnc640
+; control: tnc640 beside
 0 BEGIN PGM SLOTS MM
 BLK FORM 0.1 Z X+0 Y+0 Z-25
 BLK FORM 0.2 X+150 Y+100 Z+0
