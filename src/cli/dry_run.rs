@@ -184,7 +184,8 @@ impl Sight {
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
                 // What cuts is seen in any case: too much is gone rather than too little.
                 let hidden = rapid && (of_machine || self.unknown != [false; 3]);
-                for (unknown, (from, to)) in self.unknown.iter_mut().zip(from.to_array().into_iter().zip(to.to_array())) {
+                for (unknown, (from, to)) in self.unknown.iter_mut().zip(from.to_array().into_iter().zip(to.to_array()))
+                {
                     if from.to_bits() != to.to_bits() {
                         *unknown = of_machine;
                     }

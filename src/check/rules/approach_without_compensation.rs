@@ -148,7 +148,11 @@ fn uncompensated(facts: &Facts<'_>) -> Option<Span> {
                 _ => None,
             };
         }
-        if !flat || words.compensation.is_some() || motion.outline().is_rapid() || matches!(words.path, Path::Appr(_) | Path::Dep(_)) {
+        if !flat
+            || words.compensation.is_some()
+            || motion.outline().is_rapid()
+            || matches!(words.path, Path::Appr(_) | Path::Dep(_))
+        {
             course.begin();
         } else if course.place.is_none() {
             course.place = Some(facts.content(block));

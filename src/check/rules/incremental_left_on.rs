@@ -51,8 +51,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             if origin(Axis::X) && origin(Axis::Y) && matches!(words.path, Path::L) {
                 let _ = written.go_on(&at_zero(), PLANE);
                 written.begin();
-                course =
-                    Some(Course { written, absolute: Line::default(), elements: 0, place: facts.content(block) });
+                course = Some(Course { written, absolute: Line::default(), elements: 0, place: facts.content(block) });
             }
         }
         if let Some(own) = &mut course

@@ -1,7 +1,8 @@
 //! The same machined twice at the same datum or preset: a row that is activated again before the same subprogram, or a loop
 //! that activates the same row on each pass although it counts.
 //!
-//! Also a row for another side of the workpiece for which the table was not turned on. Between the two there must be nothing that could make a difference: no tool, no parameter, no other cycle.
+//! Also a row for another side of the workpiece for which the table was not turned on. Between the two activations there must
+//! be nothing that could make a difference: no tool, no parameter, no other cycle.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
@@ -48,7 +49,8 @@ fn turned(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 }
                 BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) => {
                     let own = facts.definition_at(index).filter(|own| names_row(own));
-                    if let (Some((row, _)), Some((turned, span))) = (own.and_then(|own| row(facts, own)), angle.take()) {
+                    if let (Some((row, _)), Some((turned, span))) = (own.and_then(|own| row(facts, own)), angle.take())
+                    {
                         sides.push((turned, span, row));
                     }
                 }
