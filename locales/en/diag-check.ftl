@@ -4,8 +4,10 @@ diag-approach-twice = The contour is approached while radius compensation is sti
 diag-approach-without-compensation =
     { $what ->
         [approach] The contour is approached here without RL or RR.
+        [contour] The tool goes round this closed contour without RL or RR, and R0 switches off behind it what was never on.
        *[departure] The contour is left here, but no radius compensation is active.
     }
+diag-arc-direction-wrong = This arc joins the elements before and after it only with the other direction of rotation.
 diag-arc-in-unequal-scaling = { $cycle } scales the axes of this arc by different factors: the result is not an arc.
 diag-arc-too-narrow = The radius { $radius } on the inside of the contour is less than that of the tool, { $tool }.
 diag-arc-without-tangent = No contour element precedes this tangential arc.
@@ -173,8 +175,11 @@ diag-hole-outside-blank =
         [beside] The hole at { $value }, { $other } is beside the blank.
         [edge] The hole at { $value }, { $other } is cut by the edge of the blank.
         [surface] The surface at { $value } is far from the blank.
+        [tilted] The holes of this cycle do not meet the blank: in the tilted plane they lie beside it or above it.
        *[through] The hole goes down to { $value }, far through the blank.
     }
+diag-incremental-left-on = The coordinates of this contour are incremental; only as absolute ones do they lead back to its beginning.
+diag-result-of-other-axis = { $parameter } is the result for the axis { $axis }, but it is used for { $other } here.
 diag-holes-overlap = Two holes with a diameter of { $other } are only { $value } apart here: they overlap.
 diag-insert-points-away = The insert cannot cut where { $cycle } goes: its orientation (TO) is { $orientation }, so its tip points away from the part or from the feed.
 diag-iso-incomplete =
@@ -285,7 +290,11 @@ diag-plane-not-reset =
         [zero] { $cycle } sets all angles to 0 here, but nothing switches the tilted working plane off.
        *[tilted] The program ends here with a tilted working plane.
     }
-diag-plunge-too-fast = The tool plunges into the material by { $value } per revolution here.
+diag-plunge-too-fast =
+    { $what ->
+        [sideways] The tool goes through solid material here with { $value } times the feed of its tool call.
+       *[plunge] The tool plunges into the material by { $value } per revolution here.
+    }
 diag-position-after-contour = This is the first position after { $cycle }, but it does not have absolute values for both coordinates of the plane.
 diag-position-missing = The tool goes down to { $value } before the program has positioned it in the plane.
 diag-position-twice = The point { $value }, { $other } has already been machined with this definition and this tool.

@@ -72,6 +72,7 @@ diag-allowance-left = The contour of label { $label } is machined with the overs
 diag-contour-crossed =
     { $what ->
         [back] This closed contour goes from a corner straight back to the one before it.
+        [away] The tool leaves this closed contour for its other side: on the way it cuts through what it has just finished.
        *[side] With this radius compensation the tool crosses the closed contour: it comes from the other side of it.
     }
 diag-error-branch-entered =
@@ -97,6 +98,7 @@ diag-probing-direction-wrong =
 diag-same-datum-twice =
     { $what ->
         [loop] The loop counts, but activates row { $row } on every pass: the same is machined again each time.
+        [turned] The table was not turned on for row { $row }: it stands at the angle of another side.
        *[again] Row { $row } is activated again before the same subprogram: the same is machined twice.
     }
 diag-selected-table-missing = The table { $name } is not in the folder of the program.

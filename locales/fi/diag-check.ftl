@@ -4,8 +4,10 @@ diag-approach-twice = Muotoon ajetaan tässä, vaikka sädekorjaus on vielä voi
 diag-approach-without-compensation =
     { $what ->
         [approach] Muotoon ajetaan tässä ilman sanaa RL tai RR.
+        [contour] Työkalu kiertää tämän suljetun muodon ilman sanaa RL tai RR, ja sen perässä R0 kytkee pois sen, mitä ei koskaan kytketty.
        *[departure] Muodosta poistutaan tässä, mutta sädekorjaus ei ole voimassa.
     }
+diag-arc-direction-wrong = Tämä kaari liittyy edelliseen ja seuraavaan elementtiin vain toisella kiertosuunnalla.
 diag-arc-in-unequal-scaling = { $cycle } skaalaa tämän kaaren akseleita eri kertoimilla: tulos ei ole kaari.
 diag-arc-too-narrow = Säde { $radius } muodon sisäpuolella on pienempi kuin työkalun säde { $tool }.
 diag-arc-without-tangent = Tämän tangentiaalisen kaaren edessä ei ole muotoelementtiä.
@@ -173,8 +175,11 @@ diag-hole-outside-blank =
         [beside] Reikä kohdassa { $value }; { $other } on aihion vieressä.
         [edge] Aihion reuna leikkaa reikää kohdassa { $value }; { $other }.
         [surface] Pinta { $value } on kaukana aihiosta.
+        [tilted] Tämän työkierron reiät eivät osu aihioon: käännetyssä tasossa ne ovat sen vieressä tai yläpuolella.
        *[through] Reikä ulottuu arvoon { $value }, kauas aihion läpi.
     }
+diag-incremental-left-on = Tämän muodon koordinaatit ovat inkrementaalisia; vain absoluuttisina ne johtavat takaisin sen alkuun.
+diag-result-of-other-axis = { $parameter } on akselin { $axis } tulos, mutta sitä käytetään tässä akselille { $other }.
 diag-holes-overlap = Kaksi reikää, joiden halkaisija on { $other }, on tässä vain etäisyydellä { $value } toisistaan: ne leikkaavat toisensa.
 diag-insert-points-away = Teräpala ei voi lastuta siihen suuntaan, johon { $cycle } etenee: sen suunta (TO) on { $orientation }, joten kärki osoittaa poispäin kappaleesta tai syötöstä.
 diag-iso-incomplete =
@@ -285,7 +290,11 @@ diag-plane-not-reset =
         [zero] { $cycle } asettaa tässä kaikkien kulmien arvoksi 0, mutta mikään ei kytke koneistustason kääntöä pois päältä.
        *[tilted] Ohjelma päättyy tässä koneistustason ollessa käännettynä.
     }
-diag-plunge-too-fast = Työkalu pistää tässä materiaaliin { $value } kierrosta kohti.
+diag-plunge-too-fast =
+    { $what ->
+        [sideways] Työkalu kulkee tässä umpimateriaalin läpi syöttöarvolla, joka on { $value } kertaa työkalukutsun syöttöarvo.
+       *[plunge] Työkalu pistää tässä materiaaliin { $value } kierrosta kohti.
+    }
 diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, mutta siinä ei ole tason molempia koordinaatteja absoluuttisina.
 diag-position-missing = Työkalu menee alas arvoon { $value }, ennen kuin ohjelma on paikoittanut sen tasossa.
 diag-position-twice = Piste { $value }; { $other } on jo koneistettu tällä määrittelyllä ja tällä työkalulla.

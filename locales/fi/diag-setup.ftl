@@ -72,6 +72,7 @@ diag-allowance-left = Labelin { $label } muoto koneistetaan myös tällä työka
 diag-contour-crossed =
     { $what ->
         [back] Tämä suljettu muoto palaa nurkasta suoraan edelliseen nurkkaan.
+        [away] Työkalu poistuu tästä suljetusta muodosta sen toiselle puolelle: matkalla se lastuaa sitä, minkä se juuri viimeisteli.
        *[side] Tällä sädekorjauksella työkalu kulkee suljetun muodon poikki: se tulee muodon toiselta puolelta.
     }
 diag-error-branch-entered =
@@ -96,6 +97,7 @@ diag-probing-direction-wrong =
 diag-same-datum-twice =
     { $what ->
         [loop] Silmukka laskee kierroksia, mutta aktivoi joka kierroksella rivin { $row }: joka kerta koneistetaan sama.
+        [turned] Pöytää ei käännetty riviä { $row } varten: se on toisen sivun kulmassa.
        *[again] Rivi { $row } aktivoidaan uudelleen ennen samaa aliohjelmaa: sama koneistetaan kahdesti.
     }
 diag-selected-table-missing = Taulukko { $name } ei ole ohjelman kansiossa.

@@ -4,8 +4,10 @@ diag-approach-twice = Qui ci si avvicina al profilo con la correzione del raggio
 diag-approach-without-compensation =
     { $what ->
         [approach] Qui ci si avvicina al profilo senza RL o RR.
+        [contour] L’utensile percorre questo profilo chiuso senza RL o RR, e poi R0 disattiva ciò che non era mai stato attivo.
        *[departure] Qui ci si allontana dal profilo, ma nessuna correzione del raggio è attiva.
     }
+diag-arc-direction-wrong = Questo arco si raccorda agli elementi precedente e successivo solo con l’altro senso di rotazione.
 diag-arc-in-unequal-scaling = { $cycle } scala gli assi di questo arco con fattori diversi: il risultato non è un arco.
 diag-arc-too-narrow = Il raggio { $radius } all’interno del profilo è inferiore a quello dell’utensile, { $tool }.
 diag-arc-without-tangent = Prima di questo arco tangente non c’è alcun elemento di profilo.
@@ -173,8 +175,11 @@ diag-hole-outside-blank =
         [beside] Il foro in { $value }; { $other } è fuori dal pezzo grezzo.
         [edge] Il bordo del pezzo grezzo taglia il foro in { $value }; { $other }.
         [surface] La superficie a { $value } è lontana dal pezzo grezzo.
+        [tilted] I fori di questo ciclo non incontrano il pezzo grezzo: nel piano inclinato si trovano a lato o al di sopra di esso.
        *[through] Il foro arriva a { $value }, ben oltre il pezzo grezzo.
     }
+diag-incremental-left-on = Le coordinate di questo profilo sono incrementali; solo come assolute riportano al suo inizio.
+diag-result-of-other-axis = { $parameter } è il risultato per l’asse { $axis }, ma qui viene usato per { $other }.
 diag-holes-overlap = Qui due fori del diametro di { $other } distano solo { $value }: si sovrappongono.
 diag-insert-points-away = L’inserto non può tagliare dove va { $cycle }: il suo orientamento (TO) è { $orientation }, perciò la punta è rivolta dalla parte opposta al pezzo o all’avanzamento.
 diag-iso-incomplete =
@@ -285,7 +290,11 @@ diag-plane-not-reset =
         [zero] { $cycle } imposta qui tutti gli angoli a 0, ma nulla disattiva la rotazione del piano di lavoro.
        *[tilted] Il programma termina qui con il piano di lavoro ruotato.
     }
-diag-plunge-too-fast = Qui l’utensile penetra nel materiale di { $value } al giro.
+diag-plunge-too-fast =
+    { $what ->
+        [sideways] Qui l’utensile attraversa materiale pieno con { $value } volte l’avanzamento della sua chiamata.
+       *[plunge] Qui l’utensile penetra nel materiale di { $value } al giro.
+    }
 diag-position-after-contour = Questa è la prima posizione dopo { $cycle }, ma non ha valori assoluti per entrambe le coordinate del piano.
 diag-position-missing = L’utensile scende a { $value } prima che il programma lo abbia posizionato nel piano.
 diag-position-twice = Il punto { $value }; { $other } è già stato lavorato con questa definizione e questo utensile.

@@ -72,6 +72,7 @@ diag-allowance-left = Il profilo del label { $label } viene lavorato anche con q
 diag-contour-crossed =
     { $what ->
         [back] Questo profilo chiuso torna da uno spigolo direttamente a quello precedente.
+        [away] L’utensile lascia questo profilo chiuso verso l’altro lato: lungo il percorso taglia ciò che ha appena finito.
        *[side] Con questa correzione del raggio l’utensile attraversa il profilo chiuso: arriva dall’altro lato.
     }
 diag-error-branch-entered =
@@ -97,6 +98,7 @@ diag-probing-direction-wrong =
 diag-same-datum-twice =
     { $what ->
         [loop] La ripetizione conta, ma attiva la riga { $row } in ogni passaggio: ogni volta viene lavorato lo stesso punto.
+        [turned] La tavola non è stata ruotata oltre per la riga { $row }: si trova all’angolo di un altro lato.
        *[again] La riga { $row } viene attivata di nuovo prima dello stesso sottoprogramma: lo stesso pezzo viene lavorato due volte.
     }
 diag-selected-table-missing = La tabella { $name } non si trova nella directory del programma.

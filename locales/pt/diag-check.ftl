@@ -4,8 +4,10 @@ diag-approach-twice = Faz-se a aproximação ao contorno com a correção de rai
 diag-approach-without-compensation =
     { $what ->
         [approach] A aproximação ao contorno faz-se aqui sem RL nem RR.
+        [contour] A ferramenta percorre este contorno fechado sem RL nem RR, e a seguir R0 desliga o que nunca esteve ligado.
        *[departure] Sai-se aqui do contorno, mas nenhuma correção de raio está ativa.
     }
+diag-arc-direction-wrong = Este arco só liga com os elementos anterior e seguinte no outro sentido de rotação.
 diag-arc-in-unequal-scaling = { $cycle } aplica fatores de escala diferentes aos eixos deste arco: o resultado não é um arco.
 diag-arc-too-narrow = O raio { $radius } no interior do contorno é menor do que o da ferramenta, { $tool }.
 diag-arc-without-tangent = Antes deste arco tangente não há nenhum elemento de contorno.
@@ -173,8 +175,11 @@ diag-hole-outside-blank =
         [beside] O furo em { $value }; { $other } fica ao lado do bloco.
         [edge] A borda do bloco corta o furo em { $value }; { $other }.
         [surface] A superfície em { $value } está longe do bloco.
+        [tilted] Os furos deste ciclo não atingem o bloco: no plano inclinado ficam ao lado ou por cima dele.
        *[through] O furo desce até { $value }, muito para além do bloco.
     }
+diag-incremental-left-on = As coordenadas deste contorno são incrementais; só como absolutas levam de volta ao seu início.
+diag-result-of-other-axis = { $parameter } é o resultado do eixo { $axis }, mas é usado aqui para { $other }.
 diag-holes-overlap = Dois furos com o diâmetro { $other } estão aqui apenas a { $value } um do outro: sobrepõem-se.
 diag-insert-points-away = A pastilha não pode cortar para onde vai { $cycle }: a sua orientação (TO) é { $orientation }, pelo que a ponta está virada para o lado oposto à peça ou ao avanço.
 diag-iso-incomplete =
@@ -285,7 +290,11 @@ diag-plane-not-reset =
         [zero] { $cycle } coloca aqui todos os ângulos a 0, mas nada desliga a inclinação do plano de maquinação.
        *[tilted] O programa termina aqui com o plano de maquinação inclinado.
     }
-diag-plunge-too-fast = A ferramenta penetra aqui no material { $value } por rotação.
+diag-plunge-too-fast =
+    { $what ->
+        [sideways] A ferramenta atravessa aqui material maciço com { $value } vezes o avanço da sua chamada.
+       *[plunge] A ferramenta penetra aqui no material { $value } por rotação.
+    }
 diag-position-after-contour = Esta é a primeira posição depois de { $cycle }, mas não tem valores absolutos para ambas as coordenadas do plano.
 diag-position-missing = A ferramenta desce até { $value } antes de o programa a ter posicionado no plano.
 diag-position-twice = O ponto { $value }; { $other } já foi maquinado com esta definição e esta ferramenta.

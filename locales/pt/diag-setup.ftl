@@ -72,6 +72,7 @@ diag-allowance-left = O contorno do label { $label } também é maquinado com es
 diag-contour-crossed =
     { $what ->
         [back] Este contorno fechado volta de uma esquina diretamente à anterior.
+        [away] A ferramenta sai deste contorno fechado para o outro lado: no caminho corta o que acabou de terminar.
        *[side] Com esta correção de raio a ferramenta atravessa o contorno fechado: vem do outro lado dele.
     }
 diag-error-branch-entered =
@@ -97,6 +98,7 @@ diag-probing-direction-wrong =
 diag-same-datum-twice =
     { $what ->
         [loop] A repetição conta, mas ativa a linha { $row } em todas as passagens: é maquinado sempre o mesmo.
+        [turned] A mesa não foi rodada para a linha { $row }: está no ângulo de outro lado.
        *[again] A linha { $row } volta a ser ativada antes do mesmo subprograma: o mesmo é maquinado duas vezes.
     }
 diag-selected-table-missing = A tabela { $name } não está na pasta do programa.

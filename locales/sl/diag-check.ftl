@@ -4,8 +4,10 @@ diag-approach-twice = Orodje se tu primakne na konturo, čeprav je popravek polm
 diag-approach-without-compensation =
     { $what ->
         [approach] Primik na konturo je tu brez RL ali RR.
+        [contour] Orodje obide to sklenjeno konturo brez RL ali RR, za njo pa R0 izklopi, kar ni bilo nikoli vklopljeno.
        *[departure] Tu je odmik s konture, popravek polmera pa ni aktiven.
     }
+diag-arc-direction-wrong = Ta krožni lok se prejšnjemu in naslednjemu elementu prilega samo z drugo smerjo vrtenja.
 diag-arc-in-unequal-scaling = { $cycle } spreminja merilo osi tega loka z različnima faktorjema: iz loka ne nastane lok.
 diag-arc-too-narrow = Polmer { $radius } na notranji strani konture je manjši od polmera orodja { $tool }.
 diag-arc-without-tangent = Pred tem tangencialnim lokom ni elementa konture.
@@ -173,8 +175,11 @@ diag-hole-outside-blank =
         [beside] Vrtina pri { $value }; { $other } je ob surovcu.
         [edge] Rob surovca reže vrtino pri { $value }; { $other }.
         [surface] Površina pri { $value } je daleč od surovca.
+        [tilted] Vrtine tega cikla ne zadenejo surovca: v zavrteni ravnini ležijo ob njem ali nad njim.
        *[through] Vrtina sega do { $value }, daleč skozi surovec.
     }
+diag-incremental-left-on = Koordinate te konture so inkrementalne; samo kot absolutne vodijo nazaj na njen začetek.
+diag-result-of-other-axis = { $parameter } je rezultat za os { $axis }, tu pa se uporabi za { $other }.
 diag-holes-overlap = Dve vrtini s premerom { $other } sta tu narazen samo { $value }: prekrivata se.
 diag-insert-points-away = Rezalna ploščica ne more rezati v smeri, v katero gre { $cycle }: njena usmerjenost (TO) je { $orientation }, zato je konica obrnjena stran od obdelovanca ali od pomika.
 diag-iso-incomplete =
@@ -289,7 +294,11 @@ diag-plane-not-reset =
         [zero] { $cycle } tu vse kote nastavi na 0, vrtenja obdelovalne ravnine pa nič ne izklopi.
        *[tilted] Program se tu konča z zavrteno obdelovalno ravnino.
     }
-diag-plunge-too-fast = Orodje tu prodira v material po { $value } na vrtljaj.
+diag-plunge-too-fast =
+    { $what ->
+        [sideways] Orodje gre tu skozi poln material s pomikom, ki je { $value }-kratnik pomika iz priklica orodja.
+       *[plunge] Orodje tu prodira v material po { $value } na vrtljaj.
+    }
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle }, nima pa absolutnih vrednosti za obe koordinati ravnine.
 diag-position-missing = Orodje gre navzdol do { $value }, preden mu je program določil položaj v ravnini.
 diag-position-twice = Točka { $value }; { $other } je bila s to definicijo in tem orodjem že obdelana.

@@ -74,6 +74,7 @@ diag-allowance-left = Kontura oznake { $label } se tudi s tem orodjem obdela z n
 diag-contour-crossed =
     { $what ->
         [back] Ta sklenjena kontura se od vogala vrne naravnost k prejšnjemu.
+        [away] Orodje se s te sklenjene konture odmakne na njeno drugo stran: na poti reže to, kar je pravkar končalo.
        *[side] S tem popravkom polmera orodje prečka sklenjeno konturo: prihaja z njene druge strani.
     }
 diag-error-branch-entered =
@@ -99,6 +100,7 @@ diag-probing-direction-wrong =
 diag-same-datum-twice =
     { $what ->
         [loop] Zanka šteje, vendar v vsakem prehodu aktivira vrstico { $row }: vsakič se obdela isto.
+        [turned] Miza se za vrstico { $row } ni obrnila naprej: stoji pod kotom druge strani.
        *[again] Vrstica { $row } se pred istim podprogramom znova aktivira: isto se obdela dvakrat.
     }
 diag-selected-table-missing = Preglednice { $name } ni v mapi programa.

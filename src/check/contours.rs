@@ -129,7 +129,7 @@ pub(super) fn corners(blocks: &[Block], axes: [Axis; 2]) -> Option<Vec<[f64; 2]>
 /// A line in the plane followed element after element, arcs as polygons.
 ///
 /// Roundings and chamfers between elements are left out; an element whose end is not certain ends it.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Line {
     /// Its points, the first one included.
     pub(super) points: Vec<[f64; 2]>,
@@ -154,6 +154,11 @@ impl Line {
     pub(super) fn end(&self) -> Option<[f64; 2]> {
         let [Some(x), Some(y)] = self.at else { return None };
         Some([x, y])
+    }
+
+    /// The direction in which its last element ends.
+    pub(super) const fn heading(&self) -> Option<[f64; 2]> {
+        self.heading
     }
 
     /// Begins anew where it is.
@@ -289,6 +294,44 @@ pub(super) fn polygon(blocks: &[Block], axes: [Axis; 2]) -> Option<(Vec<[f64; 2]
         line.go_on(&motion, axes)?;
     }
     Some((line.points, side))
+}
+
+/// What lies so near a contour is on it, mm or inch.
+pub(super) const NEAR: f64 = 0.01;
+
+/// The points of a contour that comes back to its beginning, once each; nothing of others.
+///
+/// It ends on its first line, its last line goes over its first point, or both lines are drawn beyond the corner in which
+/// they meet.
+pub(super) fn closed(points: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
+    let (first, second, last) = (*points.first()?, *points.get(1)?, *points.last()?);
+    let before = *points.get(points.len().checked_sub(2)?)?;
+    let whole = points.get(..points.len() - 1).filter(|_| points.len() > 3)?;
+    if distance(last, first, second) <= NEAR || distance(first, before, last) <= NEAR {
+        return Some(whole.to_vec());
+    }
+    let corner = crossing([first, second], [before, last])?;
+    Some(std::iter::once(corner).chain(whole.iter().skip(1).copied()).collect())
+}
+
+/// How far a place is from a line.
+pub(super) fn distance(place: [f64; 2], one: [f64; 2], other: [f64; 2]) -> f64 {
+    let way = [other[0] - one[0], other[1] - one[1]];
+    let long = way[0] * way[0] + way[1] * way[1];
+    let along = (place[0] - one[0]) * way[0] + (place[1] - one[1]) * way[1];
+    let share = if long > 0.0 { (along / long).clamp(0.0, 1.0) } else { 0.0 };
+    libm::hypot(place[0] - one[0] - way[0] * share, place[1] - one[1] - way[1] * share)
+}
+
+/// Where two lines cross, if they do.
+fn crossing([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> Option<[f64; 2]> {
+    let (one, other) = ([b[0] - a[0], b[1] - a[1]], [d[0] - c[0], d[1] - c[1]]);
+    let turn = one[0] * other[1] - one[1] * other[0];
+    let between = [c[0] - a[0], c[1] - a[1]];
+    let along = (between[0] * other[1] - between[1] * other[0]) / turn;
+    let across = (between[0] * one[1] - between[1] * one[0]) / turn;
+    let meets = (0.0..=1.0).contains(&along) && (0.0..=1.0).contains(&across);
+    meets.then(|| [a[0] + one[0] * along, a[1] + one[1] * along])
 }
 
 /// The area of a polygon, positive if it goes round counter-clockwise.

@@ -105,6 +105,10 @@ pub enum Incident {
     },
     /// A tool that plunges into material by so much per revolution.
     FastPlunge(f64),
+    /// A tool that goes sideways through solid material with so many times the feed of its call.
+    FastCut(f64),
+    /// A hole in a tilted plane that does not meet the blank, at a place of that plane.
+    Astray,
     /// A tool that only cuts along its axis goes sideways through material.
     Sideways,
     /// The tool goes down to a height before it was positioned in the plane.

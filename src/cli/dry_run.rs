@@ -4,6 +4,7 @@
 //! A program is executed if everything is known that its paths depend on: a tool table was named, it has a blank and no
 //! errors, and each of its tools is in a table that was named or in a TOOL DEF.
 //! Invariant: what depends on the machine, which is assumed, is not reported; nor is what the engine cannot do.
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::execution;
@@ -13,14 +14,15 @@ use super::project::CheckedProgram;
 use crate::base::data::Files;
 use crate::base::diag::{Arg, Diagnostic, Place, Severity, Source};
 use crate::engine::run::FindingKind;
-use crate::engine::run::{Engine, Limits, Status};
+use crate::engine::run::{Engine, Event, EventKind, Limits, MoveKind, Status};
 use crate::engine::scene::Scene;
 use crate::engine::scene::guess::Origin;
 use crate::engine::stock::{Finding, Machining, Watch};
 use crate::language::locale::Locales;
-use crate::program::syntax::{Block, BlockKind, StatementKind};
+use crate::program::syntax::{Block, BlockKind, Program, StatementKind};
 use crate::program::table::TableKind;
 use crate::tools::conform::LogTexts;
+use crate::tools::rehearse::{describing, without_blends};
 
 /// Less material than this is not reported, mm: columns of the stock end at its own walls.
 const LEAST: f64 = 0.1;
@@ -77,6 +79,9 @@ impl DryRun<'_> {
     }
 
     fn findings(&self, file: &Understood, path: &Path, program: &CheckedProgram<'_>) -> Option<Vec<Diagnostic>> {
+        // Findings are at the same lines.
+        let without = without_blends(&file.program);
+        let run = without.as_ref().unwrap_or(&file.program);
         let (against, tables) = (program.against(), program.named_tables());
         let of_kind = |kind: TableKind| tables.iter().copied().find(|table| table.kind() == kind);
         let tools = of_kind(TableKind::Tool);
@@ -84,7 +89,9 @@ impl DryRun<'_> {
             return None;
         }
         let neighbours = Neighbours::new(path, against.catalogue);
-        let guess = execution::guess(against.on, &file.program, &neighbours, self.files, tools).ok()?;
+        // Cycles that the manual of the control only names do what they do on the others.
+        let on = describing(against.on, against.catalogue, run);
+        let guess = execution::guess(on, run, &neighbours, self.files, tools).ok()?;
         guess.blank.as_ref()?;
         if guess.tools.iter().any(|tool| tool.origin == Origin::Assumed && !tool.probes) {
             return None;
@@ -99,11 +106,16 @@ impl DryRun<'_> {
             }
         }
         execution::selected(path, file.program.source().text(), &mut scene).ok()?;
-        let texts = LogTexts::new(self.locales.source()?, against.on.id(), self.files);
-        let engine = Engine::new(&file.program, against.on, &scene, &texts).with_limits(LIMITS);
+        let texts = LogTexts::new(self.locales.source()?, on.id(), self.files);
+        let engine = Engine::new(run, on, &scene, &texts).with_limits(LIMITS);
         let engine = engine.with_catalogue(against.catalogue).with_programs(&neighbours);
-        let mut watch = Watch::new(Machining::new(&file.program, &scene, None).ok()?);
-        let outcome = engine.run(&mut |event| watch.see(event, &mut drop));
+        let mut watch = Watch::new(Machining::new(run, &scene, None).ok()?);
+        let mut sight = Sight::new(&file.program, tables.iter().any(|table| table.kind() == TableKind::Preset));
+        let outcome = engine.run(&mut |event| {
+            if sight.holds(&event) {
+                watch.see(event, &mut drop);
+            }
+        });
         // An angle of an axis means another place of a tilted plane on every machine.
         let tilts =
             |block: &Block| matches!(&block.kind, BlockKind::Statement(own) if own.kind == StatementKind::Plane);
@@ -114,6 +126,75 @@ impl DryRun<'_> {
             found.push(fault);
         }
         Some(found.into_iter().map(|finding| file.at_home(finding)).collect())
+    }
+}
+
+/// How long the stock is where it is thought to be, and the tool.
+///
+/// The second preset of a program whose presets are not known may be that of another face; where the workpiece is after a
+/// rotary axis was turned without tilting the plane, and where a position in machine coordinates is, depends on the machine.
+struct Sight {
+    knows_presets: bool,
+    /// The program, and the lines that name positions in machine coordinates.
+    program: std::sync::Arc<str>,
+    of_machine: BTreeSet<usize>,
+    preset: Option<f64>,
+    tilted: bool,
+    moved: bool,
+    lost: bool,
+    /// Axes of which it is not known where they are.
+    unknown: [bool; 3],
+}
+
+impl Sight {
+    fn new(program: &Program, knows_presets: bool) -> Self {
+        let of_machine = |block: &&Block| match &block.kind {
+            BlockKind::Motion(motion) => motion.functions().iter().any(|own| matches!(own.number, 91 | 92)),
+            _ => false,
+        };
+        Self {
+            knows_presets,
+            program: program.source().name().into(),
+            of_machine: program.blocks().iter().filter(of_machine).map(|block| block.line).collect(),
+            preset: None,
+            tilted: false,
+            moved: false,
+            lost: false,
+            unknown: [false; 3],
+        }
+    }
+
+    /// Takes an event: whether the stock may see it.
+    fn holds(&mut self, event: &Event) -> bool {
+        /// Less than this is no turn, degrees.
+        const TURN: f64 = 1e-6;
+        match &event.kind {
+            EventKind::Transform(now) => {
+                self.tilted = now.tilt.is_some_and(|tilt| tilt.length() > TURN);
+                let other = self.preset.is_some_and(|before| before != now.preset);
+                self.lost |= other && self.moved && !self.knows_presets;
+                self.preset = Some(now.preset);
+            }
+            EventKind::Turn { axes, .. } => {
+                self.lost |= !self.tilted && axes.iter().any(|turned| turned.to.abs() > TURN);
+            }
+            EventKind::Move { kind, from, to, .. } => {
+                self.moved = true;
+                let of_machine = event.at.program == self.program && self.of_machine.contains(&event.at.line);
+                let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
+                // What cuts is seen in any case: too much is gone rather than too little.
+                let hidden = rapid && (of_machine || self.unknown != [false; 3]);
+                for (unknown, (from, to)) in self.unknown.iter_mut().zip(from.to_array().into_iter().zip(to.to_array()))
+                {
+                    if from.to_bits() != to.to_bits() {
+                        *unknown = of_machine;
+                    }
+                }
+                return !self.lost && !hidden;
+            }
+            _ => {}
+        }
+        !self.lost
     }
 }
 

@@ -1,19 +1,17 @@
 //! A closed contour with RL or RR to which the tool comes from the wrong side: it begins outside and compensates to the
 //! inside, or the other way round, and crosses the contour by its radius; or one that goes from a corner straight back to
-//! the one before it.
+//! the one before it; or one that the tool leaves for its other side without being lifted.
 //!
 //! Only contours whose elements are all numbers, that do not cross themselves, and whose height does not change from the
 //! compensating movement to the one that leaves: a tool that plunges at the contour may come from above.
 use crate::base::diag::{Diagnostic, Severity, Span};
-use crate::check::contours::{Line, area, is_inside};
+use crate::check::contours::{Line, NEAR, area, closed, distance, is_inside};
 use crate::check::program::is_silent;
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{Axis, BlockKind, Compensation, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "contour-crossed", severity: Severity::Warning, run };
 
-/// What lies so near the contour is on it, mm or inch.
-const NEAR: f64 = 0.01;
 /// Contours of more points are left to others: each pair of lines is looked at.
 const MANY: usize = 1 << 8;
 const PLANE: [Axis; 2] = [Axis::X, Axis::Y];
@@ -50,6 +48,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             // A part that is repeated begins and ends within the course.
             BlockKind::Lbl(_) if !block.ends_subprogram() => continue,
             BlockKind::CallLbl(call) if call.repeat.is_some() => continue,
+            _ if block.is_blend() => continue,
             _ => {
                 line.lose();
                 course = None;
@@ -60,14 +59,20 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let beside = words.compensation.filter(|own| matches!(own, Compensation::Rl | Compensation::Rr));
         let leaves = words.compensation == Some(Compensation::R0) || matches!(words.path, Path::Dep(_));
         if leaves && let Some(own) = course.take() {
-            let what =
-                if turns_back(&line.points) { Some("back") } else { crosses(&own, &line.points).then_some("side") };
+            let what = if turns_back(&line.points) {
+                Some(("back", own.place))
+            } else {
+                let ring = closed(&line.points).unwrap_or_default();
+                let begins = is_across(own.side, own.start, &ring).then_some(("side", own.place));
+                let ends = || left_for(&line, &words).is_some_and(|end| is_across(own.side, end, &ring));
+                begins.or_else(|| ends().then(|| ("away", facts.content(block))))
+            };
             // Against the other passes of the contour the side was reported before.
             let same = |known: &Diagnostic| {
                 known.code == OTHER_SIDE && known.place.as_ref().is_some_and(|place| place.span == own.place)
             };
-            if let Some(what) = what.filter(|_| !found.iter().any(same)) {
-                found.push(rule.at(facts, own.place).arg("what", what));
+            if let Some((what, place)) = what.filter(|_| !found.iter().any(same)) {
+                found.push(rule.at(facts, place).arg("what", what));
             }
             line.begin();
         }
@@ -89,6 +94,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// Where the block that leaves a contour leads at the same height, if that is certain.
+fn left_for(line: &Line, words: &Motion) -> Option<[f64; 2]> {
+    if words.coords.iter().any(|coord| !matches!(coord.axis, Axis::X | Axis::Y | Axis::Pr | Axis::Pa)) {
+        return None;
+    }
+    let mut line = line.clone();
+    if matches!(words.path, Path::Dep(_)) { departed(&mut line, words) } else { line.go_on(words, PLANE) }?;
+    line.end()
+}
+
 /// A departure leads to the point that it names, if it names one.
 fn departed(line: &mut Line, words: &Motion) -> Option<()> {
     let names = |axis| words.coord(axis).is_some();
@@ -102,42 +117,22 @@ fn departed(line: &mut Line, words: &Motion) -> Option<()> {
 fn turns_back(points: &[[f64; 2]]) -> bool {
     let same = |one: [f64; 2], other: [f64; 2]| libm::hypot(one[0] - other[0], one[1] - other[1]) <= NEAR;
     let back = |three: &[[f64; 2]]| matches!(three, [a, b, c] if same(*a, *c) && !same(*a, *b));
-    points.len() < MANY && ring(points).is_some_and(|ring| ring.len() > 4 && ring.windows(3).any(back))
+    points.len() < MANY && closed(points).is_some_and(|ring| ring.len() > 4 && ring.windows(3).any(back))
 }
 
-/// Whether the tool comes to a closed contour from its other side.
-fn crosses(course: &Course, points: &[[f64; 2]]) -> bool {
-    let Some(ring) = ring(points) else { return false };
+/// Whether a place is on the other side of a closed contour than the tool that goes along it.
+fn is_across(side: Compensation, place: [f64; 2], ring: &[[f64; 2]]) -> bool {
     let area = area(ring);
     if ring.len() < 3 || MANY < ring.len() || area.abs() < NEAR || is_crossed(ring) {
         return false;
     }
-    let apart = edges(ring).all(|[one, other]| distance(course.start, one, other) > NEAR);
-    apart && is_inside(area, course.side) != holds(ring, course.start)
-}
-
-/// The points of a contour that comes back to its beginning, once each; nothing of others.
-fn ring(points: &[[f64; 2]]) -> Option<&[[f64; 2]]> {
-    let (first, second, last) = (*points.first()?, *points.get(1)?, *points.last()?);
-    let before = *points.get(points.len().checked_sub(2)?)?;
-    let whole = points.get(..points.len() - 1);
-    // It ends on its first line, or its last line goes over its first point.
-    let (ends, passes) = (distance(last, first, second) <= NEAR, distance(first, before, last) <= NEAR);
-    (ends || passes).then_some(whole).flatten().filter(|_| points.len() > 3)
+    let apart = edges(ring).all(|[one, other]| distance(place, one, other) > NEAR);
+    apart && is_inside(area, side) != holds(ring, place)
 }
 
 fn edges(ring: &[[f64; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
     let next = ring.iter().skip(1).chain(ring.first());
     ring.iter().zip(next).map(|(one, next)| [*one, *next])
-}
-
-/// How far a place is from a line.
-fn distance(place: [f64; 2], one: [f64; 2], other: [f64; 2]) -> f64 {
-    let way = [other[0] - one[0], other[1] - one[1]];
-    let long = way[0] * way[0] + way[1] * way[1];
-    let along = (place[0] - one[0]) * way[0] + (place[1] - one[1]) * way[1];
-    let share = if long > 0.0 { (along / long).clamp(0.0, 1.0) } else { 0.0 };
-    libm::hypot(place[0] - one[0] - way[0] * share, place[1] - one[1] - way[1] * share)
 }
 
 /// Whether a place is inside.

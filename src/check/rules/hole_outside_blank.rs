@@ -18,6 +18,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let finding = finding.arg("what", "beside").arg("value", Arg::Number(*x));
                 found.push(finding.arg("other", Arg::Number(*y)));
             }
+            Incident::Astray => {
+                found.push(finding.arg("what", "tilted").arg("value", 0).arg("other", 0));
+            }
             Incident::Edge([x, y]) => {
                 let finding = finding.arg("what", "edge").arg("value", Arg::Number(*x));
                 found.push(finding.arg("other", Arg::Number(*y)));

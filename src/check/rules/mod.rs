@@ -4,6 +4,7 @@ mod approach_twice;
 mod approach_without_compensation;
 mod approach_wrong;
 mod arc_direction_missing;
+mod arc_direction_wrong;
 mod arc_in_unequal_scaling;
 mod arc_too_narrow;
 mod arc_without_tangent;
@@ -82,6 +83,7 @@ mod helix_too_steep;
 mod hole_outside_blank;
 mod holes_differ;
 mod holes_overlap;
+mod incremental_left_on;
 mod insert_points_away;
 mod iso_incomplete;
 mod label_duplicate;
@@ -155,6 +157,7 @@ mod repeat_without_effect;
 mod repeated_infeed;
 mod reserved_parameter;
 mod reset_order_wrong;
+mod result_of_other_axis;
 mod retract_missing;
 mod rotary_axis_jumps;
 mod rough_out_tool_other;
@@ -225,6 +228,7 @@ pub const RULES: &[&Rule] = &[
     &approach_without_compensation::RULE,
     &approach_wrong::RULE,
     &arc_direction_missing::RULE,
+    &arc_direction_wrong::RULE,
     &arc_in_unequal_scaling::RULE,
     &arc_too_narrow::RULE,
     &arc_without_tangent::RULE,
@@ -303,6 +307,7 @@ pub const RULES: &[&Rule] = &[
     &hole_outside_blank::RULE,
     &holes_differ::RULE,
     &holes_overlap::RULE,
+    &incremental_left_on::RULE,
     &insert_points_away::RULE,
     &iso_incomplete::RULE,
     &label_duplicate::RULE,
@@ -376,6 +381,7 @@ pub const RULES: &[&Rule] = &[
     &repeated_infeed::RULE,
     &reserved_parameter::RULE,
     &reset_order_wrong::RULE,
+    &result_of_other_axis::RULE,
     &retract_missing::RULE,
     &rotary_axis_jumps::RULE,
     &rough_out_tool_other::RULE,

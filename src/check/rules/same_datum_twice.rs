@@ -1,7 +1,8 @@
 //! The same machined twice at the same datum or preset: a row that is activated again before the same subprogram, or a loop
 //! that activates the same row on each pass although it counts.
 //!
-//! Between the two there must be nothing that could make a difference: no tool, no parameter, no other cycle.
+//! Also a row for another side of the workpiece for which the table was not turned on. Between the two activations there must
+//! be nothing that could make a difference: no tool, no parameter, no other cycle.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
@@ -9,7 +10,7 @@ use crate::base::expr::QRef;
 use crate::check::loops::Loop;
 use crate::check::program::{is_silent, number, reads, with_meaning};
 use crate::check::{Defined, Facts, Mark, Rule, Way};
-use crate::program::syntax::{Block, BlockKind};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Path};
 use crate::spec::TakesEffect;
 
 pub(super) const RULE: Rule = Rule { code: "same-datum-twice", severity: Severity::Warning, run };
@@ -25,6 +26,60 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     in_a_row(rule, facts, found);
     in_a_loop(rule, facts, found);
+    turned(rule, facts, found);
+}
+
+/// So many sides of a workpiece make a row.
+const SIDES: usize = 4;
+
+/// Rows that are activated for the sides of a workpiece, where the table is turned to one side twice and one side is left out.
+fn turned(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for axis in [Axis::A, Axis::B, Axis::C] {
+        let mut sides: Vec<(f64, Span, f64)> = Vec::new();
+        let mut angle: Option<(f64, Span)> = None;
+        for (index, block) in facts.program.blocks().iter().enumerate() {
+            match &block.kind {
+                BlockKind::Motion(motion) if motion.path() == Path::L && !block.skip => {
+                    if let Some(coord) = motion.words().coord(axis) {
+                        angle = match coord.value.amount {
+                            Amount::Number(number) if !coord.incremental => Some((number, coord.value.span)),
+                            _ => None,
+                        };
+                    }
+                }
+                BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) => {
+                    let own = facts.definition_at(index).filter(|own| names_row(own));
+                    if let (Some((row, _)), Some((turned, span))) = (own.and_then(|own| row(facts, own)), angle.take())
+                    {
+                        sides.push((turned, span, row));
+                    }
+                }
+                BlockKind::Lbl(_) | BlockKind::ToolCall(_) => judge(rule, facts, &std::mem::take(&mut sides), found),
+                _ => {}
+            }
+        }
+        judge(rule, facts, &sides, found);
+    }
+}
+
+/// Sides at equal steps of which one has the angle of another and the row of none.
+fn judge(rule: &Rule, facts: &Facts<'_>, sides: &[(f64, Span, f64)], found: &mut Vec<Diagnostic>) {
+    let rows: BTreeSet<u64> = sides.iter().map(|(_, _, row)| row.to_bits()).collect();
+    if sides.len() < SIDES || rows.len() < sides.len() {
+        return;
+    }
+    let angle = |at: usize| sides.get(at).map_or(f64::NAN, |(angle, ..)| *angle);
+    let steps = [angle(1) - angle(0), angle(sides.len() - 1) - angle(sides.len() - 2), (angle(3) - angle(0)) / 3.0];
+    for step in steps.into_iter().filter(|step| step.abs() > 1e-6) {
+        let begin = if (angle(1) - angle(0) - step).abs() > 1e-6 { angle(2) - 2.0 * step } else { angle(0) };
+        let fits = |at: usize| (angle(at) - begin - step * at as f64).abs() <= 1e-6;
+        let wrong: Vec<usize> = (0..sides.len()).filter(|at| !fits(*at)).collect();
+        let [only] = wrong.as_slice() else { continue };
+        let again = (0..sides.len()).any(|at| at != *only && (angle(at) - angle(*only)).abs() <= 1e-6);
+        if let (true, Some((_, span, row))) = (again, sides.get(*only)) {
+            return found.push(rule.at(facts, *span).arg("what", "turned").arg("row", Arg::Number(*row)));
+        }
+    }
 }
 
 fn names_row(own: &Defined<'_>) -> bool {

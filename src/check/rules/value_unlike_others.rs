@@ -149,6 +149,8 @@ fn polar(facts: &Facts<'_>) -> Vec<(Span, f64, f64)> {
     for block in blocks.iter().filter(|own| blocks.len() <= MOST && !is_silent(own)) {
         let words = match &block.kind {
             BlockKind::Motion(motion) if motion.path() == Path::Lp && !block.skip => motion.words(),
+            // Corners are rounded and broken between the same points.
+            BlockKind::Motion(motion) if matches!(motion.path(), Path::Rnd | Path::Chf) => continue,
             _ => {
                 found.extend(odd(std::mem::take(&mut radii)));
                 found.extend(step(&std::mem::take(&mut angles)));

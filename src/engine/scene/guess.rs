@@ -26,6 +26,10 @@ pub const INSERT: [f64; 3] = [0.8, 95.0, 80.0];
 pub const RECESSING: [f64; 2] = [3.0, 0.2];
 /// Machines on which a program that turns can run, the best first: the workpiece turns without end on them.
 const TURNING_MACHINES: [&str; 2] = ["mill-turn", "mill-table-c"];
+/// The machine for programs that move B and not A.
+const TILTING_ABOUT_Y: &str = "mill-table-bc";
+/// Where a tool setter is assumed, in machine coordinates, and its width: in a corner of the machine, mm.
+const SETTER: [f64; 4] = [900.0, 900.0, -900.0, 40.0];
 /// The meaning of the parameter that only recessing cycles have.
 const RECESS: &str = "recess-clearance";
 /// How far above the blank the tool starts, mm.
@@ -83,8 +87,14 @@ pub struct Guess {
     pub blank: Option<GuessedBlank>,
     /// Rotary axes that the programs move.
     rotary: [bool; 3],
+    /// Whether a plane is tilted by a block of its own, with whatever axes.
+    tilts: bool,
     /// Whether blocks name positions of rotary axes.
     positioned: bool,
+    /// Whether tools are measured.
+    measures: bool,
+    /// The machine for programs that move B and not A.
+    tilting_machine: &'static str,
     /// The machine for programs that turn.
     turning_machine: &'static str,
     /// The rows of the tool table, as a scene writes them.
@@ -116,7 +126,8 @@ impl Guess {
     ) -> Self {
         let is_there = |name: &&str| machines.iter().any(|(path, _)| path.ends_with(&format!("/{name}.yaml")));
         let turning_machine = TURNING_MACHINES.into_iter().find(is_there).unwrap_or_default();
-        let mut guess = Self { blank, turning_machine, ..Self::default() };
+        let tilting_machine = Some(TILTING_ABOUT_Y).filter(is_there).unwrap_or_default();
+        let mut guess = Self { blank, turning_machine, tilting_machine, ..Self::default() };
         for program in programs {
             guess.read(on, program, table);
         }
@@ -170,14 +181,16 @@ impl Guess {
                     }
                 }
                 BlockKind::CycleDef(definition) => {
+                    self.measures |= is_of(on, definition.keyword, definition.number, Group::ToolMeasurement);
                     if let Some(tool) = loaded.and_then(|index| self.tools.get_mut(index)) {
                         tool.plunges |= plunges(on, definition);
                         tool.probes |= probes(on, definition.keyword, definition.number);
-                        tool.turns |= is_of(on, definition, Group::Turning);
+                        tool.turns |= is_of(on, definition.keyword, definition.number, Group::Turning);
                         tool.recesses |= has(on, definition, RECESS);
                     }
                 }
                 BlockKind::OldCycleLine(line) => {
+                    self.measures |= is_of(on, line.keyword, line.number, Group::ToolMeasurement);
                     if let Some(tool) = loaded.and_then(|index| self.tools.get_mut(index)) {
                         tool.probes |= probes(on, line.keyword, line.number);
                     }
@@ -235,7 +248,7 @@ impl Guess {
                 }
             }
             BlockKind::Statement(statement) => {
-                *a |= statement.kind == crate::program::syntax::StatementKind::Plane;
+                self.tilts |= statement.kind == crate::program::syntax::StatementKind::Plane;
             }
             _ => {}
         }
@@ -246,8 +259,9 @@ impl Guess {
             return self.turning_machine;
         }
         match self.rotary {
-            [false, false, false] => "mill-3-axis",
-            [false, false, true] => "mill-table-c",
+            [false, true, _] if !self.tilting_machine.is_empty() => self.tilting_machine,
+            [false, false, false] if !self.tilts => "mill-3-axis",
+            [false, false, true] if !self.tilts => "mill-table-c",
             _ => "mill-table-ac",
         }
     }
@@ -280,6 +294,10 @@ impl Guess {
             let ball = self.tools.iter().find(|tool| tool.probes && tool.origin != Origin::Assumed);
             let ball = ball.map_or(BALL, |tool| tool.size[1]);
             let _ = writeln!(text, "probe: {{NO: 1, ball_radius: {ball}}}{}", comment(Line::Probe));
+        }
+        if self.measures {
+            let [x, y, z, wide] = SETTER;
+            let _ = writeln!(text, "tool_setter: {{at: [{x}, {y}, {z}], diameter: {wide}}}");
         }
         let top = self.blank.as_ref().map_or(0.0, |blank| blank.top);
         let _ = writeln!(text, "start: {{X: 0, Y: 0, Z: {}}}", top + ABOVE);
@@ -351,8 +369,8 @@ fn plunges(on: &OnControl, definition: &CycleDef) -> bool {
 }
 
 /// Whether a definition is one of a group of cycles.
-fn is_of(on: &OnControl, definition: &CycleDef, group: Group) -> bool {
-    let cycle = key(definition.keyword, definition.number).and_then(|key| on.cycles.get(&key));
+fn is_of(on: &OnControl, keyword: CycleKeyword, number: u32, group: Group) -> bool {
+    let cycle = key(keyword, number).and_then(|key| on.cycles.get(&key));
     cycle.is_some_and(|cycle| cycle.file.group == group)
 }
 

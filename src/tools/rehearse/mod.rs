@@ -27,7 +27,7 @@ use crate::engine::scene::Scene;
 use crate::engine::scene::guess::{Guess, GuessedTool, Origin};
 use crate::engine::stock::Blank;
 use crate::program::fields::key;
-use crate::program::syntax::{Amount, BlockKind, Program, ToolRef};
+use crate::program::syntax::{self, Amount, BlockKind, Program, ToolRef};
 use crate::program::table::Table;
 use crate::spec::{Catalogue, Known, OnControl};
 
@@ -61,12 +61,14 @@ impl Rehearsal<'_> {
         if program.blocks().len() > MOST_BLOCKS {
             return None;
         }
+        let without = without_blends(program);
+        let program = without.as_ref().unwrap_or(program);
         let blank = Blank::of_program(program, Axis::Z).and_then(Result::ok);
         let body = blank.as_ref().map(Body::of);
         if body.is_none() && !calls_a_tool(program) {
             return None;
         }
-        let on = self.describing(program);
+        let on = describing(self.on, self.catalogue, program);
         let mut guess = Guess::of(on, &[program], blank.and_then(|own| own.guessed()), self.tools, self.files);
         for tool in &mut guess.tools {
             tool.plunges = !tool.probes && !tool.turns;
@@ -77,8 +79,7 @@ impl Rehearsal<'_> {
         text.push_str(&format!("presets: {{active: 1, rows: [{}]}}\n", rows.join(", ")));
         let mut scene = Scene::parse(&Source::new("scene", text), self.files).ok()?;
         beside(&mut scene);
-        let frame = Blank::find(program, &scene).map_or(scene.frame, |blank| blank.frame);
-        let mut watcher = Watcher::new((on, self.catalogue), program, body, frame);
+        let mut watcher = Watcher::new((on, self.catalogue), program, body, &scene);
         for tool in guess.tools.iter().filter(|tool| tool.origin != Origin::Assumed && tool.size[1] > 0.0) {
             watcher.radii.push((tool.number, tool.size[1]));
         }
@@ -91,21 +92,6 @@ impl Rehearsal<'_> {
         };
         engine.observe(&mut |event| watcher.see(event));
         Some(watcher.found)
-    }
-
-    /// The control itself, or the one that describes most of the cycles of a program if this one lacks some: enough to see
-    /// where the tool goes.
-    fn describing(&self, program: &Program) -> &OnControl {
-        let mut keys = std::collections::BTreeSet::new();
-        program.each_cycle(|view| {
-            keys.insert(key(view.keyword, view.number));
-        });
-        let lacks = |on: &OnControl| keys.iter().filter(|key| matches!(on.known(**key), Known::Unknown)).count();
-        if lacks(self.on) == 0 {
-            return self.on;
-        }
-        let others = self.catalogue.controls.values().filter(|own| own.id() != self.on.id()).rev();
-        std::iter::once(self.on).chain(others).min_by_key(|on| lacks(on)).unwrap_or(self.on)
     }
 
     /// What a tool is called: in the table, in the program, or in the comment beside its call.
@@ -125,6 +111,36 @@ impl Rehearsal<'_> {
             })
         })
     }
+}
+
+/// The program with the blocks that only round the way to a contour and from it as comments, if it has such blocks: the manuals
+/// do not say where the tool goes there, and the contour is the same without them.
+pub fn without_blends(program: &Program) -> Option<Program> {
+    let blends: Vec<usize> = program.blocks().iter().filter(|own| own.is_blend()).map(|own| own.span.start).collect();
+    if blends.is_empty() {
+        return None;
+    }
+    let mut text = program.source().text().to_owned();
+    for start in blends {
+        let code = text.get(start..)?.find(['G', 'g'])? + start;
+        text.replace_range(code..=code, ";");
+    }
+    Some(syntax::parse(&Source::new(program.source().name(), text)))
+}
+
+/// The control itself, or the one that describes most of the cycles of a program if this one lacks some: enough to see
+/// where the tool goes.
+pub fn describing<'c>(own: &'c OnControl, catalogue: &'c Catalogue, program: &Program) -> &'c OnControl {
+    let mut keys = std::collections::BTreeSet::new();
+    program.each_cycle(|view| {
+        keys.insert(key(view.keyword, view.number));
+    });
+    let lacks = |on: &OnControl| keys.iter().filter(|key| matches!(on.known(**key), Known::Unknown)).count();
+    if lacks(own) == 0 {
+        return own;
+    }
+    let others = catalogue.controls.values().filter(|other| other.id() != own.id()).rev();
+    std::iter::once(own).chain(others).min_by_key(|on| lacks(on)).unwrap_or(own)
 }
 
 /// Whether a program calls a tool: without one, and without a blank, what is executed shows nothing.

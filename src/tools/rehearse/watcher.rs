@@ -10,9 +10,12 @@ use super::work::{Hole, Work};
 use crate::base::diag::{Arg, interned};
 use crate::check::{Incident, Observed, ToolKind, removes_material};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
+use crate::engine::machine::Machine;
 use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MoveKind, Status, Tool};
+use crate::engine::scene::Scene;
 use crate::engine::solid::Path;
-use crate::program::syntax::{self, Block, BlockKind, Program};
+use crate::engine::stock::Blank;
+use crate::program::syntax::{self, Amount, Block, BlockKind, FeedKind, Operand, Program};
 use crate::spec::{Catalogue, Cycle, CycleKey, Group, Keyword, MM_PER_INCH, OnControl};
 
 /// So many cells the longer side of the blank has.
@@ -37,6 +40,11 @@ const FAR: f64 = 50.0;
 const SCALED: f64 = 20.0;
 /// So many blocks in a row may show nothing.
 const SEVERAL: usize = 64;
+/// A feed so many times that of the tool call is one for positioning, and one at which the tool cuts is hardly above it.
+const POSITIONING: f64 = 3.0;
+const CUTTING: f64 = 1.1;
+/// So far outside of the blank a hole in a tilted plane still meets it, mm.
+const MEETS: f64 = 1.0;
 /// Places that are so near are the same, mm.
 pub(super) const SAME: f64 = 0.01;
 
@@ -70,10 +78,20 @@ pub(super) struct Watcher<'w> {
     pub(super) frame: Vec<i64>,
     scaled: bool,
     pub(super) at: DVec3,
+    /// The same in machine coordinates.
+    machine_at: DVec3,
     known: [bool; 3],
     /// The line of the program itself that is executed, or from which another one was called.
     pub(super) line: usize,
     pub(super) angles: Vec<(RotaryAxis, f64)>,
+    /// The machine, its rotary axes at the start, and the way from where the table has brought the blank back to there.
+    machine: Machine,
+    start: DVec3,
+    parts: Option<Frame>,
+    /// A cycle for holes in the tilted plane: its block, and whether it has met the blank.
+    tilted_holes: Option<(usize, bool)>,
+    /// Whether this tool has gone sideways through solid material at the feed of its call.
+    cuts: bool,
     preset: Option<f64>,
     worked: bool,
     pub(super) radii: Vec<(f64, f64)>,
@@ -105,13 +123,14 @@ pub(super) struct Watcher<'w> {
 }
 
 impl<'w> Watcher<'w> {
-    /// Before the run; `frame` leads from the coordinates of the blank to the machine.
+    /// Before the run in a scene.
     pub(super) fn new(
         (on, catalogue): (&'w OnControl, &'w Catalogue),
         program: &'w Program,
         body: Option<Body>,
-        frame: Frame,
+        scene: &Scene,
     ) -> Self {
+        let frame = Blank::find(program, scene).map_or(scene.frame, |blank| blank.frame);
         let size = body.map_or(DVec3::ZERO, |body| body.high - body.low);
         let cell = (size.x.max(size.y) / CELLS).max(0.01);
         let columns = (size.x / cell).ceil().max(1.0) as usize;
@@ -140,9 +159,15 @@ impl<'w> Watcher<'w> {
             frame: Vec::new(),
             scaled: false,
             at: DVec3::ZERO,
+            machine_at: DVec3::ZERO,
             known: [false; 3],
             line: 0,
             angles: Vec::new(),
+            machine: scene.machine.clone(),
+            start: scene.start_angles,
+            parts: None,
+            tilted_holes: None,
+            cuts: false,
             preset: None,
             worked: false,
             radii: Vec::new(),
@@ -200,6 +225,10 @@ impl<'w> Watcher<'w> {
                     self.angles.retain(|(axis, _)| *axis != turned.axis);
                     self.angles.push((turned.axis, turned.machine));
                 }
+                let now = self.angles.iter().fold(self.start, |angles, (axis, angle)| axis.with(angles, *angle));
+                let (before, after) = (self.machine.table(self.start), self.machine.table(now));
+                self.parts = (before != after).then(|| before.of(after.inverse()));
+                self.at = self.place(self.machine_at);
             }
             EventKind::Spindle { tool, direction, speed, .. } => {
                 self.speed = *speed;
@@ -210,6 +239,7 @@ impl<'w> Watcher<'w> {
             EventKind::Error(fault) => self.fault(fault, key),
             EventKind::End(Status::Done) => {
                 self.finish();
+                self.judge_tilted();
                 self.judge_rows();
                 self.judge_ways();
                 if let Some(height) = self.low_at(BESIDE).filter(|_| self.tool.is_some()) {
@@ -288,6 +318,8 @@ impl<'w> Watcher<'w> {
         }
         self.across = *axis != self.plane.tool;
         self.tool = Some(tool.number);
+        self.judge_tilted();
+        self.cuts = false;
         (self.calls, self.called) = (self.calls + 1, self.line);
         self.spindle = direction;
     }
@@ -363,13 +395,15 @@ impl<'w> Watcher<'w> {
     fn go(&mut self, path: &Path, feed: Option<f64>, key: Option<CycleKey>, (line, block): (usize, Option<&Block>)) {
         let begun = self.known == [true; 3];
         let from = self.place(path.at(0.0));
-        self.at = self.place(path.at(1.0));
+        self.machine_at = path.at(1.0);
+        self.at = self.place(self.machine_at);
         self.learn(from, block);
         if let (Some(key), Some(_), Some(tool)) = (key, feed, self.tool) {
             self.use_tool(tool, key);
         }
         if self.away() {
             self.open |= feed.is_some();
+            self.drill_tilted(path, feed.is_some(), key);
             return;
         }
         if self.is_probe() || self.tool.is_none() {
@@ -393,6 +427,14 @@ impl<'w> Watcher<'w> {
             }
             return;
         };
+        // An approach at rapid begins at the feed before it, on the way to its last line or arc.
+        let approaches = block.is_some_and(|own| match &own.kind {
+            BlockKind::Motion(motion) => matches!(motion.path(), syntax::Path::Appr(_)) && motion.outline().is_rapid(),
+            _ => false,
+        });
+        if approaches && certain && begun && !self.open && places.iter().any(|place| self.is_solid(*place)) {
+            self.report(self.line, Incident::Rapid(from.z.min(self.at.z) * self.unit));
+        }
         // Enough places of an arc to see how far it reaches.
         let round: Vec<DVec3> = (0..=ROUND).map(|at| self.place(path.at(f64::from(at) / f64::from(ROUND)))).collect();
         self.note(key, line, &round, certain && begun);
@@ -457,7 +499,7 @@ impl<'w> Watcher<'w> {
             self.plunges(from, feed);
         }
         if solid && key.is_none() {
-            self.cuts_sideways(from, places);
+            self.cuts_sideways(from, places, feed);
         }
         if key.is_none() {
             let plan = (body.high - body.low).truncate().max_element();
@@ -491,11 +533,49 @@ impl<'w> Watcher<'w> {
     }
 
     /// A plain movement at feed through material: whether such a tool cuts sideways.
-    fn cuts_sideways(&mut self, from: DVec3, places: &[DVec3]) {
+    fn cuts_sideways(&mut self, from: DVec3, places: &[DVec3], feed: f64) {
         let (along, down) = ((self.at - from).truncate().length(), from.z - self.at.z);
         let level = down.abs() <= SAME && places.iter().filter(|place| self.is_solid(**place)).count() > 2;
+        if let Some(usual) = self.called_feed().filter(|_| level && along > SAME) {
+            if self.cuts && feed >= POSITIONING * usual {
+                self.report(self.line, Incident::FastCut(feed / usual));
+            }
+            self.cuts |= feed <= CUTTING * usual;
+        }
         if level && along > SAME && self.kind().is_some_and(ToolKind::only_along_axis) {
             self.report(self.line, Incident::Sideways);
+        }
+    }
+
+    /// The feed of the last tool call, mm/min.
+    fn called_feed(&self) -> Option<f64> {
+        let BlockKind::ToolCall(call) = &self.blocks.get(&self.called)?.kind else { return None };
+        match call.feed.as_ref()?.kind {
+            FeedKind::Value(Operand { amount: Amount::Number(feed), .. }) if feed > 0.0 => Some(feed / self.unit),
+            _ => None,
+        }
+    }
+
+    /// A movement in a tilted plane to which the rotary axes have turned: whether a cycle for holes meets the blank at all.
+    fn drill_tilted(&mut self, path: &Path, feeds: bool, key: Option<CycleKey>) {
+        let turned = self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6);
+        let certain = self.tilted && turned && !self.lost && !self.across && self.known == [true; 3];
+        let drills = key.and_then(|key| self.cycle(key)).is_some_and(|own| {
+            matches!(super::work::job(own), Some(super::work::Job::Hole | super::work::Job::Thread))
+        });
+        if !drills || self.tilted_holes.is_some_and(|(line, _)| line != self.line) {
+            self.judge_tilted();
+        }
+        let Some(body) = self.body.filter(|_| drills && feeds && certain && !self.is_probe()) else { return };
+        let met = self.places_of(path).into_iter().any(|place| body.holds(place, -MEETS));
+        let (_, before) = self.tilted_holes.unwrap_or((self.line, false));
+        self.tilted_holes = Some((self.line, before || met));
+    }
+
+    /// A cycle for holes in the tilted plane is over.
+    fn judge_tilted(&mut self) {
+        if let Some((line, false)) = self.tilted_holes.take() {
+            self.report(line, Incident::Astray);
         }
     }
 
@@ -544,12 +624,15 @@ impl<'w> Watcher<'w> {
             let named = words.as_ref().is_some_and(|words| words.coord(axis).is_some_and(|coord| !coord.incremental));
             let moved = (from.to_array()[index] - self.at.to_array()[index]).abs() > 1e-9;
             self.known[index] |= named || moved;
+            // Where a position in machine coordinates is depends on the machine.
+            let of_machine = |words: &syntax::Motion| words.functions.iter().any(|own| matches!(own.number, 91 | 92));
+            self.known[index] &= !words.as_ref().is_some_and(|own| own.coord(axis).is_some() && of_machine(own));
         }
     }
 
     /// A place of the machine in the coordinates of the blank, the tool axis last.
     fn place(&self, machine: DVec3) -> DVec3 {
-        let own = self.to_blank.point(machine);
+        let own = self.to_blank.point(self.parts.map_or(machine, |parts| parts.point(machine)));
         self.plane.flat(own).extend(self.plane.tool.of(own))
     }
 
