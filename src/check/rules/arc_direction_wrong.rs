@@ -1,8 +1,9 @@
 //! An arc that joins neither of its neighbours tangentially as it is written, and both of them with the other direction of
 //! rotation: the tool turns back at its ends, or goes round the other side of the chord.
 //!
-//! The movements that switch radius compensation on and off are no neighbours. Only where the elements follow each other without roundings and chamfers, and all of them are numbers. Arcs with a right
-//! angle or less at their ends may be scoops on purpose: they are reported only if the contour has one such arc.
+//! The movements that switch radius compensation on and off are no neighbours. Only where the elements follow each other
+//! without roundings and chamfers, and all of them are numbers. Arcs with a right angle or less at their ends may be scoops
+//! on purpose: they are reported only if the contour has one such arc.
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::contours::Line;
 use crate::check::program::is_silent;
@@ -31,6 +32,10 @@ struct Piece {
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    // The words of all movements are read only where there are arcs.
+    if !facts.turns {
+        return;
+    }
     let mut line = Line::default();
     // The last elements of the contour, and those arcs in it that are doubtful.
     let mut last: Vec<Piece> = Vec::new();

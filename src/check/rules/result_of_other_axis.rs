@@ -30,6 +30,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     for block in facts.program.blocks() {
         let BlockKind::Motion(motion) = &block.kind else { continue };
+        if !motion.outline().has_parameters() {
+            continue;
+        }
         for coord in &motion.words().coords {
             let Amount::Q { q, .. } = coord.value.amount else { continue };
             let Some((number, axis)) = of(q) else { continue };

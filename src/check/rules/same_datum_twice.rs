@@ -34,6 +34,9 @@ const SIDES: usize = 4;
 
 /// Rows that are activated for the sides of a workpiece, where the table is turned to one side twice and one side is left out.
 fn turned(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if facts.definitions.iter().filter(|own| names_row(own)).count() < SIDES {
+        return;
+    }
     for axis in [Axis::A, Axis::B, Axis::C] {
         let mut sides: Vec<(f64, Span, f64)> = Vec::new();
         let mut angle: Option<(f64, Span)> = None;

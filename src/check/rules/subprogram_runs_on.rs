@@ -2,7 +2,7 @@
 //!
 //! Only reported where both are called, or read as contours, and neither is jumped to or repeated. Jumps and repeats between
 //! the labels must lead to labels between them, and nothing else may lead to those.
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::{Facts, Mark, Rule, Way};
@@ -27,8 +27,8 @@ struct Begun {
     span: Span,
     block: usize,
     /// The labels in it, and those to which it jumps.
-    inner: Vec<Mark>,
-    targets: Vec<Mark>,
+    inner: BTreeSet<Mark>,
+    targets: BTreeSet<Mark>,
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
@@ -51,16 +51,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                         found.push(finding);
                     }
                     let (name, span) = (mark.to_string(), label.span);
-                    let (inner, targets) = (Vec::new(), Vec::new());
+                    let (inner, targets) = (BTreeSet::new(), BTreeSet::new());
                     before = Some(Begun { name, mark, span, block: index, inner, targets });
                 } else if let Some(own) = &mut before {
-                    own.inner.push(mark);
+                    own.inner.insert(mark);
                 }
             }
             BlockKind::FnJump(_) | BlockKind::CallLbl(_) => {
                 for jump in facts.run.graph.uses_in(index).iter().filter(|own| own.way != Way::Call) {
                     match (&jump.mark, &mut before) {
-                        (Some(mark), Some(own)) => own.targets.push(mark.clone()),
+                        (Some(mark), Some(own)) => {
+                            own.targets.insert(mark.clone());
+                        }
                         (None, _) => before = None,
                         (_, None) => {}
                     }
