@@ -13,7 +13,7 @@ use crate::spec::{self, Entries, Formula, Fragment, Moment, Name, Outcome, Param
 
 /// How many fragments a cycle may use, those inside others counted each time: ten uses of ten uses of ten … would
 /// fill any memory.
-const MAX_INLINED: usize = 2000;
+pub(super) const MAX_INLINED: usize = 2000;
 
 /// The type of an old-style field in expressions.
 fn field_type(param: &Param) -> Type {

@@ -9,6 +9,7 @@ mod value;
 
 use std::collections::BTreeMap;
 
+use super::guard::MAX_INLINED;
 use super::names::as_name;
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Expr, QRef, parse};
@@ -59,7 +60,8 @@ pub(super) fn formulas(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
     for on in catalogue.controls.values() {
         for cycle in on.cycles.values() {
             let conditions = &cycle.file.conditions;
-            let mut reader = Reader { catalogue, on, cycle, conditions, names: BTreeMap::new(), inside: 0, found };
+            let names = BTreeMap::new();
+            let mut reader = Reader { catalogue, on, cycle, conditions, names, inside: 0, inlined: 0, found };
             reader.parameters();
             reader.entries(&cycle.file.lets);
             for (_, formula) in &conditions.0 {
@@ -83,6 +85,8 @@ struct Reader<'r> {
     names: BTreeMap<String, Measure>,
     /// In how many fragments.
     inside: usize,
+    /// How many fragments were gone through.
+    inlined: usize,
     found: &'r mut Vec<Diagnostic>,
 }
 
@@ -198,7 +202,12 @@ impl<'r> Reader<'r> {
 
     /// Goes through a fragment with what its arguments measure; of the guards of a cycle only to its guards.
     fn inline(&mut self, name: &Name, with: &'r Entries<Formula>, bind: Option<&Name>, whole: bool) {
-        let Some(fragment) = self.on.fragments.get(name.as_str()).filter(|_| self.inside < DEEPEST) else { return };
+        // That there are too many was found when the run was compiled.
+        if self.inside >= DEEPEST || self.inlined >= MAX_INLINED {
+            return;
+        }
+        let Some(fragment) = self.on.fragments.get(name.as_str()) else { return };
+        self.inlined += 1;
         // What the run has set is known to all.
         let is_set = |name: &String| name.starts_with('Q');
         let set = self.names.iter().filter(|(name, _)| is_set(name));
