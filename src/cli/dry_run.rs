@@ -22,7 +22,7 @@ use crate::language::locale::Locales;
 use crate::program::syntax::{Block, BlockKind, Program, StatementKind};
 use crate::program::table::TableKind;
 use crate::tools::conform::LogTexts;
-use crate::tools::rehearse::{describing, without_blends};
+use crate::tools::rehearse::{describing, without_obstacles};
 
 /// Less material than this is not reported, mm: columns of the stock end at its own walls.
 const LEAST: f64 = 0.1;
@@ -80,7 +80,7 @@ impl DryRun<'_> {
 
     fn findings(&self, file: &Understood, path: &Path, program: &CheckedProgram<'_>) -> Option<Vec<Diagnostic>> {
         // Findings are at the same lines.
-        let without = without_blends(&file.program);
+        let without = without_obstacles(&file.program);
         let run = without.as_ref().unwrap_or(&file.program);
         let (against, tables) = (program.against(), program.named_tables());
         let of_kind = |kind: TableKind| tables.iter().copied().find(|table| table.kind() == kind);

@@ -420,3 +420,20 @@ laws! {
         }
     }
 }
+
+/// A disc that the tool joins and leaves along the tangent at one point: it goes round once, though it comes back to where it
+/// has passed before.
+#[test]
+fn a_contour_that_is_joined_and_left_at_one_point_has_one_way_beside_it() {
+    let half = |to: f64| Edge::Arc { to: DVec2::new(to, 0.0), centre: DVec2::ZERO, sweep: -180.0 };
+    let line = |y: f64| Edge::Line(DVec2::new(-30.0, y));
+    let way = Way { start: DVec2::new(-30.0, -75.0), edges: vec![line(0.0), half(30.0), half(-30.0), line(75.0)] };
+    let beside = way.beside(10.3);
+    let [own] = beside.as_slice() else { panic!("{} ways", beside.len()) };
+    assert!(own.start.distance(DVec2::new(-40.3, -75.0)) < 1e-6 && own.end().distance(DVec2::new(-40.3, 75.0)) < 1e-6);
+    // Two lines of 75 mm and a circle with a radius of 40.3 mm.
+    assert!((own.length() - (150.0 + std::f64::consts::TAU * 40.3)).abs() < 1e-3, "{}", own.length());
+    // At a corner it does not: the line comes straight down to the disc.
+    let edges = vec![Edge::Line(DVec2::new(-30.0, 0.0)), half(30.0), half(-30.0), Edge::Line(DVec2::new(-75.0, 0.0))];
+    assert_ne!(Way { start: DVec2::new(-75.0, 0.0), edges }.beside(10.3).len(), 1);
+}

@@ -26,7 +26,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(block) = facts.program.blocks().get(own.block) else { continue };
         let BlockKind::FnJump(jump) = &block.kind else { continue };
         let uses = facts.run.graph.uses.len();
-        let Some(rest) = patience.checked_sub(facts.program.blocks().len().saturating_mul(2) + 4 * uses) else { return };
+        let Some(rest) = patience.checked_sub(facts.program.blocks().len().saturating_mul(2) + 4 * uses) else {
+            return;
+        };
         patience = rest;
         let what = if once(facts, own, jump, &mut patience) {
             "never"

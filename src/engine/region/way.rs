@@ -61,7 +61,7 @@ impl Way {
 
     /// The ways at a distance in mm on the left of this one, on its right if negative: one, unless it is too narrow
     /// somewhere for a circle of that radius; nothing if it is so everywhere. Where it is closed the way begins beside
-    /// its beginning.
+    /// its beginning. A closed contour that is joined and left tangentially at one point is one as well.
     pub fn beside(&self, distance: f64) -> Vec<Self> {
         if distance.abs() <= NEAR {
             return vec![self.clone()];
@@ -84,8 +84,39 @@ impl Way {
             ..PlineOffsetOptions::default()
         };
         let found = line.parallel_offset_opt(distance, &options);
+        if !closed
+            && found.len() != 1
+            && let Some(joined) = self.beside_joined(distance)
+        {
+            return vec![joined];
+        }
         let begin = self.start + heading(self.start, &self.edges).perp() * distance;
         found.iter().filter(|own| own.path_length() > NEAR).map(|own| from_line(own, begin)).collect()
+    }
+}
+
+impl Way {
+    /// The way beside a closed contour between a first and a last element that join and leave it tangentially: where the tool
+    /// comes from is no wall of the contour, so the tool may pass there again.
+    fn beside_joined(&self, distance: f64) -> Option<Self> {
+        let [first, ring @ .., last] = self.edges.as_slice() else { return None };
+        let ring = Self { start: first.to(), edges: ring.to_vec() };
+        if ring.edges.is_empty() || !ring.is_closed() {
+            return None;
+        }
+        let parts =
+            [Self { start: self.start, edges: vec![*first] }, ring, Self { start: first.to(), edges: vec![*last] }];
+        let mut whole: Option<Self> = None;
+        for part in parts {
+            let mut beside = part.beside(distance);
+            let (Some(next), true) = (beside.pop(), beside.is_empty()) else { return None };
+            match &mut whole {
+                None => whole = Some(next),
+                Some(before) if before.end().distance(next.start) <= CLOSED => before.edges.extend(next.edges),
+                Some(_) => return None,
+            }
+        }
+        whole
     }
 }
 

@@ -159,9 +159,12 @@ impl Table {
     /// The row whose cell holds exactly this text, such as a tool by its NAME.
     ///
     /// # Errors
-    /// [`TableError::NoColumn`].
+    /// [`TableError::NoColumn`], where the control does not know such a column either.
     pub fn find(&self, column: &str, text: &str) -> Result<Option<f64>, TableError> {
-        let heading = self.heading(column)?;
+        let heading = match self.heading(column) {
+            Err(_) if self.kind.column(column).is_some() => return Ok(None),
+            heading => heading?,
+        };
         let has = |line: &Line| heading.cell(&line.text).trim() == text;
         Ok(self.rows.iter().find(|(_, at)| self.lines.get(*at).is_some_and(has)).map(|(key, _)| *key))
     }
@@ -201,12 +204,15 @@ impl Table {
         }
     }
 
-    /// The text of a cell as printed; empty if nothing was entered.
+    /// The text of a cell as printed; empty if nothing was entered, or if the file lacks a column that the control knows.
     ///
     /// # Errors
     /// No such row or column.
     pub fn text(&self, row: f64, column: &str) -> Result<&str, TableError> {
-        let heading = self.heading(column)?;
+        let heading = match self.heading(column) {
+            Err(_) if self.kind.column(column).is_some() => return self.line_of(row).map(|_| ""),
+            heading => heading?,
+        };
         let line = self.line_of(row)?;
         Ok(self.lines.get(line).map_or("", |line| heading.cell(&line.text).trim()))
     }

@@ -27,7 +27,7 @@ use crate::engine::scene::Scene;
 use crate::engine::scene::guess::{Guess, GuessedTool, Origin};
 use crate::engine::stock::Blank;
 use crate::program::fields::key;
-use crate::program::syntax::{self, Amount, BlockKind, Program, ToolRef};
+use crate::program::syntax::{self, Amount, BlockKind, CallForm, FeedKind, Program, ToolRef};
 use crate::program::table::Table;
 use crate::spec::{Catalogue, Known, OnControl};
 
@@ -61,7 +61,7 @@ impl Rehearsal<'_> {
         if program.blocks().len() > MOST_BLOCKS {
             return None;
         }
-        let without = without_blends(program);
+        let without = without_obstacles(program);
         let program = without.as_ref().unwrap_or(program);
         let blank = Blank::of_program(program, Axis::Z).and_then(Result::ok);
         let body = blank.as_ref().map(Body::of);
@@ -113,19 +113,32 @@ impl Rehearsal<'_> {
     }
 }
 
-/// The program with the blocks that only round the way to a contour and from it as comments, if it has such blocks: the manuals
-/// do not say where the tool goes there, and the contour is the same without them.
-pub fn without_blends(program: &Program) -> Option<Program> {
-    let blends: Vec<usize> = program.blocks().iter().filter(|own| own.is_blend()).map(|own| own.span.start).collect();
-    if blends.is_empty() {
+/// The program without what would end its execution and changes nothing of where the tool goes, if it has such: blocks that
+/// only round the way to a contour and from it are comments, since the manuals do not say where the tool goes there; a feed
+/// of some height stands for `FMAX` where a pattern is called, which no control takes and a finding names.
+pub fn without_obstacles(program: &Program) -> Option<Program> {
+    let source = program.source().text();
+    let mut edits = Vec::new();
+    for block in program.blocks() {
+        if block.is_blend() {
+            let code = source.get(block.span.start..)?.find(['G', 'g'])? + block.span.start;
+            edits.push((code..code + 1, ';'));
+        }
+        if let BlockKind::CyclCall(call) = &block.kind
+            && matches!(call.form, CallForm::Pattern)
+            && let Some(feed) = call.feed.as_ref().filter(|feed| matches!(feed.kind, FeedKind::Max))
+        {
+            edits.push((feed.span.start + 1..feed.span.end, '9'));
+        }
+    }
+    if edits.is_empty() {
         return None;
     }
-    let mut text = program.source().text().to_owned();
-    for start in blends {
-        let code = text.get(start..)?.find(['G', 'g'])? + start;
-        text.replace_range(code..=code, ";");
+    let mut text = source.as_bytes().to_vec();
+    for (place, sign) in edits {
+        text.get_mut(place)?.fill(sign as u8);
     }
-    Some(syntax::parse(&Source::new(program.source().name(), text)))
+    Some(syntax::parse(&Source::new(program.source().name(), String::from_utf8(text).ok()?)))
 }
 
 /// The control itself, or the one that describes most of the cycles of a program if this one lacks some: enough to see
