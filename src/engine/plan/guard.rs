@@ -4,16 +4,12 @@
 //! of its caller.
 use std::sync::Arc;
 
-use super::names::{Binding, Scope};
+use super::names::{Binding, MAX_INLINED, Scope};
 use super::types::type_of_word;
 use super::{Block, Compiler, Guard, Inlined, Let, StandsFor};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::Type;
 use crate::spec::{self, Entries, Formula, Fragment, Moment, Name, Outcome, Param, ParameterKind, Shape};
-
-/// How many fragments a cycle may use, those inside others counted each time: ten uses of ten uses of ten … would
-/// fill any memory.
-pub(super) const MAX_INLINED: usize = 2000;
 
 /// The type of an old-style field in expressions.
 fn field_type(param: &Param) -> Type {

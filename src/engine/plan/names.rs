@@ -10,6 +10,10 @@ use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{QRef, Resolve, Type};
 use crate::spec::{Cycle, Name, OnControl};
 
+/// How many fragments a cycle may use, those inside others counted each time: ten uses of ten uses of ten … would
+/// fill any memory.
+pub(super) const MAX_INLINED: usize = 2000;
+
 /// A name that the engine gives a value to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Builtin {

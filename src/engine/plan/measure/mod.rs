@@ -9,8 +9,7 @@ mod value;
 
 use std::collections::BTreeMap;
 
-use super::guard::MAX_INLINED;
-use super::names::as_name;
+use super::names::{MAX_INLINED, as_name};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Expr, QRef, parse};
 use crate::engine::strategy::registry;
