@@ -1,6 +1,7 @@
 //! Two definitions of a cycle that rough and finish the same pocket or slot, and do not describe the same one: one size
-//! differs; the same of a turned contour. Also one that infeeds ten times as much as the other, and two that only rough and leave the same allowance;
-//! and one that infeeds at least twice its depth, though the depth is greater than the diameter of its tool.
+//! differs; the same of a turned contour. Also one that infeeds ten times as much as the other, and two that only rough
+//! and leave the same allowance; and one that infeeds at least twice its depth, though the depth is greater than the
+//! diameter of its tool.
 //!
 //! Only where all the other sizes are equal, so that both certainly mean the same, and where no other definition goes
 //! with either of them.

@@ -1,7 +1,7 @@
-//! Holes that do not go together: one of a row is not centred while a centred place stays without a hole, or the others of
-//! the row are, or the other centred places of it have holes; core holes of
-//! which only some are tapped, or holes of which only some are reamed; a circle of holes that lacks one; a place between two calls that is only passed over; an arc
-//! of a contour whose centre misses the hole that belongs to it.
+//! Holes that do not go together: one of a row is not centred while a centred place stays without a hole, or the others
+//! of the row are, or the other centred places of it have holes; core holes of which only some are tapped, or holes of
+//! which only some are reamed; a circle of holes that lacks one; a place between two calls that is only passed over; an
+//! arc of a contour whose centre misses the hole that belongs to it.
 //!
 //! The first three need an execution of the whole program. Of arcs at least two others must lie about holes, and the one
 //! coordinate that differs must look like a slip of the keyboard. Each is said once a program.

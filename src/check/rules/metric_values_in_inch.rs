@@ -1,7 +1,7 @@
 //! Values in a program in inches that look like millimetres: feeds above 10 m/min, feeds of contours with RL or RR, and
 //! of cycles that plunge, of more than a millimetre a revolution, feeds with which a tool mills fifty times as fast as
-//! it cuts elsewhere, or 25.4 times as fast as its tool call says with RL or RR, a blank of more than 3 m, a depth of several times the height of the blank, a thread with less than
-//! two turns an inch.
+//! it cuts elsewhere, or 25.4 times as fast as its tool call says with RL or RR, a blank of more than 3 m, a depth of
+//! several times the height of the blank, a thread with less than two turns an inch.
 //!
 //! Every block with such a feed is reported, and once there is one also those whose feed is too great for a movement
 //! that cuts, of which no one can say whether it does. Feeds that stand for rapid traverse (9998 and more) are passed

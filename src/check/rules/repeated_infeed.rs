@@ -136,8 +136,10 @@ fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>) -> bool {
 /// Whether a subprogram only moves, be it incrementally, and calls cycles: it leaves no parameter and no transformation
 /// behind.
 fn is_same_each_time(facts: &Facts<'_>, start: usize) -> bool {
+    /// Longer subprograms are not looked at: each call looks at its own.
+    const LONGEST: usize = 1 << 8;
     let body = facts.program.blocks().get(start + 1..).unwrap_or_default();
-    let end = body.iter().position(Block::ends_subprogram);
+    let end = body.iter().take(LONGEST).position(Block::ends_subprogram);
     end.is_some_and(|end| {
         body.iter().take(end).filter(|block| !is_silent(block)).all(|block| match &block.kind {
             BlockKind::Motion(motion) => {

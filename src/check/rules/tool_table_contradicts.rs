@@ -5,6 +5,7 @@
 //!
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`) and has the columns. Of the types those are judged
 //! whose name leaves no doubt; each is reported once for a tool call.
+use std::cell::OnceCell;
 use std::collections::HashSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
@@ -200,12 +201,20 @@ fn to_diameter(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mu
 
 /// A left-hand thread with a tap whose name does not say that it is one, in a program that does not say so either.
 fn left_hand(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<Diagnostic>) {
-    let mut reported = HashSet::new();
+    let (mut seen, mut reported) = (HashSet::new(), HashSet::new());
+    let said = OnceCell::new();
+    let is_said = || {
+        let mut comments = facts.program.blocks().iter().filter_map(|block| block.comment());
+        *said.get_or_init(|| comments.any(|comment| is_left(facts.text(comment))))
+    };
     for call in &facts.run.calls {
         let (Pending::Definition(index), Loaded::By(block)) = (call.modal.pending, call.modal.loaded) else { continue };
+        if call.modal.is(Aspect::Counterclockwise) == Tri::Yes || !seen.insert((index, block)) {
+            continue;
+        }
         let Some(own) = facts.definitions.get(index as usize) else { continue };
         let taps = |cycle: &Cycle| cycle.file.group == Group::Threads && with_meaning(cycle, MILLED).is_none();
-        if !own.related_cycle().is_some_and(taps) || call.modal.is(Aspect::Counterclockwise) == Tri::Yes {
+        if !own.related_cycle().is_some_and(taps) {
             continue;
         }
         let related = own.as_related_cycle();
@@ -225,8 +234,7 @@ fn left_hand(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut 
         if pitch >= 0.0 || !taps || words.iter().any(|words| is_left(words)) {
             continue;
         }
-        let said = facts.program.blocks().iter().filter_map(|block| block.comment());
-        if !said.into_iter().any(|comment| is_left(facts.text(comment))) && reported.insert(index) {
+        if !is_said() && reported.insert(index) {
             let finding = rule.at(facts, item.value_span).arg("what", "left").arg("tool", shown(facts, tool));
             found.push(finding.arg("value", Arg::Number(pitch)).arg("other", ""));
         }

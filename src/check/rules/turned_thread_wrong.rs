@@ -1,7 +1,8 @@
-//! A turned thread that does not fit what was turned before: its pitch is far too large for its diameter, its diameter is
-//! another one than that of the cylinder on which it lies, it goes on beyond the end of that cylinder or past the only groove
-//! in it, in which it is to run out, or it is an inside thread on a cylinder that was turned outside. Also one that is cut with a constant cutting speed: the spindle speed
-//! changes with the depth of each pass, and the flanks with it.
+//! A turned thread that does not fit what was turned before: its pitch is far too large for its diameter, its diameter
+//! is another one than that of the cylinder on which it lies, it goes on beyond the end of that cylinder or past the
+//! only groove in it, in which it is to run out, or it is an inside thread on a cylinder that was turned outside. Also
+//! one that is cut with a constant cutting speed: the spindle speed changes with the depth of each pass, and the flanks
+//! with it.
 //!
 //! Cylinders are those of the simple cycles for shoulders, where their end is written as a number. Nothing is said of
 //! threads on contours that cycles read from subprograms.
