@@ -24,7 +24,8 @@ use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::{Body, Mesh, Path, Shape};
 use ciklo::engine::stock::{Batch, Cutter, Machining, Stock, Tip};
 use ciklo::engine::strategy::contour::{Clearing, Contours};
-use ciklo::engine::strategy::{self, Milling, pocket, thread};
+use ciklo::engine::strategy::shape::{pocket_and_slot, thread};
+use ciklo::engine::strategy::{self, Milling};
 use ciklo::program::syntax::parse;
 use ciklo::spec::{Catalogue, OnControl};
 use glam::{DVec2, DVec3};
@@ -465,7 +466,7 @@ fn drawing() {
     const PATHS: u32 = 10_000;
     let tool = strategy::Cutter { radius: 5.0 };
     let centre = DVec3::ZERO;
-    let pocket = pocket::ClearRectangleLevel {
+    let pocket = pocket_and_slot::ClearRectangleLevel {
         centre,
         climb: 1.0,
         length: 80.0,
@@ -475,7 +476,7 @@ fn drawing() {
         stepover: 4.0,
         at: 500.0,
     };
-    let circle = pocket::ClearCircleLevel { centre, climb: 1.0, diameter: 80.0, stepover: 4.0, at: 500.0 };
+    let circle = pocket_and_slot::ClearCircleLevel { centre, climb: 1.0, diameter: 80.0, stepover: 4.0, at: 500.0 };
     let thread = thread::MillThreadHelix {
         centre,
         surface: 0.0,

@@ -15,21 +15,21 @@ pub struct Observed {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Incident {
     /// A rapid movement goes into it, down to a height.
-    Rapid(f64),
+    RapidInMaterial(f64),
     /// A movement at feed goes into it while the spindle is stationary.
-    Standing,
+    FeedWithoutSpindle,
     /// The same after a tool call that nothing has followed which turns the spindle on.
-    Unstarted,
+    FeedBeforeSpindleStart,
     /// A tool call while the tool is inside of it, at a height.
-    ToolChange(f64),
+    ToolChangeInMaterial(f64),
     /// A rotary axis turns at rapid while the tool is inside of it, at a height.
-    Turn(f64),
+    AxisTurnsInMaterial(f64),
     /// The plane is tilted with a compensating movement while the tool is inside of it, at a height.
-    Tilt(f64),
+    TiltsInMaterial(f64),
     /// The program ends while the tool is inside of it, at a height.
-    End(f64),
+    EndsInMaterial(f64),
     /// A place that the same definition has machined before.
-    Again([f64; 2]),
+    MachinedAgain([f64; 2]),
     /// A hole or pocket in which a thread is cut, as wide as the thread.
     WideCore {
         /// The diameter of the thread.
@@ -38,15 +38,15 @@ pub enum Incident {
         hole: f64,
     },
     /// A round pocket that is cut by the edge of the blank, or a rectangular one that covers all of it.
-    Over([f64; 2]),
+    CoversBlank([f64; 2]),
     /// A pocket, or a place of a contour, far from it.
-    Outside([f64; 2]),
+    OutsideBlank([f64; 2]),
     /// An approach or a departure on an arc that begins or ends inside of it, with its radius.
-    Arc(f64),
+    ArcInMaterial(f64),
     /// A contour that begins where the tool has plunged.
-    Plunged,
+    ContourStartsAtPlunge,
     /// Material higher above the tool tip than its cutting edges are long.
-    Deep(f64),
+    DeeperThanCuttingEdge(f64),
     /// A tap where no hole was made, though holes were made elsewhere.
     NoHole([f64; 2]),
     /// A tap that goes deeper than its hole.
@@ -57,20 +57,20 @@ pub enum Incident {
         hole: f64,
     },
     /// A hole next to it, at a place.
-    Beside([f64; 2]),
+    HoleBesideBlank([f64; 2]),
     /// A hole that begins above it or below it, at a height.
-    Surface(f64),
+    HoleOffSurface(f64),
     /// A hole that goes through it, down to a height.
-    Through(f64),
+    HoleThroughBlank(f64),
     /// A movement cuts while the spindle is stationary, or, if it is not started, was not turned on since the tool call.
-    Still {
+    CutsWithoutSpindle {
         /// Whether the spindle still turns for the tool before.
         unstarted: bool,
     },
     /// A cycle that stays above the blank, and its lowest height.
-    Above(f64),
+    AboveBlank(f64),
     /// A movement that cuts far below the blank, at a height.
-    Below(f64),
+    BelowBlank(f64),
     /// A contour or element that the control cannot calculate.
     Incalculable(&'static str),
     /// A thread in a hole that is too narrow for it.
@@ -95,7 +95,7 @@ pub enum Incident {
         hole: f64,
     },
     /// A reamer without a hole, one that goes deeper than its hole, or one that has to take away too much.
-    Reamed {
+    ReamedWrongly {
         /// Which of these.
         what: &'static str,
         /// How deep it goes, or its diameter.
@@ -108,11 +108,11 @@ pub enum Incident {
     /// A tool that goes sideways through solid material with so many times the feed of its call.
     FastCut(f64),
     /// A hole in a tilted plane that does not meet the blank, at a place of that plane.
-    Astray,
+    MissesBlankInTiltedPlane,
     /// A tool that only cuts along its axis goes sideways through material.
-    Sideways,
+    SidewaysWithDrill,
     /// The tool goes down to a height before it was positioned in the plane.
-    Unplaced(f64),
+    DownBeforePositioned(f64),
     /// A path that the same tool has gone under another transformation.
     PathTwice,
     /// A tool whose name says that it is there for something else.
@@ -125,41 +125,41 @@ pub enum Incident {
         cycle: CycleKey,
     },
     /// A tool that has done before what no such tool does.
-    OtherJob {
+    ToolHasOtherJob {
         /// The cycle with which it cuts.
         cycle: CycleKey,
         /// The one with which it has cut before.
         before: CycleKey,
     },
     /// A deepened starting point below the bottom of the hole that is there.
-    Pilot {
+    StartBelowPilotHole {
         /// The height at which it starts.
         start: f64,
         /// The bottom of the hole.
         bottom: f64,
     },
     /// A contour that comes back to a corner which it has already.
-    Returns([f64; 2]),
+    CornerPassedTwice([f64; 2]),
     /// A hole that was not centred, while a place that was centred stays without one.
-    Stray([f64; 2]),
+    NotCentred([f64; 2]),
     /// A core hole in which no thread is cut, although it is cut in others of the same row.
     Untapped([f64; 2]),
     /// The only hole of a row that was not centred.
-    Uncentred([f64; 2]),
+    OnlyOneNotCentred([f64; 2]),
     /// The only centred place of a row to which no tool comes.
-    Unused([f64; 2]),
+    CentredInVain([f64; 2]),
     /// The same as `Untapped` of a hole that is not reamed.
     Unreamed([f64; 2]),
     /// A place that a circle of holes lacks.
-    Gap([f64; 2]),
+    GapInCircle([f64; 2]),
     /// The corner of a rectangle of four holes, of which one lies elsewhere.
-    Corner([f64; 2]),
+    CornerOfRectangleOff([f64; 2]),
     /// A hole that the edge of the blank cuts.
-    Edge([f64; 2]),
+    HoleCutByEdge([f64; 2]),
     /// A movement for which the feed 0 is active.
     NoFeed,
     /// A tool drills or mills while the spindle turns counter-clockwise.
-    Backwards,
+    SpindleBackwards,
     /// The control refuses a cycle with a message of its own, with the cycle and the code of the message.
     Refused(CycleKey, &'static str),
 }

@@ -70,7 +70,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let part = stock::wanted(matches);
     let watched = part.is_some() || scene.stock.is_some();
     let mut watch = watched.then(|| stock::begin(&execution.file, &scene, matches)).transpose()?.map(Watch::new);
-    let mut reporter = Reporter::new(matches.get_flag("events"));
+    let mut reporter = EventPrinter::new(matches.get_flag("events"));
     let output = &mut *session.output;
     let result = match &mut watch {
         Some(watch) => engine.run(&mut |event| watch.see(event, &mut |event| reporter.report(&event, output))),
@@ -133,7 +133,7 @@ impl Texts for Words<'_, '_> {
 }
 
 /// Prints events as they come, or remembers what the summary needs.
-struct Reporter {
+struct EventPrinter {
     events: bool,
     /// Events as lines that were not handed on yet.
     lines: Lines,
@@ -144,7 +144,7 @@ struct Reporter {
     written: Result<(), Failure>,
 }
 
-impl Reporter {
+impl EventPrinter {
     fn new(events: bool) -> Self {
         Self { events, lines: Lines::default(), set: BTreeMap::new(), failed: None, written: Ok(()) }
     }

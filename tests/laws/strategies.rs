@@ -3,8 +3,9 @@
 //!
 //! What is covered is calculated here, from the legs as they are.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
-use ciklo::engine::strategy::pocket::{ClearCircleLevel, ClearRectangleLevel, ClearSlotLevel};
-use ciklo::engine::strategy::{Cutter, Leg, Milling, plunge, stud, thread};
+use ciklo::engine::strategy::shape::pocket_and_slot::{ClearCircleLevel, ClearRectangleLevel, ClearSlotLevel};
+use ciklo::engine::strategy::shape::{plunge, stud, thread};
+use ciklo::engine::strategy::{Cutter, Leg, Milling};
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 

@@ -1,10 +1,10 @@
 //! Parts of the manual's pages by themselves: topics cut to a control, the sentences of the search, NC blocks in colours.
-use ciklo::output::manual::cut::{Names, cut};
+use ciklo::output::manual::for_control::{Names, keep};
 use ciklo::output::manual::highlight::html;
 use ciklo::output::manual::search::sentences;
 
 fn for_first(markdown: &str) -> String {
-    cut(markdown, &Names { own: vec!["TNC 1"], others: vec!["TNC 2", "iTNC 3"] })
+    keep(markdown, &Names { own: vec!["TNC 1"], others: vec!["TNC 2", "iTNC 3"] })
 }
 
 #[test]
@@ -30,7 +30,7 @@ fn tables_lose_rows_columns_and_parts_of_cells() {
 
 #[test]
 fn what_begins_a_sentence_now_has_a_capital_unless_it_is_a_name() {
-    let of_third = |text| cut(text, &Names { own: vec!["iTNC 3"], others: vec!["TNC 1", "TNC 2"] });
+    let of_third = |text| keep(text, &Names { own: vec!["iTNC 3"], others: vec!["TNC 1", "TNC 2"] });
     assert_eq!(of_third("Teeth. TNC 1:ssa 20; iTNC 3:ssa 99.\n").trim(), "Teeth. iTNC 3:ssa 99.");
     assert_eq!(of_third("Teeth. On the TNC 1 20; on the iTNC 3 99.\n").trim(), "Teeth. On the iTNC 3 99.");
 }
@@ -38,7 +38,7 @@ fn what_begins_a_sentence_now_has_a_capital_unless_it_is_a_name() {
 #[test]
 fn a_topic_of_one_control_is_not_changed() {
     let text = "On the TNC 2 it is slow.\n";
-    assert_eq!(cut(text, &Names { own: vec!["TNC 1"], others: Vec::new() }), text);
+    assert_eq!(keep(text, &Names { own: vec!["TNC 1"], others: Vec::new() }), text);
 }
 
 #[test]

@@ -15,15 +15,17 @@ use ciklo::engine::strategy::action::{
     Calibrated, Coordinate, Course, Felt, Function, Kept, Kinematics, KnownSetter, Probe, Probing, Programs, Rotary,
     RotaryAxes, Running, Spindle, Stopped, Stylus, System, Tables, ToolSetter, Turntable,
 };
+use ciklo::engine::strategy::alignment::{basic_rotation, datum, rotary};
 use ciklo::engine::strategy::contour::{self, Contours};
-use ciklo::engine::strategy::digitized::Digitizing;
+use ciklo::engine::strategy::contour::{cylinder, cylinder_wall, train};
+use ciklo::engine::strategy::digitizing::range::Digitizing;
+use ciklo::engine::strategy::kinematics::memory;
+use ciklo::engine::strategy::probing::{self, measure};
+use ciklo::engine::strategy::shape::{face, font, pocket_and_slot, stud};
 use ciklo::engine::strategy::{
     Action, Calculation, Cutter, Done, Leg, Milling, Mm, OverContours, STRATEGIES, Strategy,
 };
-use ciklo::engine::strategy::{
-    cylinder, datum, face, font, measure, memory, pocket, probing, program, rotary, rotation, spindle, stud, train,
-    wall,
-};
+use ciklo::engine::strategy::{program, spindle};
 use ciklo::engine::table::{Cell, TableKind};
 use ciklo::spec::{Argument, Quantity, Verb};
 use glam::{DVec2, DVec3};
@@ -112,7 +114,8 @@ const TOOL: Cutter = Cutter { radius: 5.0 };
 
 #[test]
 fn a_pocket_that_is_too_narrow_is_no_path() {
-    let pocket = pocket::ClearCircleLevel { centre: DVec3::ZERO, climb: 1.0, diameter: 9.0, stepover: 3.0, at: 500.0 };
+    let pocket =
+        pocket_and_slot::ClearCircleLevel { centre: DVec3::ZERO, climb: 1.0, diameter: 9.0, stepover: 3.0, at: 500.0 };
     let path = pocket.path(TOOL, DVec3::ZERO);
     assert!(path.legs.is_empty());
     assert_eq!(path.fault.map(|fault| fault.code.into_owned()).as_deref(), Some("shape-impossible"));
@@ -120,7 +123,7 @@ fn a_pocket_that_is_too_narrow_is_no_path() {
 
 #[test]
 fn the_legs_before_a_fault_are_there() {
-    let floor = pocket::FinishCircleFloor {
+    let floor = pocket_and_slot::FinishCircleFloor {
         centre: DVec3::ZERO,
         climb: 1.0,
         diameter: 40.0,
@@ -507,17 +510,17 @@ impl Kept for Notebook {
         self.done.push(format!("{area:.3} mm² left at {at:.3}"));
     }
 
-    fn keep_thread(&mut self, thread: ciklo::engine::strategy::turning_thread::TurnedThread) {
+    fn keep_thread(&mut self, thread: ciklo::engine::strategy::turning::thread::TurnedThread) {
         self.contours.thread = Some(thread);
     }
 
     fn hold_insert(&mut self, _: ciklo::engine::machine::Insert) {}
 
-    fn keep_turned(&mut self, turned: ciklo::engine::strategy::turned::Turned) {
+    fn keep_turned(&mut self, turned: ciklo::engine::strategy::turning::profile::Turned) {
         self.contours.turned = Some(turned);
     }
 
-    fn keep_groove(&mut self, groove: ciklo::engine::strategy::groove::Groove) {
+    fn keep_groove(&mut self, groove: ciklo::engine::strategy::turning::groove::Groove) {
         self.contours.groove = Some(groove);
     }
 
@@ -596,14 +599,14 @@ fn a_contour_is_wrapped_on_a_cylinder() {
 fn walls_are_reworked_as_often_as_the_tolerance_asks_for() {
     // Half of the radius at the floor: 0.5 / (2 √0.5) is the tangent of 19.47°. With an arm of 5 and 0.02 mm the angle
     // of two passes is 2 acos(0.996) = 10.25° at most: two passes more, by 0.2929 / (2 · 0.8409), 9.88°.
-    let radii = wall::radii_of_walls(40.0, 20.0, 5.0, 0.02, 10).expect("few");
+    let radii = cylinder_wall::radii_of_walls(40.0, 20.0, 5.0, 0.02, 10).expect("few");
     let wanted = [40.0 * 0.5_f64.sqrt(), 20.0];
     assert!(
         radii.len() == 2 && radii.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-9),
         "{radii:?}"
     );
-    assert_eq!(wall::radii_of_walls(40.0, 20.0, 0.01, 0.02, 10), Some(Vec::new()));
-    assert_eq!(wall::radii_of_walls(40.0, 20.0, 5.0, 1e-9, 10), None);
+    assert_eq!(cylinder_wall::radii_of_walls(40.0, 20.0, 0.01, 0.02, 10), Some(Vec::new()));
+    assert_eq!(cylinder_wall::radii_of_walls(40.0, 20.0, 5.0, 1e-9, 10), None);
 }
 
 #[test]
@@ -843,7 +846,7 @@ fn a_turned_workpiece_is_turned_back() {
     assert_eq!((found.way, control.angle), (-2.0, 8.0));
     rotary::ZeroRotaryTable { axis: None }.act(&mut control).expect("a zero");
     assert_eq!(control.zero, (8.0, 0.0));
-    rotation::WriteBasicRotation { angle: 1.5, row: Some(4.0) }.act(&mut control).expect("a row");
+    basic_rotation::WriteBasicRotation { angle: 1.5, row: Some(4.0) }.act(&mut control).expect("a row");
     assert_eq!(control.cells, [(TableKind::Preset, 4.0, "SPC".to_owned(), 1.5)]);
 }
 

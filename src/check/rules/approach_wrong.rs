@@ -17,8 +17,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut arc, mut plunged) = (false, false);
     for (span, own) in incidents(facts) {
         let (what, radius, said) = match own {
-            Incident::Arc(radius) => ("arc", *radius, &mut arc),
-            Incident::Plunged => ("plunged", 0.0, &mut plunged),
+            Incident::ArcInMaterial(radius) => ("arc", *radius, &mut arc),
+            Incident::ContourStartsAtPlunge => ("plunged", 0.0, &mut plunged),
             _ => continue,
         };
         if !std::mem::replace(said, true) {

@@ -11,7 +11,7 @@ pub(super) const RULE: Rule = Rule { code: "contour-returns", severity: Severity
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let first = first_incident(facts, |own| match own {
-        Incident::Returns(place) => Some(place),
+        Incident::CornerPassedTwice(place) => Some(place),
         _ => None,
     });
     if let Some((span, [x, y])) = first {

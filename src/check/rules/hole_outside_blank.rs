@@ -14,21 +14,21 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (span, own) in incidents(facts) {
         let finding = rule.at(facts, *span);
         match own {
-            Incident::Beside([x, y]) if !std::mem::replace(&mut beside, true) => {
+            Incident::HoleBesideBlank([x, y]) if !std::mem::replace(&mut beside, true) => {
                 let finding = finding.arg("what", "beside").arg("value", Arg::Number(*x));
                 found.push(finding.arg("other", Arg::Number(*y)));
             }
-            Incident::Astray => {
+            Incident::MissesBlankInTiltedPlane => {
                 found.push(finding.arg("what", "tilted").arg("value", 0).arg("other", 0));
             }
-            Incident::Edge([x, y]) => {
+            Incident::HoleCutByEdge([x, y]) => {
                 let finding = finding.arg("what", "edge").arg("value", Arg::Number(*x));
                 found.push(finding.arg("other", Arg::Number(*y)));
             }
-            Incident::Surface(height) => {
+            Incident::HoleOffSurface(height) => {
                 found.push(finding.arg("what", "surface").arg("value", Arg::Number(*height)).arg("other", 0));
             }
-            Incident::Through(height) => {
+            Incident::HoleThroughBlank(height) => {
                 found.push(finding.arg("what", "through").arg("value", Arg::Number(*height)).arg("other", 0));
             }
             _ => {}

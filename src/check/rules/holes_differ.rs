@@ -30,13 +30,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut reported = [false; 7];
     for (span, own) in incidents(facts) {
         let (what, place, at) = match own {
-            Incident::Stray(place) => ("stray", *place, 0),
+            Incident::NotCentred(place) => ("stray", *place, 0),
             Incident::Untapped(place) => ("untapped", *place, 1),
-            Incident::Uncentred(place) => ("uncentred", *place, 5),
-            Incident::Unused(place) => ("unused", *place, 6),
+            Incident::OnlyOneNotCentred(place) => ("uncentred", *place, 5),
+            Incident::CentredInVain(place) => ("unused", *place, 6),
             Incident::Unreamed(place) => ("unreamed", *place, 4),
-            Incident::Gap(place) => ("gap", *place, 2),
-            Incident::Corner(place) => ("corner", *place, 3),
+            Incident::GapInCircle(place) => ("gap", *place, 2),
+            Incident::CornerOfRectangleOff(place) => ("corner", *place, 3),
             _ => continue,
         };
         if !std::mem::replace(&mut reported[at], true) {

@@ -26,10 +26,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut outside, mut over, mut above, mut below) = (false, false, false, false);
     for (span, own) in incidents(facts) {
         let (what, [x, y], said) = match own {
-            Incident::Outside(place) => ("outside", *place, &mut outside),
-            Incident::Over(place) => ("over", *place, &mut over),
-            Incident::Above(height) => ("above", [*height, 0.0], &mut above),
-            Incident::Below(height) => ("below", [*height, 0.0], &mut below),
+            Incident::OutsideBlank(place) => ("outside", *place, &mut outside),
+            Incident::CoversBlank(place) => ("over", *place, &mut over),
+            Incident::AboveBlank(height) => ("above", [*height, 0.0], &mut above),
+            Incident::BelowBlank(height) => ("below", [*height, 0.0], &mut below),
             _ => continue,
         };
         if !std::mem::replace(said, true) {

@@ -11,7 +11,7 @@ pub(super) const RULE: Rule = Rule { code: "milling-deeper-than-edges", severity
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (span, own) in incidents(facts) {
-        if let Incident::Deep(height) = own {
+        if let Incident::DeeperThanCuttingEdge(height) = own {
             found.push(rule.at(facts, *span).arg("value", Arg::Number(*height)));
         }
     }

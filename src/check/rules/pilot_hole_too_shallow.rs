@@ -11,7 +11,7 @@ pub(super) const RULE: Rule = Rule { code: "pilot-hole-too-shallow", severity: S
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let first = first_incident(facts, |own| match own {
-        Incident::Pilot { start, bottom } => Some((start, bottom)),
+        Incident::StartBelowPilotHole { start, bottom } => Some((start, bottom)),
         _ => None,
     });
     if let Some((span, (start, bottom))) = first {

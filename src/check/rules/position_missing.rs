@@ -10,7 +10,7 @@ pub(super) const RULE: Rule = Rule { code: "position-missing", severity: Severit
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let first = first_incident(facts, |own| match own {
-        Incident::Unplaced(height) => Some(height),
+        Incident::DownBeforePositioned(height) => Some(height),
         _ => None,
     });
     if let Some((span, height)) = first {

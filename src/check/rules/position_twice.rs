@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule { code: "position-twice", severity: Severity:
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let first = first_incident(facts, |own| match own {
-        Incident::Again(place) => Some(place),
+        Incident::MachinedAgain(place) => Some(place),
         _ => None,
     });
     if let Some((span, [x, y])) = first.or_else(|| in_a_row(facts)) {

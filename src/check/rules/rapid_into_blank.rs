@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule { code: "rapid-into-blank", severity: Severit
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program) else { return };
     let first = first_incident(facts, |own| match own {
-        Incident::Rapid(height) => Some(height),
+        Incident::RapidInMaterial(height) => Some(height),
         _ => None,
     });
     if let Some((span, height)) = first {

@@ -12,7 +12,7 @@ pub(super) const RULE: Rule = Rule { code: "reaming-wrong", severity: Severity::
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let first = first_incident(facts, |own| match own {
-        Incident::Reamed { what, value, other } => Some((what, value, other)),
+        Incident::ReamedWrongly { what, value, other } => Some((what, value, other)),
         _ => None,
     });
     if let Some((span, (what, value, other))) = first {

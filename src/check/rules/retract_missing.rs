@@ -25,10 +25,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut change, mut turn, mut tilt, mut end) = (false, false, false, false);
     for (span, own) in incidents(facts) {
         let (what, height, said) = match own {
-            Incident::ToolChange(height) => ("change", *height, &mut change),
-            Incident::Turn(height) => ("turn", *height, &mut turn),
-            Incident::Tilt(height) => ("tilt", *height, &mut tilt),
-            Incident::End(height) => ("end", *height, &mut end),
+            Incident::ToolChangeInMaterial(height) => ("change", *height, &mut change),
+            Incident::AxisTurnsInMaterial(height) => ("turn", *height, &mut turn),
+            Incident::TiltsInMaterial(height) => ("tilt", *height, &mut tilt),
+            Incident::EndsInMaterial(height) => ("end", *height, &mut end),
             _ => continue,
         };
         if !std::mem::replace(said, true) {

@@ -29,9 +29,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let again = again || with_meaning(cycle, OWN_SPEED).is_some();
         (removes_material(cycle) || cycle.file.group == Group::Turning) && !again
     });
-    let standing = incidents(facts).iter().find(|(span, own)| *own == Incident::Standing && mills(facts, *span));
+    let standing =
+        incidents(facts).iter().find(|(span, own)| *own == Incident::FeedWithoutSpindle && mills(facts, *span));
     let standing = standing.map(|(span, _)| *span);
-    let still = incidents(facts).iter().find(|(_, own)| *own == Incident::Still { unstarted: false });
+    let still = incidents(facts).iter().find(|(_, own)| *own == Incident::CutsWithoutSpindle { unstarted: false });
     let still = still.map(|(span, _)| *span);
     let all = calls
         .map(|call| call.span)

@@ -26,17 +26,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         all.extend(judged(facts, call).map(|what| (call.span, call.modal.loaded, what)));
     }
     all.extend(contours(facts));
-    let unstarted = incidents(facts).iter().filter(|(span, own)| *own == Incident::Unstarted && mills(facts, *span));
+    let unstarted =
+        incidents(facts).iter().filter(|(span, own)| *own == Incident::FeedBeforeSpindleStart && mills(facts, *span));
     all.extend(unstarted.filter_map(|(span, _)| {
         let at = facts.program.blocks().partition_point(|block| block.span.start < span.start);
         Some((*span, facts.run.before(at.saturating_sub(1))?.loaded, "missing"))
     }));
-    let still = incidents(facts).iter().filter(|(_, own)| *own == Incident::Still { unstarted: true });
+    let still = incidents(facts).iter().filter(|(_, own)| *own == Incident::CutsWithoutSpindle { unstarted: true });
     if all.iter().all(|(.., what)| *what != "missing") {
         all.extend(still.map(|(span, _)| (*span, Loaded::Unknown, "missing")));
     }
     if all.iter().all(|(.., what)| *what != "direction") {
-        let backwards = incidents(facts).iter().filter(|(_, own)| *own == Incident::Backwards);
+        let backwards = incidents(facts).iter().filter(|(_, own)| *own == Incident::SpindleBackwards);
         all.extend(backwards.map(|(span, _)| (*span, Loaded::Unknown, "direction")));
     }
     all.sort_by_key(|(span, ..)| span.start);

@@ -9,6 +9,6 @@ use crate::check::{Facts, Rule};
 pub(super) const RULE: Rule = Rule { code: "tool-cuts-sideways", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let first = incidents(facts).iter().find(|(_, own)| *own == Incident::Sideways);
+    let first = incidents(facts).iter().find(|(_, own)| *own == Incident::SidewaysWithDrill);
     found.extend(first.map(|(span, _)| rule.at(facts, *span)));
 }

@@ -63,7 +63,7 @@ fn observed(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     let first = first_incident(facts, |own| match own {
-        Incident::OtherJob { cycle, before } => Some((cycle, before)),
+        Incident::ToolHasOtherJob { cycle, before } => Some((cycle, before)),
         _ => None,
     });
     if let Some((span, (cycle, before))) = first {

@@ -42,7 +42,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// subprogram: another value was meant.
 fn again(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // What is machined twice in the same place is said there.
-    let twice = |own: &Incident| matches!(own, Incident::Again(_) | Incident::PathTwice);
+    let twice = |own: &Incident| matches!(own, Incident::MachinedAgain(_) | Incident::PathTwice);
     if facts.flow.programs || facts.flow.unread.any() || incidents(facts).iter().any(|(_, own)| twice(own)) {
         return;
     }

@@ -105,7 +105,7 @@ impl Walk<'_, '_> {
         let tool = self.tools.as_ref().and_then(|tools| tools.get(modal.loaded)).map(|tool| tool.radius);
         let room = radius - tool.unwrap_or(RADIUS * self.unit);
         if libm::hypot(place[0] - centre[0], place[1] - centre[1]) < room - SKIN * self.unit {
-            self.tell(block, Incident::Arc(radius));
+            self.tell(block, Incident::ArcInMaterial(radius));
         }
     }
 
@@ -128,7 +128,7 @@ impl Walk<'_, '_> {
         let flat = words.coord(super::AXES[0]).is_some() || words.coord(super::AXES[1]).is_some();
         let first = begins.is_some() && modal.is(Aspect::Compensation) == Tri::No && words.path == Path::L;
         if first && flat && before.is_some() && before == here && self.below(from[2]) {
-            self.tell(block, Incident::Plunged);
+            self.tell(block, Incident::ContourStartsAtPlunge);
         }
         if line.is_some() || words.path != Path::L {
             self.course.heading = line;
@@ -138,13 +138,13 @@ impl Walk<'_, '_> {
             let plan = (0..2).map(|axis| self.blank.high[axis] - self.blank.low[axis]).fold(0.0, f64::max);
             let far = self.blank.distance(here) > plan + FAR * self.unit;
             if far && !std::mem::replace(&mut self.course.reported[0], true) {
-                self.tell(block, Incident::Outside(here));
+                self.tell(block, Incident::OutsideBlank(here));
             }
         }
         if let Some(height) = self.too_deep(from, modal)
             && !std::mem::replace(&mut self.course.reported[1], true)
         {
-            self.tell(block, Incident::Deep(height));
+            self.tell(block, Incident::DeeperThanCuttingEdge(height));
         }
     }
 

@@ -151,9 +151,9 @@ impl Walk<'_, '_> {
                 Makes::Pocket => {
                     self.holes.lose();
                     if size.is_some_and(|size| self.blank.distance(*place) > size) {
-                        self.found.push((span, Incident::Outside(*place)));
+                        self.found.push((span, Incident::OutsideBlank(*place)));
                     } else if self.goes_over(&read, *place) {
-                        self.found.push((span, Incident::Over(*place)));
+                        self.found.push((span, Incident::CoversBlank(*place)));
                     }
                 }
                 Makes::Tap => self.tap(&read, span, *place),
@@ -185,7 +185,7 @@ impl Walk<'_, '_> {
         }
         let first = *self.holes.machined.entry(key).or_insert(span);
         if first != span {
-            self.found.push((span, Incident::Again(place)));
+            self.found.push((span, Incident::MachinedAgain(place)));
         }
     }
 
@@ -281,7 +281,7 @@ impl Walk<'_, '_> {
         let covers = |cut: &Cut| (0..2).all(|axis| cut.low[axis] <= place[axis] && place[axis] <= cut.high[axis]);
         let inside = self.blank.holds(place[0], place[1]) && height < self.blank.high[2] - SKIN * self.unit;
         if inside && surface >= self.blank.low[2] && !self.open && !self.cuts.iter().any(covers) {
-            self.found.push((item.span, Incident::Rapid(height)));
+            self.found.push((item.span, Incident::RapidInMaterial(height)));
         }
     }
 
@@ -318,7 +318,7 @@ impl Walk<'_, '_> {
         let Some(bottom) = here.and_then(|here| here.into_iter().reduce(f64::min)) else { return };
         if start < bottom - SAME * self.unit {
             let place = read.item(DEEPENED).map_or(span, |item| item.span);
-            self.found.push((place, Incident::Pilot { start, bottom }));
+            self.found.push((place, Incident::StartBelowPilotHole { start, bottom }));
         }
     }
 
@@ -350,7 +350,7 @@ impl Walk<'_, '_> {
     /// A hole at a place: what is wrong with its definition is said at its first call.
     fn judge(&mut self, read: &Definition<'_>, index: Option<u32>, span: Span, at: [f64; 2]) {
         if self.blank.lacks(at[0], at[1]) {
-            return self.found.push((span, Incident::Beside(at)));
+            return self.found.push((span, Incident::HoleBesideBlank(at)));
         }
         if !self.judged.insert(index) {
             return;
@@ -360,11 +360,11 @@ impl Walk<'_, '_> {
         let place = read.item(SURFACE).map_or(read.view.head, |item| item.span);
         let allowance = ALLOWANCE * self.unit;
         if surface > self.blank.high[2] + allowance || surface < self.blank.low[2] {
-            return self.found.push((place, Incident::Surface(surface)));
+            return self.found.push((place, Incident::HoleOffSurface(surface)));
         }
         let depth = [DEPTH, THREAD_DEPTH].iter().find_map(|meaning| Some((value(meaning)?, read.item(meaning)?.span)));
         if let Some((depth, place)) = depth.filter(|(depth, _)| surface + depth < self.blank.low[2] - TIP * self.unit) {
-            self.found.push((place, Incident::Through(surface + depth)));
+            self.found.push((place, Incident::HoleThroughBlank(surface + depth)));
         }
     }
 }

@@ -185,7 +185,7 @@ impl Walk<'_, '_> {
         if self.facts.ends(block)
             && let Some(height) = self.low().filter(|_| modal.is(Aspect::Tool) == Tri::Yes)
         {
-            self.tell(block, Incident::End(height));
+            self.tell(block, Incident::EndsInMaterial(height));
         }
     }
 
@@ -199,7 +199,7 @@ impl Walk<'_, '_> {
             BlockKind::ToolCall(call) => {
                 if call.tool.is_some() {
                     if let Some(height) = self.inside(0.0).filter(|_| modal.is(Aspect::Tool) == Tri::Yes) {
-                        self.tell(block, Incident::ToolChange(height));
+                        self.tell(block, Incident::ToolChangeInMaterial(height));
                     }
                     self.lose();
                 }
@@ -224,11 +224,11 @@ impl Walk<'_, '_> {
                 let text = self.facts.text(self.facts.content(block)).to_ascii_uppercase();
                 let turns = text.contains(" TURN") && modal.is(Aspect::Tcpm) == Tri::No;
                 if let Some(height) = self.inside(CLEAR).filter(|_| turns && !text.contains("RESET")) {
-                    self.tell(block, Incident::Turn(height));
+                    self.tell(block, Incident::AxisTurnsInMaterial(height));
                 }
                 let swings = text.contains(" MOVE") && modal.is(Aspect::Tcpm) == Tri::No;
                 if let Some(height) = self.inside(0.0).filter(|_| swings && !text.contains("RESET")) {
-                    self.tell(block, Incident::Tilt(height));
+                    self.tell(block, Incident::TiltsInMaterial(height));
                 }
                 self.lose();
             }
@@ -304,12 +304,12 @@ impl Walk<'_, '_> {
             self.open |= !outline.is_rapid();
         } else if outline.is_rapid() {
             if let Some(height) = self.strikes(from, &words).filter(|_| free) {
-                self.tell(block, Incident::Rapid(height));
+                self.tell(block, Incident::RapidInMaterial(height));
             }
         } else {
             let spindle = match (modal.is(Aspect::Spindle), modal.is(Aspect::Unstarted)) {
-                (Tri::No, _) => Some(Incident::Standing),
-                (_, Tri::Yes) => Some(Incident::Unstarted),
+                (Tri::No, _) => Some(Incident::FeedWithoutSpindle),
+                (_, Tri::Yes) => Some(Incident::FeedBeforeSpindleStart),
                 _ => None,
             };
             if let Some(incident) = spindle.filter(|_| !outline.has_functions() && self.goes_through(from)) {
@@ -337,7 +337,7 @@ impl Walk<'_, '_> {
             // Where it is already it need not go.
             Some(at) if at + 1 == self.corners.len() => {}
             Some(_) => {
-                self.tell(block, Incident::Returns([x, y]));
+                self.tell(block, Incident::CornerPassedTwice([x, y]));
                 self.corners.clear();
             }
             None => self.corners.push([x, y]),
@@ -362,7 +362,7 @@ impl Walk<'_, '_> {
         let [Some(x), Some(y), Some(z)] = self.at else { return };
         let near = z < self.blank.high[2] + CLEAR * self.unit && self.blank.holds(x, y);
         if turns && rapid && near && modal.is(Aspect::Tcpm) == Tri::No && words.coord(Axis::Z).is_none() {
-            self.tell(block, Incident::Turn(z));
+            self.tell(block, Incident::AxisTurnsInMaterial(z));
         }
     }
 

@@ -26,10 +26,10 @@ use crate::engine::strategy::action::{
     RotaryAxes, Running, Spindle, Stopped, Stylus, System, Tables, ToolSetter, Turntable,
 };
 use crate::engine::strategy::contour::Contours;
-use crate::engine::strategy::digitized::Digitizing;
-use crate::engine::strategy::groove::Groove;
-use crate::engine::strategy::turned::Turned;
-use crate::engine::strategy::turning_thread::TurnedThread;
+use crate::engine::strategy::digitizing::range::Digitizing;
+use crate::engine::strategy::turning::groove::Groove;
+use crate::engine::strategy::turning::profile::Turned;
+use crate::engine::strategy::turning::thread::TurnedThread;
 use crate::engine::table::{Cell, TableError, TableKind};
 use crate::engine::world::insert::Aligned;
 use crate::engine::world::setter::Pose;

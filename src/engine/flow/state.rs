@@ -28,7 +28,7 @@ use crate::engine::report::event::Event;
 use crate::engine::report::fault::{Class, Fault};
 use crate::engine::report::outcome::{Noted, Shown};
 use crate::engine::strategy::contour::Contours;
-use crate::engine::strategy::digitized::Digitizing;
+use crate::engine::strategy::digitizing::range::Digitizing;
 use crate::program::syntax::{Motion, Path};
 use crate::spec::{Cycle, CycleKey, OnControl};
 

@@ -8,11 +8,11 @@ use std::ops::RangeInclusive;
 use glam::DVec3;
 
 use super::contour::Contours;
-use super::digitized::Digitizing;
-use super::groove::Groove;
+use super::digitizing::range::Digitizing;
 use super::signature::{Results, Signature};
-use super::turned::Turned;
-use super::turning_thread::TurnedThread;
+use super::turning::groove::Groove;
+use super::turning::profile::Turned;
+use super::turning::thread::TurnedThread;
 use crate::engine::geometry::{Around, Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::machine::{Arm, Insert, Machine, MemoryReport, SavedKinematics, Survey, TurningInsert};
 use crate::engine::region::Way;

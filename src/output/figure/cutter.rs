@@ -1,9 +1,11 @@
 //! A cutter from the side, to scale: a flat end, a point, a rounded corner or a ball, and a shank that is cut off above.
 //!
-//! Invariant: everything is on the sheet, in pixels; what a tool is in a table is not known here.
+//! Invariant: everything but the tool itself is on the sheet, in pixels.
 use glam::DVec2;
 
 use super::pen::{Pen, short};
+use crate::base::expr::tand;
+use crate::engine::machine::Tool;
 
 /// The end of a cutter on the sheet.
 #[derive(Clone, Copy, Debug)]
@@ -14,6 +16,15 @@ pub(super) struct End {
     pub(super) rise: f64,
     /// The radius between end and side: 0 of a flat end, half the width of a ball.
     pub(super) corner: f64,
+}
+
+impl End {
+    /// The end of a tool with its radius, as large as the sheet shows it.
+    pub(super) fn of(tool: &Tool, scale: f64) -> Self {
+        let radius = tool.radius * scale;
+        let rise = if tool.point > 0.0 { radius / tand(tool.point / 2.0) } else { 0.0 };
+        Self { radius, rise, corner: tool.corner * scale }
+    }
 }
 
 /// The data of its outline, with the middle of its end there, up to the height where the drawing ends, or beyond it if

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 use glam::{DVec2, DVec3};
 
+use super::cutter::{self, End};
 use super::pen::{Pen, Rect, short};
 use super::shot::Shot;
 use super::stroke::{Stroke, Turning, Way};
@@ -160,17 +161,16 @@ pub(super) fn poses(pen: &mut Pen, shot: &Shot, view: FigureView, top: f64, at: 
     let ends: Vec<(&Stroke, DVec2)> =
         touches(shot).filter_map(|stroke| Some((stroke, at(*stroke.points.last()?)))).collect();
     let Some((last, here)) = ends.last() else { return };
-    let radius = at(DVec3::X * last.tool.radius).x - at(DVec3::ZERO).x;
+    let scale = at(DVec3::X).x - at(DVec3::ZERO).x;
+    let radius = last.tool.radius * scale;
     let mut drawn = vec![*here];
-    for (_, place) in &ends {
+    for (stroke, place) in &ends {
         if drawn.iter().all(|other| (*other - *place).length() > 2.0) {
             drawn.push(*place);
             if view == FigureView::Plan {
                 pen.circle("v", *place, radius);
             } else {
-                let side = DVec2::X * radius;
-                let high = DVec2::Y * (place.y - top);
-                pen.line("v", &[*place - side - high, *place - side, *place + side, *place + side - high]);
+                pen.path("v", &cutter::outline(End::of(&stroke.tool, scale), *place, top));
             }
         }
     }

@@ -1,7 +1,7 @@
 //! A tool setter that is mounted in other directions than those of the figure, and the tools at it, which lean as it does.
 //!
 //! Invariant: it is drawn as an upright one would be, with each place where it is; what is behind is hidden.
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::{DVec2, DVec3};
 
@@ -17,6 +17,8 @@ use crate::spec::{Along, FigureView};
 
 /// A circle has so many corners.
 const CORNERS: usize = 48;
+/// A rounded corner of a tool has so many pieces.
+const ROUNDING: u32 = 6;
 /// So much of a tool is drawn, in parts of its radius.
 const LENGTH: f64 = 5.0;
 /// The arrow around a tool that turns: its radius in parts of that of the tool, and from where to where it goes, degrees.
@@ -58,7 +60,13 @@ impl Setter {
             let shoulder = tool.radius / libm::tan((tool.point / 2.0).to_radians());
             return [vec![tip], self.ring(tip, shoulder, tool.radius), end].concat();
         }
-        [self.ring(tip, 0.0, tool.radius), end].concat()
+        let corner = tool.corner.clamp(0.0, tool.radius);
+        let last = if corner > 0.0 { ROUNDING } else { 0 };
+        let rounding = (0..=last).flat_map(|step| {
+            let angle = f64::from(step) / f64::from(ROUNDING) * FRAC_PI_2;
+            self.ring(tip, corner * (1.0 - libm::cos(angle)), tool.radius - corner * (1.0 - libm::sin(angle)))
+        });
+        rounding.chain(end).collect()
     }
 }
 

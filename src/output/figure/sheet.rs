@@ -15,7 +15,6 @@ use super::stroke::{Stroke, Way};
 use super::subject::{Subject, Words, depth, flat};
 use super::window::Window;
 use super::{axonometric, bar, cutter, cylinder, rotary, scan, setter, setter_turned, turned, way};
-use crate::base::expr::tand;
 use crate::spec::{Along, FigureView};
 
 /// The figure on paper.
@@ -257,9 +256,7 @@ impl Sheet<'_> {
             self.pen.circle("t", place, radius);
             return;
         }
-        let rise = if tool.point > 0.0 { radius / tand(tool.point / 2.0) } else { 0.0 };
-        let end = cutter::End { radius, rise, corner: tool.corner * scale };
-        self.pen.path("t", &cutter::outline(end, place, top));
+        self.pen.path("t", &cutter::outline(cutter::End::of(&tool, scale), place, top));
         self.pen.line("x", &[DVec2::new(place.x, top - 4.0), DVec2::new(place.x, place.y + 6.0)]);
         self.pen
             .blocked

@@ -11,9 +11,9 @@ use serde::Serialize;
 use zip::write::{SimpleFileOptions, ZipWriter};
 use zip::{CompressionMethod, result::ZipError};
 
+use super::edition::{Edition, GLOSSARY, PARAMETERS};
 use super::escape::escape;
 use super::page::Here;
-use super::section::{GLOSSARY, PARAMETERS, Section};
 use super::site::Site;
 use super::{cycle, in_parallel, lists, lock, notes, programs, topic};
 use crate::base::diag::Diagnostic;
@@ -80,19 +80,19 @@ impl<'a> Site<'a> {
     /// Every text that is missing, every mistake of a template.
     pub fn books(&mut self) -> Result<Vec<Book>, Vec<Diagnostic>> {
         self.is_book = true;
-        self.sections.iter().map(|section| self.book(section)).collect()
+        self.editions.iter().map(|edition| self.book(edition)).collect()
     }
 
-    fn book(&self, section: &Section<'a>) -> Result<Book, Vec<Diagnostic>> {
-        let made = self.made_pages(section)?;
+    fn book(&self, edition: &Edition<'a>) -> Result<Book, Vec<Diagnostic>> {
+        let made = self.made_pages(edition)?;
         let mut files = vec![
-            (TITLE.to_owned(), self.frame_page("book-title.html", section, Vec::new())?),
-            (CONTENTS.to_owned(), self.frame_page("book-contents.html", section, self.chapters(section)?)?),
+            (TITLE.to_owned(), self.frame_page("book-title.html", edition, Vec::new())?),
+            (CONTENTS.to_owned(), self.frame_page("book-contents.html", edition, self.chapters(edition)?)?),
         ];
         let pages = made.len();
-        files.extend(made.iter().map(|made| (book_name(file_of(section, made.page)), with_book_links(&made.html))));
-        let name = format!("{}-{}.epub", section.on.id(), section.language.tag());
-        let package = self.package(section, &files)?;
+        files.extend(made.iter().map(|made| (book_name(file_of(edition, made.page)), with_book_links(&made.html))));
+        let name = format!("{}-{}.epub", edition.on.id(), edition.language.tag());
+        let package = self.package(edition, &files)?;
         let bytes = self.pack(&package, &files).map_err(|error| {
             vec![Diagnostic::global("book-not-packed").arg("path", name.as_str()).arg("reason", error.to_string())]
         })?;
@@ -100,19 +100,19 @@ impl<'a> Site<'a> {
     }
 
     /// The pages in the order of reading, as the site has them.
-    pub(super) fn made_pages(&self, section: &Section<'a>) -> Result<Vec<Made>, Vec<Diagnostic>> {
-        let pages = pages(section);
+    pub(super) fn made_pages(&self, edition: &Edition<'a>) -> Result<Vec<Made>, Vec<Diagnostic>> {
+        let pages = pages(edition);
         let made: std::sync::Mutex<Vec<(usize, Made)>> = std::sync::Mutex::default();
         let faults = in_parallel(pages.len(), &|at| {
             let Some(&page) = pages.get(at) else { return Ok(()) };
             let html = match page {
-                Page::Cycle(entry) => cycle::page(self, section, entry)?,
-                Page::Topic(own) => topic::page(self, section, own)?,
-                Page::Parameters => lists::parameters(self, section)?,
-                Page::Keywords => lists::keywords(self, section)?,
-                Page::Glossary => lists::glossary(self, section)?,
-                Page::Notes => notes::page(self, section)?,
-                Page::Programs => programs::page(self, section)?,
+                Page::Cycle(entry) => cycle::page(self, edition, entry)?,
+                Page::Topic(own) => topic::page(self, edition, own)?,
+                Page::Parameters => lists::parameters(self, edition)?,
+                Page::Keywords => lists::keywords(self, edition)?,
+                Page::Glossary => lists::glossary(self, edition)?,
+                Page::Notes => notes::page(self, edition)?,
+                Page::Programs => programs::page(self, edition)?,
             };
             lock(&made).push((at, Made { page, html }));
             Ok(())
@@ -129,24 +129,24 @@ impl<'a> Site<'a> {
     pub(super) fn frame_page(
         &self,
         template: &str,
-        section: &Section<'a>,
+        edition: &Edition<'a>,
         chapters: Vec<Chapter>,
     ) -> Result<String, Vec<Diagnostic>> {
-        let title = section.text("site-manual", &Args::new())?.into_owned();
-        let frame = self.frame(section, title, Here::Every("index.html"))?;
+        let title = edition.text("site-manual", &Args::new())?.into_owned();
+        let frame = self.frame(edition, title, Here::Every("index.html"))?;
         let context = context! {
             page => Value::from(Serde(&frame)),
-            words => section.words.clone(),
+            words => edition.words.clone(),
             chapters => Value::from(Serde(&chapters)),
         };
         self.render(template, context)
     }
 
     /// The contents: the groups with their cycles, the topics, the lists.
-    pub(super) fn chapters(&self, section: &Section<'a>) -> Result<Vec<Chapter>, Vec<Diagnostic>> {
+    pub(super) fn chapters(&self, edition: &Edition<'a>) -> Result<Vec<Chapter>, Vec<Diagnostic>> {
         let mut chapters = Vec::new();
         for group in Group::ALL {
-            let members = section.entries.iter().filter(|entry| entry.cycle.file.group == *group);
+            let members = edition.entries.iter().filter(|entry| entry.cycle.file.group == *group);
             let pages: Vec<Listed> = members
                 .map(|entry| Listed {
                     href: book_name(&entry.file),
@@ -154,11 +154,11 @@ impl<'a> Site<'a> {
                 })
                 .collect();
             if !pages.is_empty() {
-                chapters.push(Chapter { href: None, title: section.group_title(*group)?, pages });
+                chapters.push(Chapter { href: None, title: edition.group_title(*group)?, pages });
             }
         }
-        let text = |key: &str| section.text(key, &Args::new()).map(|text| text.into_owned());
-        let topics = section.topics.iter();
+        let text = |key: &str| edition.text(key, &Args::new()).map(|text| text.into_owned());
+        let topics = edition.topics.iter();
         let pages: Vec<Listed> =
             topics.map(|topic| Listed { href: book_name(&topic.file), title: topic.title.clone() }).collect();
         if !pages.is_empty() {
@@ -166,12 +166,12 @@ impl<'a> Site<'a> {
         }
         let list = |page: Page, key: &str| {
             Ok::<_, Vec<Diagnostic>>(Chapter {
-                href: Some(book_name(file_of(section, page))),
+                href: Some(book_name(file_of(edition, page))),
                 title: text(key)?,
                 pages: Vec::new(),
             })
         };
-        if !section.on.worked.is_empty() {
+        if !edition.on.worked.is_empty() {
             chapters.push(list(Page::Programs, "site-worked-programs")?);
         }
         chapters.push(list(Page::Notes, "site-general-notes")?);
@@ -182,12 +182,12 @@ impl<'a> Site<'a> {
     }
 
     /// The package document: what the book is, what it consists of, and the order of reading.
-    fn package(&self, section: &Section<'a>, files: &[(String, String)]) -> Result<String, Vec<Diagnostic>> {
-        let (control, tag) = (section.on.id(), section.language.tag());
-        let title = section.text("site-manual", &Args::new())?;
-        let edition = self.catalogue.pages.as_ref().and_then(|pages| pages.edition.as_deref()).unwrap_or("2000-01-01");
+    fn package(&self, edition: &Edition<'a>, files: &[(String, String)]) -> Result<String, Vec<Diagnostic>> {
+        let (control, tag) = (edition.on.id(), edition.language.tag());
+        let title = edition.text("site-manual", &Args::new())?;
+        let date = self.catalogue.pages.as_ref().and_then(|pages| pages.edition.as_deref()).unwrap_or("2000-01-01");
         let mut title_of_book = String::new();
-        escape(&format!("{}: {title}", section.on.control.title), &mut title_of_book);
+        escape(&format!("{}: {title}", edition.on.control.title), &mut title_of_book);
         let mut out = format!(
             "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\
              <package xmlns=\"http://www.idpf.org/2007/opf\" version=\"3.0\" unique-identifier=\"id\" xml:lang=\"{tag}\">\n\
@@ -196,8 +196,8 @@ impl<'a> Site<'a> {
              <dc:title>{title_of_book}</dc:title>\n\
              <dc:language>{tag}</dc:language>\n\
              <dc:creator>Ciklo</dc:creator>\n\
-             <dc:date>{edition}</dc:date>\n\
-             <meta property=\"dcterms:modified\">{edition}T00:00:00Z</meta>\n\
+             <dc:date>{date}</dc:date>\n\
+             <meta property=\"dcterms:modified\">{date}T00:00:00Z</meta>\n\
              <meta property=\"schema:accessMode\">textual</meta>\n\
              <meta property=\"schema:accessMode\">visual</meta>\n\
              <meta property=\"schema:accessModeSufficient\">textual</meta>\n\
@@ -261,12 +261,12 @@ impl<'a> Site<'a> {
 }
 
 /// The pages in the order of reading.
-fn pages(section: &Section) -> Vec<Page> {
+fn pages(edition: &Edition) -> Vec<Page> {
     let of_group =
-        |group: Group| (0..section.entries.len()).filter(move |at| section.entries[*at].cycle.file.group == group);
+        |group: Group| (0..edition.entries.len()).filter(move |at| edition.entries[*at].cycle.file.group == group);
     let cycles = Group::ALL.iter().flat_map(|group| of_group(*group)).map(Page::Cycle);
-    let topics = (0..section.topics.len()).map(Page::Topic);
-    let programs = (!section.on.worked.is_empty()).then_some(Page::Programs);
+    let topics = (0..edition.topics.len()).map(Page::Topic);
+    let programs = (!edition.on.worked.is_empty()).then_some(Page::Programs);
     cycles
         .chain(topics)
         .chain(programs)
@@ -275,10 +275,10 @@ fn pages(section: &Section) -> Vec<Page> {
 }
 
 /// The name of its file on the site.
-pub(super) fn file_of<'s>(section: &'s Section, page: Page) -> &'s str {
+pub(super) fn file_of<'s>(edition: &'s Edition, page: Page) -> &'s str {
     match page {
-        Page::Cycle(at) => &section.entries[at].file,
-        Page::Topic(at) => &section.topics[at].file,
+        Page::Cycle(at) => &edition.entries[at].file,
+        Page::Topic(at) => &edition.topics[at].file,
         Page::Parameters => PARAMETERS,
         Page::Keywords => lists::KEYWORDS,
         Page::Glossary => GLOSSARY,

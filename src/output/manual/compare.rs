@@ -3,9 +3,9 @@ use minijinja::value::Serde;
 use minijinja::{Value, context};
 
 use super::cycle::Maker;
+use super::edition::{Edition, OVERVIEW, file_of};
 use super::links::{Linker, Shown};
 use super::page::css_string;
-use super::section::{OVERVIEW, Section, file_of};
 use super::site::{Comparison, Site};
 use super::view::{ColumnView, ComparedView, ComparisonView, PageView, ParameterView, SwitchView, TrailView};
 use crate::base::diag::Diagnostic;
@@ -16,20 +16,20 @@ use crate::spec::CycleKey;
 /// The folder of the comparisons.
 const FOLDER: &str = "compare";
 
-/// All comparisons that the sections allow, in their order.
-pub(super) fn all(sections: &[Section]) -> Vec<Comparison> {
+/// All comparisons that the editions allow, in their order.
+pub(super) fn all(editions: &[Edition]) -> Vec<Comparison> {
     let mut all: Vec<Comparison> = Vec::new();
-    for (at, section) in sections.iter().enumerate() {
-        for entry in &section.entries {
+    for (at, edition) in editions.iter().enumerate() {
+        for entry in &edition.entries {
             let key = entry.cycle.key;
-            let path = path(section.language.tag(), key);
+            let path = path(edition.language.tag(), key);
             match all.iter_mut().find(|known| known.path == path) {
-                Some(known) => known.sections.push(at),
-                None => all.push(Comparison { path, key, sections: vec![at] }),
+                Some(known) => known.editions.push(at),
+                None => all.push(Comparison { path, key, editions: vec![at] }),
             }
         }
     }
-    all.retain(|comparison| comparison.sections.len() > 1);
+    all.retain(|comparison| comparison.editions.len() > 1);
     all
 }
 
@@ -38,30 +38,30 @@ fn path(language: &str, key: CycleKey) -> String {
 }
 
 impl Site<'_> {
-    /// The link from a page of the section to the comparison of a cycle.
-    pub(super) fn comparison(&self, section: &Section, key: CycleKey) -> Option<String> {
-        let path = path(section.language.tag(), key);
+    /// The link from a page of the edition to the comparison of a cycle.
+    pub(super) fn comparison(&self, edition: &Edition, key: CycleKey) -> Option<String> {
+        let path = path(edition.language.tag(), key);
         self.comparisons.iter().any(|known| known.path == path).then(|| format!("../../{path}"))
     }
 }
 
 pub(super) fn page<'a>(site: &Site<'a>, comparison: &Comparison) -> Result<String, Vec<Diagnostic>> {
-    let sections: Vec<&Section<'a>> = comparison.sections.iter().filter_map(|at| site.sections.get(*at)).collect();
-    let Some(first) = sections.first() else { return Ok(String::new()) };
+    let editions: Vec<&Edition<'a>> = comparison.editions.iter().filter_map(|at| site.editions.get(*at)).collect();
+    let Some(first) = editions.first() else { return Ok(String::new()) };
     let name = first.entry(comparison.key).map(|entry| entry.name.clone()).unwrap_or_default();
     let mut columns = Vec::new();
     let mut rows: Vec<ComparedView> = Vec::new();
     let mut faults = Vec::new();
-    for (at, section) in sections.iter().enumerate() {
-        let Some(entry) = section.entry(comparison.key) else { continue };
-        let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
-        let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
-        let linker = Linker::new(section, None, Shown::Apart);
-        let maker = Maker { text: &text, section, site, linker: &linker };
+    for (at, edition) in editions.iter().enumerate() {
+        let Some(entry) = edition.entry(comparison.key) else { continue };
+        let vocabulary = Vocabulary::of(edition.on, entry.cycle, edition.language);
+        let text = CycleText::new(edition.on, entry.cycle, edition.language, &vocabulary);
+        let linker = Linker::new(edition, None, Shown::Apart);
+        let maker = Maker { text: &text, edition, site, linker: &linker };
         let iso = &entry.cycle.iso;
         columns.push(ColumnView {
-            control: section.on.control.title.clone(),
-            href: format!("../../{}", section.path(&entry.file)),
+            control: edition.on.control.title.clone(),
+            href: format!("../../{}", edition.path(&entry.file)),
             nc_name: text.nc_name().into_owned(),
             iso: iso.clone(),
             options: entry.cycle.described.options.iter().map(|number| maker.option(*number)).collect(),
@@ -69,7 +69,7 @@ pub(super) fn page<'a>(site: &Site<'a>, comparison: &Comparison) -> Result<Strin
         let mut before = None;
         for param in &entry.cycle.params {
             let view = maker.parameter(param);
-            before = Some(place(&mut rows, view, (at, sections.len()), before));
+            before = Some(place(&mut rows, view, (at, editions.len()), before));
         }
         faults.extend(text.faults());
     }
@@ -128,10 +128,10 @@ fn differences(cells: &[Option<ParameterView>]) -> Vec<&'static str> {
     found.into_iter().filter(|(_, differs)| *differs).map(|(name, _)| name).collect()
 }
 
-fn frame(site: &Site, section: &Section, comparison: &Comparison, title: String) -> Result<PageView, Vec<Diagnostic>> {
+fn frame(site: &Site, edition: &Edition, comparison: &Comparison, title: String) -> Result<PageView, Vec<Diagnostic>> {
     let others = site.comparisons.iter().filter(|other| other.key == comparison.key);
     let languages = others.filter_map(|other| {
-        let own = site.sections.get(*other.sections.first()?)?;
+        let own = site.editions.get(*other.editions.first()?)?;
         Some(SwitchView {
             href: format!("../../{}", other.path),
             lang: own.language.tag().to_owned(),
@@ -140,13 +140,13 @@ fn frame(site: &Site, section: &Section, comparison: &Comparison, title: String)
             overview: false,
         })
     });
-    let home = format!("../../{}", section.path(""));
+    let home = format!("../../{}", edition.path(""));
     let step = |href: Option<String>, text: String| TrailView { href, text };
-    let own = section.entry(comparison.key).map(|entry| (format!("{home}{}", entry.file), entry.cycle.key.to_string()));
-    let mut trail = vec![step(Some(format!("{home}{OVERVIEW}")), section.on.control.title.clone())];
+    let own = edition.entry(comparison.key).map(|entry| (format!("{home}{}", entry.file), entry.cycle.key.to_string()));
+    let mut trail = vec![step(Some(format!("{home}{OVERVIEW}")), edition.on.control.title.clone())];
     trail.extend(own.map(|(href, key)| step(Some(href), key)));
-    trail.push(step(None, section.text("site-compare", &Args::new())?.into_owned()));
-    let controls = site.sections.iter().filter(|other| other.language.tag() == section.language.tag());
+    trail.push(step(None, edition.text("site-compare", &Args::new())?.into_owned()));
+    let controls = site.editions.iter().filter(|other| other.language.tag() == edition.language.tag());
     let controls = controls.map(|other| {
         let file = other.entry(comparison.key).map(|entry| entry.file.as_str());
         SwitchView {
@@ -157,15 +157,15 @@ fn frame(site: &Site, section: &Section, comparison: &Comparison, title: String)
             overview: file.is_none(),
         }
     });
-    let edition = site.edition(section)?.split_off(1);
+    let imprint = site.imprint(edition)?.split_off(1);
     let compared: Vec<&str> =
-        comparison.sections.iter().map(|at| site.sections[*at].on.control.title.as_str()).collect();
+        comparison.editions.iter().map(|at| site.editions[*at].on.control.title.as_str()).collect();
     Ok(PageView {
         book: false,
         draft: site.is_draft,
-        lang: section.language.tag().to_owned(),
-        sheet: Some((css_string(&title), css_string(&edition.join(" \u{b7} ")))),
-        edition,
+        lang: edition.language.tag().to_owned(),
+        sheet: Some((css_string(&title), css_string(&imprint.join(" \u{b7} ")))),
+        imprint,
         trail,
         title,
         root: "../../".to_owned(),

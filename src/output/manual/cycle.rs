@@ -2,9 +2,9 @@
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
+use super::edition::Edition;
 use super::links::{Linker, Shown};
 use super::page::Here;
-use super::section::Section;
 use super::view::{
     CheckView, ChoiceView, CycleView, ExampleView, FigureView, FiguresView, Html, LinkView, ParameterTable,
     ParameterView, ResultView, RunView, StepView, TableView,
@@ -17,23 +17,23 @@ use crate::language::text::{CycleText, RunPart, Vocabulary};
 use crate::output::figure::{Medium, row};
 use crate::spec::{Access, CycleKey, NcExample, Param, Reference, See, TakesEffect};
 
-pub(super) fn page<'a>(site: &Site<'a>, section: &Section<'a>, at: usize) -> Result<String, Vec<Diagnostic>> {
-    let Some(entry) = section.entries.get(at) else { return Ok(String::new()) };
-    let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
-    let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
-    let group = section.group_title(entry.cycle.file.group)?;
-    let linker = Linker::new(section, Some(entry.cycle), Shown::Here);
-    let maker = Maker { text: &text, section, site, linker: &linker };
+pub(super) fn page<'a>(site: &Site<'a>, edition: &Edition<'a>, at: usize) -> Result<String, Vec<Diagnostic>> {
+    let Some(entry) = edition.entries.get(at) else { return Ok(String::new()) };
+    let vocabulary = Vocabulary::of(edition.on, entry.cycle, edition.language);
+    let text = CycleText::new(edition.on, entry.cycle, edition.language, &vocabulary);
+    let group = edition.group_title(entry.cycle.file.group)?;
+    let linker = Linker::new(edition, Some(entry.cycle), Shown::Here);
+    let maker = Maker { text: &text, edition, site, linker: &linker };
     let (mut view, mut faults) = maker.cycle(&entry.name, group);
-    view.comparison = site.comparison(section, entry.cycle.key);
-    view.programs = programs::of_cycle(site, section, entry.cycle.key)?;
+    view.comparison = site.comparison(edition, entry.cycle.key);
+    view.programs = programs::of_cycle(site, edition, entry.cycle.key)?;
     let key = entry.cycle.key.to_string();
     let args = Args::new().text("name", entry.name.as_str()).text("key", key.as_str());
-    let title = section.text("page-title", &args.text("control", section.on.control.title.as_str()))?.into_owned();
-    let frame = site.frame(section, title, Here::Cycle(at))?;
+    let title = edition.text("page-title", &args.text("control", edition.on.control.title.as_str()))?.into_owned();
+    let frame = site.frame(edition, title, Here::Cycle(at))?;
     let context = context! {
         page => Value::from(Serde(&frame)),
-        words => section.words.clone(),
+        words => edition.words.clone(),
         cycle => Value::from(Serde(&view)),
     };
     drop(view);
@@ -47,7 +47,7 @@ pub(super) fn page<'a>(site: &Site<'a>, section: &Section<'a>, at: usize) -> Res
 /// Makes the view of a cycle.
 pub(super) struct Maker<'m, 't, 'a> {
     pub(super) text: &'m CycleText<'t>,
-    pub(super) section: &'m Section<'a>,
+    pub(super) edition: &'m Edition<'a>,
     pub(super) site: &'m Site<'a>,
     pub(super) linker: &'m Linker<'m, 'a>,
 }
@@ -91,7 +91,7 @@ impl Maker<'_, '_, '_> {
 
     fn siblings(&self) -> Vec<LinkView> {
         let group = self.text.cycle.file.group;
-        self.section.entries.iter().filter(|entry| entry.cycle.file.group == group).map(page::link).collect()
+        self.edition.entries.iter().filter(|entry| entry.cycle.file.group == group).map(page::link).collect()
     }
 
     /// `#48`, with the name of the option where the locales have it.
@@ -104,8 +104,8 @@ impl Maker<'_, '_, '_> {
 
     fn figures(&self) -> FiguresView {
         let mut view = FiguresView { list: Vec::new(), pairs: Vec::new() };
-        let Some(entry) = self.section.entry(self.text.cycle.key) else { return view };
-        for figure in self.site.figures.of(self.site, self.section.on, entry.cycle) {
+        let Some(entry) = self.edition.entry(self.text.cycle.key) else { return view };
+        for figure in self.site.figures.of(self.site, self.edition.on, entry.cycle) {
             let svg = figure.svg(self.text, Medium::Page);
             view.pairs.extend(svg.shown);
             view.list.push(FigureView {
@@ -267,8 +267,8 @@ impl Maker<'_, '_, '_> {
 
     fn tables(&self) -> Vec<TableView> {
         let topic = |table: &str| {
-            let named = |topic: &&super::section::TopicPage| topic.tables.iter().any(|own| own.as_str() == table);
-            self.section.topics.iter().find(named).map(|topic| topic.file.clone())
+            let named = |topic: &&super::edition::TopicPage| topic.tables.iter().any(|own| own.as_str() == table);
+            self.edition.topics.iter().find(named).map(|topic| topic.file.clone())
         };
         let view = |table: &crate::spec::TableUse| TableView {
             href: topic(table.table.as_str()),
@@ -292,12 +292,12 @@ impl Maker<'_, '_, '_> {
     }
 
     fn example(&self, example: &NcExample, block: &str) -> ExampleView {
-        let mut klartext = self.site.relabelled(self.section, &example.before);
+        let mut klartext = self.site.relabelled(self.edition, &example.before);
         klartext.push_str(block);
         if !block.ends_with('\n') {
             klartext.push('\n');
         }
-        klartext.push_str(&self.site.relabelled(self.section, &example.after));
+        klartext.push_str(&self.site.relabelled(self.edition, &example.after));
         let title = example.title.as_ref().map(|title| self.html(&self.text.title(title)));
         let cycle = self.text.cycle;
         let has_row = |name: &str| cycle.params.iter().any(|param| param.q.is_some_and(|q| q.to_string() == name));
@@ -326,13 +326,13 @@ impl Maker<'_, '_, '_> {
     /// A related cycle: its page, or its printed name, or nothing if this control does not know it.
     fn see(&self, see: &See) -> Option<LinkView> {
         let key = CycleKey::new(see.keyword, see.cycle);
-        if let Some(entry) = self.section.entry(key) {
+        if let Some(entry) = self.edition.entry(key) {
             return Some(page::link(entry));
         }
-        let control = &self.section.on.control;
+        let control = &self.edition.on.control;
         let named = control.named.iter().find(|named| named.keyword == see.keyword && named.number == see.cycle)?;
-        let foreign = control.language.as_str() != self.section.language.tag();
-        if let Some(name) = self.site.name_elsewhere(self.section, key).filter(|_| foreign) {
+        let foreign = control.language.as_str() != self.edition.language.tag();
+        if let Some(name) = self.site.name_elsewhere(self.edition, key).filter(|_| foreign) {
             return Some(LinkView { href: None, key: key.to_string(), number: key.number, name, name_lang: None });
         }
         Some(LinkView {

@@ -3,9 +3,9 @@
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
-use super::section::{OVERVIEW, Section};
+use super::edition::{Edition, OVERVIEW};
 use super::view::{ChoiceRow, Invitation, PageView, SwitchView};
-use super::{Site, search, state};
+use super::{Site, search, translation_state};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::{Args, SOURCE_LANGUAGE};
 
@@ -15,29 +15,29 @@ pub(super) const MISSING: &str = "404.html";
 pub(super) fn page(site: &Site) -> Result<String, Vec<Diagnostic>> {
     let own = source_section(site)?;
     let mut rows: Vec<ChoiceRow> = Vec::new();
-    for section in &site.sections {
-        let link = link(section, &section.language_name);
+    for edition in &site.editions {
+        let link = link(edition, &edition.language_name);
         match rows.last_mut() {
-            Some(row) if row.name == section.on.control.title => row.links.push(link),
+            Some(row) if row.name == edition.on.control.title => row.links.push(link),
             _ => rows.push(ChoiceRow {
-                name: section.on.control.title.clone(),
-                states: section.on.control.states.clone(),
-                cycles: section.entries.len(),
+                name: edition.on.control.title.clone(),
+                states: edition.on.control.states.clone(),
+                cycles: edition.entries.len(),
                 links: vec![link],
             }),
         }
     }
     let title = own.text("site-manual", &Args::new())?.into_owned();
-    let mut edition = site.edition(own)?;
+    let mut imprint = site.imprint(own)?;
     // The control and its software are in the table.
-    edition.drain(..edition.len().saturating_sub(2));
+    imprint.drain(..imprint.len().saturating_sub(2));
     let view = context! {
         page => Value::from(Serde(&PageView { canonical: site.address(""), ..of(site, own, title) })),
         words => own.words.clone(),
         rows => Value::from(Serde(&rows)),
         search => own.path(search::PAGE),
-        edition => edition,
-        texts => site.is_served.then(|| format!("{}/index.html", state::FOLDER)),
+        imprint => imprint,
+        texts => site.is_served.then(|| format!("{}/index.html", translation_state::FOLDER)),
         invitations => Value::from(Serde(&invitations(site)?)),
     };
     site.render("index.html", view)
@@ -57,16 +57,16 @@ pub(super) fn missing(site: &Site) -> Result<String, Vec<Diagnostic>> {
     site.render(MISSING, view)
 }
 
-/// The first section in the source language, or in any.
-fn source_section<'s, 'a>(site: &'s Site<'a>) -> Result<&'s Section<'a>, Vec<Diagnostic>> {
-    let own = site.sections.iter().find(|one| one.language.tag() == SOURCE_LANGUAGE).or(site.sections.first());
+/// The first edition in the source language, or in any.
+fn source_section<'s, 'a>(site: &'s Site<'a>) -> Result<&'s Edition<'a>, Vec<Diagnostic>> {
+    let own = site.editions.iter().find(|one| one.language.tag() == SOURCE_LANGUAGE).or(site.editions.first());
     own.ok_or_else(|| vec![Diagnostic::global("manual-empty")])
 }
 
-fn link(section: &Section, name: &str) -> SwitchView {
+fn link(edition: &Edition, name: &str) -> SwitchView {
     SwitchView {
-        href: section.path(OVERVIEW),
-        lang: section.language.tag().to_owned(),
+        href: edition.path(OVERVIEW),
+        lang: edition.language.tag().to_owned(),
         name: name.to_owned(),
         current: false,
         overview: false,
@@ -76,16 +76,16 @@ fn link(section: &Section, name: &str) -> SwitchView {
 /// What the pages say in each language.
 fn invitations(site: &Site) -> Result<Vec<Invitation>, Vec<Diagnostic>> {
     let mut invitations: Vec<Invitation> = Vec::new();
-    for section in &site.sections {
-        let control = link(section, &section.on.control.title);
-        if let Some(known) = invitations.iter_mut().find(|own| own.lang == section.language.tag()) {
+    for edition in &site.editions {
+        let control = link(edition, &edition.on.control.title);
+        if let Some(known) = invitations.iter_mut().find(|own| own.lang == edition.language.tag()) {
             known.controls.push(control);
             continue;
         }
-        let text = |id: &str| section.text(id, &Args::new()).map(|text| text.into_owned());
+        let text = |id: &str| edition.text(id, &Args::new()).map(|text| text.into_owned());
         invitations.push(Invitation {
-            lang: section.language.tag().to_owned(),
-            name: section.language_name.clone(),
+            lang: edition.language.tag().to_owned(),
+            name: edition.language_name.clone(),
             manual: text("site-manual")?,
             intro: text("site-home-intro")?,
             safety: text("site-home-safety")?,
@@ -96,7 +96,7 @@ fn invitations(site: &Site) -> Result<Vec<Invitation>, Vec<Diagnostic>> {
     Ok(invitations)
 }
 
-fn of(site: &Site, own: &Section, title: String) -> PageView {
+fn of(site: &Site, own: &Edition, title: String) -> PageView {
     PageView { lang: own.language.tag().to_owned(), ..frame(site, title) }
 }
 
@@ -110,7 +110,7 @@ pub(super) fn frame(site: &Site, title: String) -> PageView {
         root: String::new(),
         canonical: None,
         control: String::new(),
-        edition: Vec::new(),
+        imprint: Vec::new(),
         sheet: None,
         trail: Vec::new(),
         home: String::new(),

@@ -4,9 +4,9 @@
 //! character of it; a link leads to a page that exists or is plain text.
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
+use super::edition::link_target;
 use super::escape::escape;
 use super::links::Linker;
-use super::section::link_target;
 
 /// Stands before the text while it is parsed, so that no line is taken for a list or a heading.
 const GUARD: char = '\u{2060}';
@@ -34,7 +34,7 @@ pub(super) fn html(text: &str, linker: &Linker) -> String {
             Event::Start(Tag::Emphasis) => out.push_str("<em>"),
             Event::End(TagEnd::Emphasis) => out.push_str("</em>"),
             Event::Start(Tag::Link { dest_url, .. }) => {
-                let entry = link_target(&dest_url).and_then(|key| linker.section.entry(key));
+                let entry = link_target(&dest_url).and_then(|key| linker.edition.entry(key));
                 if let Some(entry) = entry {
                     out.push_str(&format!("<a href=\"{}\">", entry.file));
                 }

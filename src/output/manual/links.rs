@@ -1,18 +1,18 @@
 //! Links that sentences get by what they mention: cycles, Q parameters, miscellaneous functions, terms.
 //!
-//! Invariant: the text itself is never changed; a link leads to a page of the section, never to the place where it is,
+//! Invariant: the text itself is never changed; a link leads to a page of the edition, never to the place where it is,
 //! and a term is linked where a page mentions it first.
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 
+use super::edition::{Edition, GLOSSARY, PARAMETERS, TERM, file_of};
 use super::escape::escape;
-use super::section::{GLOSSARY, PARAMETERS, Section, TERM, file_of};
 use super::stem::Stems;
 use crate::base::expr::QRef;
 use crate::language::locale::{Language, Scope};
 use crate::spec::{Cycle, CycleKey, Keyword, OnControl};
 
-/// What words of a section can lead to; made once.
+/// What words of an edition can lead to; made once.
 pub(super) struct Targets {
     stems: Stems,
     /// Beginnings of the word for a cycle.
@@ -114,7 +114,7 @@ impl Targets {
 pub(super) enum Shown {
     /// On the page of the cycle that it is about.
     Here,
-    /// On another page of the section.
+    /// On another page of the edition.
     Elsewhere,
     /// Where nothing can be linked.
     Apart,
@@ -122,7 +122,7 @@ pub(super) enum Shown {
 
 /// Gives the sentences of one page their links.
 pub(super) struct Linker<'l, 'a> {
-    pub(super) section: &'l Section<'a>,
+    pub(super) edition: &'l Edition<'a>,
     own: Option<&'l Cycle>,
     shown: Shown,
     /// Terms that the page has linked.
@@ -137,14 +137,14 @@ struct Token<'t> {
 }
 
 impl<'l, 'a> Linker<'l, 'a> {
-    pub(super) fn new(section: &'l Section<'a>, own: Option<&'l Cycle>, shown: Shown) -> Self {
-        Self { section, own, shown, seen: RefCell::default() }
+    pub(super) fn new(edition: &'l Edition<'a>, own: Option<&'l Cycle>, shown: Shown) -> Self {
+        Self { edition, own, shown, seen: RefCell::default() }
     }
 
     /// For the definition of a term, which does not lead to itself.
-    pub(super) fn of_term(section: &'l Section<'a>, term: usize) -> Self {
+    pub(super) fn of_term(edition: &'l Edition<'a>, term: usize) -> Self {
         let seen = RefCell::new(HashSet::from([term]));
-        Self { section, own: None, shown: Shown::Elsewhere, seen }
+        Self { edition, own: None, shown: Shown::Elsewhere, seen }
     }
 
     /// Appends a text with its links.
@@ -177,7 +177,7 @@ impl<'l, 'a> Linker<'l, 'a> {
 
     /// The file of the cycle whose number a token is.
     fn number(&self, tokens: &[Token], at: usize, of_cycle: &mut bool) -> Option<String> {
-        let targets = &self.section.targets;
+        let targets = &self.edition.targets;
         let token = tokens.get(at)?;
         let Ok(number) = token.text.parse::<u32>() else {
             let names_cycle = targets.cycle_words.iter().any(|own| begins_with(token.text, own));
@@ -190,7 +190,7 @@ impl<'l, 'a> Linker<'l, 'a> {
             (Some("TCH"), Some("PROBE")) => Some(Keyword::TchProbe),
             _ => None,
         };
-        let known = |keyword| self.section.entry(CycleKey::new(keyword, number)).map(|entry| entry.cycle.key);
+        let known = |keyword| self.edition.entry(CycleKey::new(keyword, number)).map(|entry| entry.cycle.key);
         let key = match keyword {
             Some(keyword) => known(keyword)?,
             None if *of_cycle => match (known(Keyword::CyclDef), known(Keyword::TchProbe)) {
@@ -207,7 +207,7 @@ impl<'l, 'a> Linker<'l, 'a> {
     /// Where the words at the start of `tokens` lead, and how many they are.
     fn word(&self, text: &str, tokens: &[Token]) -> (Option<String>, usize) {
         let Some(first) = tokens.first() else { return (None, 1) };
-        let targets = &self.section.targets;
+        let targets = &self.edition.targets;
         if first.text.starts_with('Q') && first.text[1..].bytes().next().is_some_and(|byte| byte.is_ascii_digit()) {
             return (self.parameter(first.text), 1);
         }
@@ -242,7 +242,7 @@ impl<'l, 'a> Linker<'l, 'a> {
         match own {
             Some((_, anchor)) if self.shown == Shown::Here => Some(anchor),
             Some((key, anchor)) => Some(format!("{}{anchor}", file_of(key))),
-            None => self.section.targets.parameters.contains(name).then(|| format!("{PARAMETERS}#{name}")),
+            None => self.edition.targets.parameters.contains(name).then(|| format!("{PARAMETERS}#{name}")),
         }
     }
 }

@@ -6,10 +6,11 @@
 //! same input gives the same bytes, whatever thread makes a page. Who writes files is not known here.
 mod book;
 mod compare;
-pub mod cut;
 mod cycle;
 mod defined;
+mod edition;
 mod escape;
+pub mod for_control;
 pub mod highlight;
 mod index;
 mod inline;
@@ -22,11 +23,10 @@ mod page;
 mod print;
 mod programs;
 pub mod search;
-mod section;
 mod site;
-mod state;
 mod stem;
 mod topic;
+mod translation_state;
 mod view;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -46,12 +46,12 @@ use crate::output::dialog;
 use crate::output::export;
 use crate::spec::{Catalogue, OnControl};
 
+use edition::Edition;
 use search::Found;
-use section::Section;
 use site::{Figures, template_fault};
 
 pub use book::Book;
-pub use section::{path_of_cycle, path_of_topic};
+pub use edition::{path_of_cycle, path_of_topic};
 pub use site::Site;
 
 /// What a site is made from.
@@ -129,26 +129,26 @@ impl<'a> Site<'a> {
         let made = Mutex::new(Vec::new());
         let faults = in_parallel(pairs.len(), &|at| {
             let Some((on, language)) = pairs.get(at) else { return Ok(()) };
-            let section = Section::new(&request.catalogue.topics, on, language, source, &all)?;
-            lock(&made).push((at, section));
+            let edition = Edition::new(&request.catalogue.topics, on, language, source, &all)?;
+            lock(&made).push((at, edition));
             Ok(())
         });
         if !faults.is_empty() {
             return Err(faults);
         }
-        let mut sections = made.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-        sections.sort_by_key(|(at, _)| *at);
+        let mut editions = made.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+        editions.sort_by_key(|(at, _)| *at);
         let assets = request.files.iter().filter_map(|(path, text)| {
             Some((path.strip_prefix("templates/").filter(|path| path.starts_with("assets/"))?, text.as_str()))
         });
-        let sections: Vec<Section> = sections.into_iter().map(|(_, section)| section).collect();
-        let comparisons = compare::all(&sections);
+        let editions: Vec<Edition> = editions.into_iter().map(|(_, edition)| edition).collect();
+        let comparisons = compare::all(&editions);
         let mut labels = BTreeMap::new();
-        for section in &sections {
-            labels.entry(section.on.id()).or_insert_with(|| LabelBook::new(section.on, request.locales));
+        for edition in &editions {
+            labels.entry(edition.on.id()).or_insert_with(|| LabelBook::new(edition.on, request.locales));
         }
         Ok(Self {
-            sections,
+            editions,
             comparisons,
             source,
             catalogue: request.catalogue,
@@ -167,7 +167,7 @@ impl<'a> Site<'a> {
 
     fn jobs(&self) -> Vec<Job> {
         let mut jobs = vec![Job::Index, Job::Missing];
-        for (at, section) in self.sections.iter().enumerate() {
+        for (at, edition) in self.editions.iter().enumerate() {
             jobs.extend([
                 Job::Overview(at),
                 Job::Parameters(at),
@@ -176,12 +176,12 @@ impl<'a> Site<'a> {
                 Job::Notes(at),
                 Job::Search(at),
             ]);
-            if !section.on.worked.is_empty() {
+            if !edition.on.worked.is_empty() {
                 jobs.push(Job::Programs(at));
             }
             jobs.extend([Job::Dialogs(at), Job::Labels(at), Job::Export(at)]);
-            jobs.extend((0..section.entries.len()).map(|entry| Job::Cycle(at, entry)));
-            jobs.extend((0..section.topics.len()).map(|topic| Job::Topic(at, topic)));
+            jobs.extend((0..edition.entries.len()).map(|entry| Job::Cycle(at, entry)));
+            jobs.extend((0..edition.topics.len()).map(|topic| Job::Topic(at, topic)));
         }
         jobs.extend((0..self.comparisons.len()).map(Job::Comparison));
         jobs
@@ -211,13 +211,13 @@ impl<'a> Site<'a> {
             put(path, text.as_bytes())?;
         }
         let found = Mutex::new(Vec::new());
-        let collect = |section: usize, order: usize, page: Found| lock(&found).push((section, order, page));
+        let collect = |edition: usize, order: usize, page: Found| lock(&found).push((edition, order, page));
         let faults = in_parallel(jobs.len(), &|at| jobs.get(at).map_or(Ok(()), |job| self.make(*job, &put, &collect)));
         if !faults.is_empty() {
             return Err(faults);
         }
         let mut found = found.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-        found.sort_by_key(|(section, order, _)| (*section, *order));
+        found.sort_by_key(|(edition, order, _)| (*edition, *order));
         self.write_search(found, &put)?;
         if let Some(sitemap) = self.sitemap(&lock(&paths).clone()) {
             put("sitemap.xml", sitemap.as_bytes())?;
@@ -225,21 +225,21 @@ impl<'a> Site<'a> {
         Ok(Built { pages: self.pages(), files: files.into_inner() })
     }
 
-    /// The index of the search in each language; `found` are the pages in the order of the sections.
+    /// The index of the search in each language; `found` are the pages in the order of the editions.
     fn write_search(&self, found: Vec<(usize, usize, Found)>, put: &Put<'_>) -> Result<(), Vec<Diagnostic>> {
         let mut controls: Vec<&OnControl> = Vec::new();
         let mut by_language: BTreeMap<&str, (&Language, Vec<(usize, Vec<Found>)>)> = BTreeMap::new();
         let mut found = found.into_iter().peekable();
-        for (at, section) in self.sections.iter().enumerate() {
-            if !controls.iter().any(|on| on.id() == section.on.id()) {
-                controls.push(section.on);
+        for (at, edition) in self.editions.iter().enumerate() {
+            if !controls.iter().any(|on| on.id() == edition.on.id()) {
+                controls.push(edition.on);
             }
             let mut own = Vec::new();
-            while let Some((_, _, page)) = found.next_if(|(section, _, _)| *section == at) {
+            while let Some((_, _, page)) = found.next_if(|(edition, _, _)| *edition == at) {
                 own.push(page);
             }
             let (_, pages) =
-                by_language.entry(section.language.tag()).or_insert_with(|| (section.language, Vec::new()));
+                by_language.entry(edition.language.tag()).or_insert_with(|| (edition.language, Vec::new()));
             pages.push((controls.len() - 1, own));
         }
         let names: Vec<(&str, &str)> = controls.iter().map(|on| (on.id(), on.control.title.as_str())).collect();
@@ -256,88 +256,88 @@ impl<'a> Site<'a> {
             Job::Index => put("index.html", index::page(self)?.as_bytes()),
             Job::Missing => put(index::MISSING, index::missing(self)?.as_bytes()),
             Job::Overview(at) => {
-                let section = &self.sections[at];
-                put(&section.path("index.html"), overview::page(self, section)?.as_bytes())
+                let edition = &self.editions[at];
+                put(&edition.path("index.html"), overview::page(self, edition)?.as_bytes())
             }
             Job::Parameters(at) => {
-                let section = &self.sections[at];
-                put(&section.path(section::PARAMETERS), lists::parameters(self, section)?.as_bytes())
+                let edition = &self.editions[at];
+                put(&edition.path(edition::PARAMETERS), lists::parameters(self, edition)?.as_bytes())
             }
             Job::Keywords(at) => {
-                let section = &self.sections[at];
-                put(&section.path(lists::KEYWORDS), lists::keywords(self, section)?.as_bytes())
+                let edition = &self.editions[at];
+                put(&edition.path(lists::KEYWORDS), lists::keywords(self, edition)?.as_bytes())
             }
             Job::Glossary(at) => {
-                let section = &self.sections[at];
-                for (order, term) in lists::terms(section)?.into_iter().enumerate() {
-                    let file = format!("{}#{}", section::GLOSSARY, term.id);
+                let edition = &self.editions[at];
+                for (order, term) in lists::terms(edition)?.into_iter().enumerate() {
+                    let file = format!("{}#{}", edition::GLOSSARY, term.id);
                     let sentences = search::sentences(&format!("<main><p>{}</p></main>", term.definition));
                     collect(
                         at,
-                        order + section.entries.len() + section.topics.len() + 1,
+                        order + edition.entries.len() + edition.topics.len() + 1,
                         Found { file, title: term.term, sentences },
                     );
                 }
-                put(&section.path(section::GLOSSARY), lists::glossary(self, section)?.as_bytes())
+                put(&edition.path(edition::GLOSSARY), lists::glossary(self, edition)?.as_bytes())
             }
             Job::Notes(at) => {
-                let section = &self.sections[at];
-                let html = notes::page(self, section)?;
-                let title = section.text("site-general-notes", &Args::new())?.into_owned();
-                let order = section.entries.len() + section.topics.len();
+                let edition = &self.editions[at];
+                let html = notes::page(self, edition)?;
+                let title = edition.text("site-general-notes", &Args::new())?.into_owned();
+                let order = edition.entries.len() + edition.topics.len();
                 collect(at, order, Found { file: notes::PAGE.to_owned(), title, sentences: search::sentences(&html) });
-                put(&section.path(notes::PAGE), html.as_bytes())
+                put(&edition.path(notes::PAGE), html.as_bytes())
             }
             Job::Programs(at) => {
-                let section = &self.sections[at];
-                let html = programs::page(self, section)?;
-                let title = section.text("site-worked-programs", &Args::new())?.into_owned();
+                let edition = &self.editions[at];
+                let html = programs::page(self, edition)?;
+                let title = edition.text("site-worked-programs", &Args::new())?.into_owned();
                 // After the terms of the glossary.
                 let found = Found { file: programs::PAGE.to_owned(), title, sentences: search::sentences(&html) };
                 collect(at, usize::MAX, found);
-                put(&section.path(programs::PAGE), html.as_bytes())
+                put(&edition.path(programs::PAGE), html.as_bytes())
             }
             Job::Search(at) => {
-                let section = &self.sections[at];
-                put(&section.path(search::PAGE), search::page(self, section)?.as_bytes())
+                let edition = &self.editions[at];
+                put(&edition.path(search::PAGE), search::page(self, edition)?.as_bytes())
             }
             Job::Topic(at, topic) => {
-                let section = &self.sections[at];
-                let html = topic::page(self, section, topic)?;
-                let own = &section.topics[topic];
+                let edition = &self.editions[at];
+                let html = topic::page(self, edition, topic)?;
+                let own = &edition.topics[topic];
                 let sentences = search::sentences(&html);
                 collect(
                     at,
-                    section.entries.len() + topic,
+                    edition.entries.len() + topic,
                     Found { file: own.file.clone(), title: own.title.clone(), sentences },
                 );
-                put(&section.path(&own.file), html.as_bytes())
+                put(&edition.path(&own.file), html.as_bytes())
             }
             Job::Comparison(at) => {
                 let comparison = &self.comparisons[at];
                 put(&comparison.path, compare::page(self, comparison)?.as_bytes())
             }
             Job::Cycle(at, entry) => {
-                let section = &self.sections[at];
-                let own = &section.entries[entry];
-                let html = cycle::page(self, section, entry)?;
+                let edition = &self.editions[at];
+                let own = &edition.entries[entry];
+                let html = cycle::page(self, edition, entry)?;
                 let title = format!("{} {}", own.cycle.key, own.name);
                 collect(at, entry, Found { file: own.file.clone(), title, sentences: search::sentences(&html) });
-                put(&section.path(&own.file), html.as_bytes())
+                put(&edition.path(&own.file), html.as_bytes())
             }
             Job::Dialogs(at) => {
-                let section = &self.sections[at];
-                put(&section.path("dialogs.json"), &json(&dialog::bundle(section.on, section.language)?)?)
+                let edition = &self.editions[at];
+                put(&edition.path("dialogs.json"), &json(&dialog::bundle(edition.on, edition.language)?)?)
             }
             Job::Labels(at) => {
-                let section = &self.sections[at];
-                let rows = label::table(section.on, section.language)?;
-                put(&section.path("labels.json"), &json(&rows)?)?;
-                put(&section.path("labels.csv"), label::csv(&rows).as_bytes())
+                let edition = &self.editions[at];
+                let rows = label::table(edition.on, edition.language)?;
+                put(&edition.path("labels.json"), &json(&rows)?)?;
+                put(&edition.path("labels.csv"), label::csv(&rows).as_bytes())
             }
             Job::Export(at) => {
-                let section = &self.sections[at];
-                put(&section.path("export.json"), &json(&export::export(section.on, section.language)?)?)
+                let edition = &self.editions[at];
+                put(&edition.path("export.json"), &json(&export::export(edition.on, edition.language)?)?)
             }
         }
     }

@@ -6,9 +6,9 @@ use minijinja::{Value, context};
 
 use super::Site;
 use super::cycle::Maker;
+use super::edition::Edition;
 use super::links::{Linker, Shown};
 use super::page::{Here, link};
-use super::section::Section;
 use super::view::{NoteSectionView, NotesView, ThemeNoteView, ThemeView, TopicLink};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::Args;
@@ -75,7 +75,7 @@ impl Maker<'_, '_, '_> {
     /// The pages of prose about what surrounds the cycle.
     pub(super) fn topics(&self) -> Vec<TopicLink> {
         let group = self.text.cycle.file.group;
-        let about = self.section.topics.iter().filter(|topic| topic.groups.contains(&group));
+        let about = self.edition.topics.iter().filter(|topic| topic.groups.contains(&group));
         about.map(|topic| TopicLink { href: topic.file.clone(), title: topic.title.clone() }).collect()
     }
 }
@@ -85,29 +85,29 @@ fn title(theme: &Theme) -> String {
 }
 
 /// The page of the notes for many cycles; each text once, with the cycles that it holds for.
-pub(super) fn page<'a>(site: &Site<'a>, section: &Section<'a>) -> Result<String, Vec<Diagnostic>> {
+pub(super) fn page<'a>(site: &Site<'a>, edition: &Edition<'a>) -> Result<String, Vec<Diagnostic>> {
     let themes: &[Theme] = site.catalogue.pages.as_ref().map_or(&[], |pages| &pages.themes);
-    let mut said = said(site, section, themes)?;
+    let mut said = said(site, edition, themes)?;
     let mut views = Vec::new();
     for (at, theme) in themes.iter().enumerate() {
         let notes: Vec<ThemeNoteView> = said.extract_if(.., |own| own.theme == at).map(|own| own.view).collect();
         if notes.is_empty() {
             continue;
         }
-        let topic = theme.topic.as_ref().and_then(|id| section.topics.iter().find(|own| own.id == id.as_str()));
+        let topic = theme.topic.as_ref().and_then(|id| edition.topics.iter().find(|own| own.id == id.as_str()));
         views.push(ThemeView {
             id: theme.theme.as_str().to_owned(),
-            title: section.text(&title(theme), &Args::new())?.into_owned(),
+            title: edition.text(&title(theme), &Args::new())?.into_owned(),
             topic: topic.map(|own| TopicLink { href: own.file.clone(), title: own.title.clone() }),
             notes,
         });
     }
-    let args = Args::new().text("control", section.on.control.title.as_str());
-    let title = section.text("page-notes-title", &args)?.into_owned();
-    let frame = site.frame(section, title, Here::Every(PAGE))?;
+    let args = Args::new().text("control", edition.on.control.title.as_str());
+    let title = edition.text("page-notes-title", &args)?.into_owned();
+    let frame = site.frame(edition, title, Here::Every(PAGE))?;
     let context = context! {
         page => Value::from(Serde(&frame)),
-        words => section.words.clone(),
+        words => edition.words.clone(),
         themes => Value::from(Serde(&views)),
     };
     site.render("notes.html", context)
@@ -123,22 +123,22 @@ struct Said {
 }
 
 /// The notes of the themes that cycles of this control have, in the order of the themes.
-fn said<'a>(site: &Site<'a>, section: &Section<'a>, themes: &[Theme]) -> Result<Vec<Said>, Vec<Diagnostic>> {
+fn said<'a>(site: &Site<'a>, edition: &Edition<'a>, themes: &[Theme]) -> Result<Vec<Said>, Vec<Diagnostic>> {
     let place_of = |name: &Name| {
         let places = themes.iter().enumerate();
         places.filter_map(|(at, theme)| Some((at, theme.notes.iter().position(|own| own == name)?))).next()
     };
     let mut all: Vec<Said> = Vec::new();
-    for entry in &section.entries {
+    for entry in &edition.entries {
         let listed = entry.cycle.file.notes.iter().filter_map(|note| Some((note, place_of(&note.note)?)));
         let listed: Vec<_> = listed.collect();
         if listed.is_empty() {
             continue;
         }
-        let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
-        let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
-        let linker = Linker::new(section, Some(entry.cycle), Shown::Elsewhere);
-        let maker = Maker { text: &text, section, site, linker: &linker };
+        let vocabulary = Vocabulary::of(edition.on, entry.cycle, edition.language);
+        let text = CycleText::new(edition.on, entry.cycle, edition.language, &vocabulary);
+        let linker = Linker::new(edition, Some(entry.cycle), Shown::Elsewhere);
+        let maker = Maker { text: &text, edition, site, linker: &linker };
         for (own, (theme, note)) in listed {
             let words = text.note(own).into_owned();
             let kind = own.kind.as_str();

@@ -4,8 +4,8 @@
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
+use super::edition::Edition;
 use super::page::{Here, link};
-use super::section::Section;
 use super::view::{CalledView, FigureView, WorkedView};
 use super::{Site, defined, highlight};
 use crate::base::diag::Diagnostic;
@@ -18,45 +18,45 @@ use crate::spec::{CycleKey, Worked};
 pub(super) const PAGE: &str = "programs.html";
 
 /// The page with all programs of a control.
-pub(super) fn page<'a>(site: &Site<'a>, section: &Section<'a>) -> Result<String, Vec<Diagnostic>> {
+pub(super) fn page<'a>(site: &Site<'a>, edition: &Edition<'a>) -> Result<String, Vec<Diagnostic>> {
     let mut views = Vec::new();
-    for worked in section.on.worked.iter() {
-        let figures = figures(site, section, worked)?;
-        views.push(WorkedView { figures, ..view(site, section, worked)? });
+    for worked in edition.on.worked.iter() {
+        let figures = figures(site, edition, worked)?;
+        views.push(WorkedView { figures, ..view(site, edition, worked)? });
     }
-    let args = Args::new().text("control", section.on.control.title.as_str());
-    let title = section.text("page-programs-title", &args)?.into_owned();
-    let frame = site.frame(section, title, Here::Programs)?;
+    let args = Args::new().text("control", edition.on.control.title.as_str());
+    let title = edition.text("page-programs-title", &args)?.into_owned();
+    let frame = site.frame(edition, title, Here::Programs)?;
     let context = context! {
         page => Value::from(Serde(&frame)),
-        words => section.words.clone(),
+        words => edition.words.clone(),
         programs => Value::from(Serde(&views)),
     };
     site.render("programs.html", context)
 }
 
 /// The programs that define a cycle, without their pictures.
-pub(super) fn of_cycle(site: &Site, section: &Section, key: CycleKey) -> Result<Vec<WorkedView>, Vec<Diagnostic>> {
-    let own = section.on.worked.iter().zip(section.cycles_of_programs());
+pub(super) fn of_cycle(site: &Site, edition: &Edition, key: CycleKey) -> Result<Vec<WorkedView>, Vec<Diagnostic>> {
+    let own = edition.on.worked.iter().zip(edition.cycles_of_programs());
     let own = own.filter(|(_, cycles)| cycles.contains(&key));
-    own.map(|(worked, _)| view(site, section, worked)).collect()
+    own.map(|(worked, _)| view(site, edition, worked)).collect()
 }
 
 /// The title of each program with the way to it.
-pub(super) fn titles(section: &Section) -> Result<Vec<super::view::TopicLink>, Vec<Diagnostic>> {
+pub(super) fn titles(edition: &Edition) -> Result<Vec<super::view::TopicLink>, Vec<Diagnostic>> {
     let link = |worked: &Worked| {
-        let title = section.text(&format!("program-{}", worked.name()), &Args::new())?.into_owned();
+        let title = edition.text(&format!("program-{}", worked.name()), &Args::new())?.into_owned();
         Ok(super::view::TopicLink { href: href(worked), title })
     };
-    section.on.worked.iter().map(link).collect()
+    edition.on.worked.iter().map(link).collect()
 }
 
 fn href(worked: &Worked) -> String {
     format!("{PAGE}#{}", worked.name())
 }
 
-fn view(site: &Site, section: &Section, worked: &Worked) -> Result<WorkedView, Vec<Diagnostic>> {
-    let text = |id: String| section.text(&id, &Args::new()).map(|text| text.into_owned());
+fn view(site: &Site, edition: &Edition, worked: &Worked) -> Result<WorkedView, Vec<Diagnostic>> {
+    let text = |id: String| edition.text(&id, &Args::new()).map(|text| text.into_owned());
     let mut faults = Vec::new();
     for id in worked.comments() {
         faults.extend(text(format!("comment-{id}")).err().into_iter().flatten());
@@ -66,12 +66,12 @@ fn view(site: &Site, section: &Section, worked: &Worked) -> Result<WorkedView, V
     }
     let shown = |program: &str| {
         let lines: Vec<String> = program.lines().map(str::to_owned).collect();
-        let relabelled = site.relabelled(section, &lines);
+        let relabelled = site.relabelled(edition, &lines);
         let program = Worked::with_comments(&relabelled, &|id| text(format!("comment-{id}")).unwrap_or_default());
         Value::from_safe_string(highlight::html(&program, &|_| false))
     };
     let called = worked.called().map(|(name, text)| CalledView { name: name.to_owned(), program: shown(text) });
-    let entries = defined::cycles(worked).into_iter().filter_map(|key| section.entry(key));
+    let entries = defined::cycles(worked).into_iter().filter_map(|key| edition.entry(key));
     Ok(WorkedView {
         id: worked.name().to_owned(),
         href: href(worked),
@@ -85,15 +85,15 @@ fn view(site: &Site, section: &Section, worked: &Worked) -> Result<WorkedView, V
 }
 
 /// The pictures of a program.
-fn figures<'a>(site: &Site<'a>, section: &Section<'a>, worked: &'a Worked) -> Result<Vec<FigureView>, Vec<Diagnostic>> {
-    let Some(entry) = section.entry(worked.key) else { return Ok(Vec::new()) };
-    let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
-    let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
+fn figures<'a>(site: &Site<'a>, edition: &Edition<'a>, worked: &'a Worked) -> Result<Vec<FigureView>, Vec<Diagnostic>> {
+    let Some(entry) = edition.entry(worked.key) else { return Ok(Vec::new()) };
+    let vocabulary = Vocabulary::of(edition.on, entry.cycle, edition.language);
+    let text = CycleText::new(edition.on, entry.cycle, edition.language, &vocabulary);
     let view = |figure: &crate::output::figure::Figure<'_>| {
         let svg = figure.svg(&text, Medium::Page);
         FigureView { svg: Value::from_safe_string(svg.text), title: svg.title, small: figure.is_of_row() }
     };
-    let views = site.figures.of_program(site, section.on, worked).iter().map(view).collect();
+    let views = site.figures.of_program(site, edition.on, worked).iter().map(view).collect();
     let faults = text.faults();
     if faults.is_empty() { Ok(views) } else { Err(faults) }
 }

@@ -1,4 +1,4 @@
-//! The search: a page in each section, and an index a language that a script of the site reads without a network.
+//! The search: a page in each edition, and an index a language that a script of the site reads without a network.
 //!
 //! The index has every sentence of the pages with the place that it is at, once for all controls that have it in the same
 //! words, and the forms of words that have the same stem. Invariant: every page of the index exists.
@@ -9,8 +9,8 @@ use minijinja::{Value, context};
 use serde::Serialize;
 
 use super::Site;
+use super::edition::Edition;
 use super::page::Here;
-use super::section::Section;
 use super::stem::{Stems, words};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::{Args, Language};
@@ -25,7 +25,7 @@ pub(super) fn index_file(tag: &str) -> String {
 
 /// A page that can be found.
 pub(super) struct Found {
-    /// Its file within a section.
+    /// Its file within an edition.
     pub(super) file: String,
     pub(super) title: String,
     /// Its sentences with the ids of the places where they are.
@@ -46,20 +46,20 @@ struct Index<'a> {
     stems: Vec<String>,
 }
 
-pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnostic>> {
-    let args = Args::new().text("control", section.on.control.title.as_str());
-    let title = section.text("page-search-title", &args)?.into_owned();
-    let frame = site.frame(section, title, Here::Every(PAGE))?;
+pub(super) fn page(site: &Site, edition: &Edition) -> Result<String, Vec<Diagnostic>> {
+    let args = Args::new().text("control", edition.on.control.title.as_str());
+    let title = edition.text("page-search-title", &args)?.into_owned();
+    let frame = site.frame(edition, title, Here::Every(PAGE))?;
     let context = context! {
         page => Value::from(Serde(&frame)),
-        words => section.words.clone(),
-        own => section.on.id(),
-        index => index_file(section.language.tag()),
+        words => edition.words.clone(),
+        own => edition.on.id(),
+        index => index_file(edition.language.tag()),
     };
     site.render("search.html", context)
 }
 
-/// The index of a language; `found` are the pages of its sections, each with the number of its control.
+/// The index of a language; `found` are the pages of its editions, each with the number of its control.
 pub(super) fn index(
     language: &Language,
     controls: Vec<(&str, &str)>,

@@ -4,8 +4,8 @@ use std::sync::OnceLock;
 
 use minijinja::Environment;
 
+use super::edition::Edition;
 use super::escape::escape;
-use super::section::Section;
 use crate::base::diag::Diagnostic;
 use crate::check::LabelBook;
 use crate::language::locale::{Language, Locales};
@@ -18,8 +18,8 @@ pub(super) struct Comparison {
     /// The path of its page.
     pub(super) path: String,
     pub(super) key: CycleKey,
-    /// The sections of the language that have the cycle.
-    pub(super) sections: Vec<usize>,
+    /// The editions of the language that have the cycle.
+    pub(super) editions: Vec<usize>,
 }
 
 /// The figures of the cycles of each control: those of a cycle are run when a page first shows them.
@@ -66,7 +66,7 @@ impl<'a> Figures<'a> {
 
 /// A site that is ready to be written.
 pub struct Site<'a> {
-    pub(super) sections: Vec<Section<'a>>,
+    pub(super) editions: Vec<Edition<'a>>,
     pub(super) comparisons: Vec<Comparison>,
     pub(super) source: Option<&'a Language>,
     pub(super) catalogue: &'a Catalogue,

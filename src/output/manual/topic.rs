@@ -1,7 +1,7 @@
 //! The page of a topic: Markdown of the locales as HTML.
 //!
 //! Invariant: whatever the text is, what comes out is well-formed, HTML in it shows as text, a link
-//! leads to a page of the section or is plain text, and every heading has an id of its own.
+//! leads to a page of the edition or is plain text, and every heading has an id of its own.
 use std::collections::HashSet;
 
 use minijinja::value::Serde;
@@ -9,34 +9,34 @@ use minijinja::{Value, context};
 use pulldown_cmark::{CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
 use super::Site;
+use super::edition::{Edition, link_target};
 use super::links::{Linker, Shown};
 use super::page::Here;
-use super::section::{Section, link_target};
 use super::view::TopicView;
 use crate::base::diag::Diagnostic;
 use crate::language::locale::Args;
 
-pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, Vec<Diagnostic>> {
-    let Some(topic) = section.topics.get(at) else { return Ok(String::new()) };
-    let args = Args::new().text("title", topic.title.as_str()).text("control", section.on.control.title.as_str());
-    let title = section.text("page-topic-title", &args)?.into_owned();
-    let frame = site.frame(section, title, Here::Topic(topic.id))?;
-    let view = TopicView { title: topic.title.clone(), body: Value::from_safe_string(body(&topic.body, section)) };
+pub(super) fn page(site: &Site, edition: &Edition, at: usize) -> Result<String, Vec<Diagnostic>> {
+    let Some(topic) = edition.topics.get(at) else { return Ok(String::new()) };
+    let args = Args::new().text("title", topic.title.as_str()).text("control", edition.on.control.title.as_str());
+    let title = edition.text("page-topic-title", &args)?.into_owned();
+    let frame = site.frame(edition, title, Here::Topic(topic.id))?;
+    let view = TopicView { title: topic.title.clone(), body: Value::from_safe_string(body(&topic.body, edition)) };
     let context = context! {
         page => Value::from(Serde(&frame)),
-        words => section.words.clone(),
+        words => edition.words.clone(),
         topic => Value::from(Serde(&view)),
     };
     site.render("topic.html", context)
 }
 
 /// The Markdown below the title as HTML.
-pub(super) fn body(markdown: &str, section: &Section) -> String {
+pub(super) fn body(markdown: &str, edition: &Edition) -> String {
     let mut events: Vec<Event> = Vec::new();
     let mut links: Vec<bool> = Vec::new();
     let mut heading: Option<usize> = None;
     let mut ids = HashSet::from(["content".to_owned()]);
-    let linker = Linker::new(section, None, Shown::Elsewhere);
+    let linker = Linker::new(edition, None, Shown::Elsewhere);
     let linked = |text: &str| {
         let mut html = String::with_capacity(text.len());
         linker.text(text, &mut html);
@@ -53,7 +53,7 @@ pub(super) fn body(markdown: &str, section: &Section) -> String {
                 event
             }
             Event::Start(Tag::Link { dest_url, link_type, title, id }) => {
-                let file = target(&dest_url, section);
+                let file = target(&dest_url, edition);
                 links.push(file.is_some());
                 let Some(file) = file else { continue };
                 Event::Start(Tag::Link { dest_url: CowStr::from(file), link_type, title, id })
@@ -89,11 +89,11 @@ pub(super) fn body(markdown: &str, section: &Section) -> String {
 }
 
 /// The file that a link such as `cycle:TCH-PROBE-412` or `topic:threads` leads to.
-fn target(link: &str, section: &Section) -> Option<String> {
+fn target(link: &str, edition: &Edition) -> Option<String> {
     if let Some(name) = link.strip_prefix("topic:") {
-        return section.topics.iter().find(|topic| topic.id == name).map(|topic| topic.file.clone());
+        return edition.topics.iter().find(|topic| topic.id == name).map(|topic| topic.file.clone());
     }
-    section.entry(link_target(link)?).map(|entry| entry.file.clone())
+    edition.entry(link_target(link)?).map(|entry| entry.file.clone())
 }
 
 /// Gives the heading that began at `start` an id made of its words.

@@ -25,12 +25,12 @@ pub(super) struct PageView {
     /// The control; empty on the first page of the site.
     pub(super) control: String,
     /// The control with its software and the date of the data, for the foot of the page.
-    pub(super) edition: Vec<String>,
-    /// What each printed sheet says, as two strings of CSS: the page, and the edition.
+    pub(super) imprint: Vec<String>,
+    /// What each printed sheet says, as two strings of CSS: the page, and the imprint.
     pub(super) sheet: Option<(Html, Html)>,
     /// Where the page is: the control, the group, the page itself.
     pub(super) trail: Vec<TrailView>,
-    /// The way to the overviews of the section; its own directory for most pages.
+    /// The way to the overviews of the edition; its own directory for most pages.
     pub(super) home: String,
     /// The same page in every language.
     pub(super) languages: Vec<SwitchView>,

@@ -57,7 +57,7 @@ impl Watcher<'_> {
         let ways = std::mem::take(&mut self.ways);
         let (Some(line), Some(lowest), Some(top)) = (ways.along, ways.lowest, self.top()) else { return };
         if lowest > top + SKIN && !self.away() {
-            self.report(line, Incident::Above(lowest * self.unit));
+            self.report(line, Incident::AboveBlank(lowest * self.unit));
         }
     }
 

@@ -139,7 +139,7 @@ impl Watcher<'_> {
         let Some(body) = self.body else { return };
         let (Some(width), Some(room)) = (width, room(&body, place)) else { return };
         if room >= 0.0 && room < AT_EDGE * width {
-            self.report(work.line, Incident::Edge(place.map(|own| own * self.unit)));
+            self.report(work.line, Incident::HoleCutByEdge(place.map(|own| own * self.unit)));
         }
     }
 
@@ -174,26 +174,26 @@ impl Watcher<'_> {
     fn judge_setting(&mut self, rows: &[Row]) {
         let unit = self.unit;
         if let Some((line, place)) = stray(rows).or_else(|| self.beside_centres(rows)) {
-            self.report(line, Incident::Stray(place.map(|own| own * unit)));
+            self.report(line, Incident::NotCentred(place.map(|own| own * unit)));
         }
         if let Some((line, place)) = self.left_out(rows, Kind::Drilled) {
-            self.report(line, Incident::Uncentred(place.map(|own| own * unit)));
+            self.report(line, Incident::OnlyOneNotCentred(place.map(|own| own * unit)));
         }
         if let Some((line, place)) = self.left_out(rows, Kind::Centred) {
-            self.report(line, Incident::Unused(place.map(|own| own * unit)));
+            self.report(line, Incident::CentredInVain(place.map(|own| own * unit)));
         }
         if let Some((line, place, reamed)) = unfinished(rows) {
             let place = place.map(|own| own * unit);
             self.report(line, if reamed { Incident::Unreamed(place) } else { Incident::Untapped(place) });
         }
         if let Some((line, place, reamed)) = self.beside_holes(rows) {
-            let none = Incident::Reamed { what: "none", value: 0.0, other: 0.0 };
+            let none = Incident::ReamedWrongly { what: "none", value: 0.0, other: 0.0 };
             self.report(line, if reamed { none } else { Incident::NoHole(place.map(|own| own * unit)) });
         }
         let plain_kind = |row: &&Row| matches!(row.kind, Kind::Centred | Kind::Drilled | Kind::Threaded);
         let others = rows.iter().filter(plain_kind);
         if let Some((line, place)) = others.filter_map(corner).next() {
-            self.report(line, Incident::Corner(place.map(|own| own * unit)));
+            self.report(line, Incident::CornerOfRectangleOff(place.map(|own| own * unit)));
         }
         let plain = |line: &usize| {
             self.blocks.get(line).is_some_and(|block| match &block.kind {
@@ -209,7 +209,7 @@ impl Watcher<'_> {
             Some((row.places.last()?.1, gap(&places).filter(|_| one)?))
         });
         if let Some((line, place)) = gaps {
-            self.report(line, Incident::Gap(place.map(|own| own * unit)));
+            self.report(line, Incident::GapInCircle(place.map(|own| own * unit)));
         }
     }
 }

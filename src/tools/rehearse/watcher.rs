@@ -243,7 +243,7 @@ impl<'w> Watcher<'w> {
                 self.judge_rows();
                 self.judge_ways();
                 if let Some(height) = self.low_at(BESIDE).filter(|_| self.tool.is_some()) {
-                    self.report(self.line, Incident::End(height));
+                    self.report(self.line, Incident::EndsInMaterial(height));
                 }
             }
             // What can no longer be seen drills nothing.
@@ -307,7 +307,7 @@ impl<'w> Watcher<'w> {
         };
         self.judge_ways();
         if let Some(height) = self.low_at(BESIDE).filter(|_| self.tool.is_some()) {
-            self.report(self.line, Incident::ToolChange(height));
+            self.report(self.line, Incident::ToolChangeInMaterial(height));
         }
         self.with_speed = self.blocks.get(&self.line).is_some_and(|block| match &block.kind {
             BlockKind::ToolCall(call) => call.speed.is_some(),
@@ -414,7 +414,7 @@ impl<'w> Watcher<'w> {
         let certain = self.known == [true; 3];
         let low = key.is_none() && block.is_some() && self.top().is_some_and(|top| self.at.z < top - SKIN);
         if low && self.known[2] && !(self.known[0] && self.known[1]) && !self.is_placed() {
-            self.report(self.line, Incident::Unplaced(self.at.z * self.unit));
+            self.report(self.line, Incident::DownBeforePositioned(self.at.z * self.unit));
         }
         let Some(feed) = feed else {
             let lifts = from.x == self.at.x && from.y == self.at.y && from.z <= self.at.z;
@@ -422,7 +422,7 @@ impl<'w> Watcher<'w> {
                 let looked: &[DVec3] =
                     if begun { &places } else { places.last().map(std::slice::from_ref).unwrap_or_default() };
                 if looked.iter().any(|place| self.is_solid(*place)) {
-                    self.report(self.line, Incident::Rapid(from.z.min(self.at.z) * self.unit));
+                    self.report(self.line, Incident::RapidInMaterial(from.z.min(self.at.z) * self.unit));
                 }
             }
             return;
@@ -433,7 +433,7 @@ impl<'w> Watcher<'w> {
             _ => false,
         });
         if approaches && certain && begun && !self.open && places.iter().any(|place| self.is_solid(*place)) {
-            self.report(self.line, Incident::Rapid(from.z.min(self.at.z) * self.unit));
+            self.report(self.line, Incident::RapidInMaterial(from.z.min(self.at.z) * self.unit));
         }
         // Enough places of an arc to see how far it reaches.
         let round: Vec<DVec3> = (0..=ROUND).map(|at| self.place(path.at(f64::from(at) / f64::from(ROUND)))).collect();
@@ -486,13 +486,13 @@ impl<'w> Watcher<'w> {
         let solid = !self.open && begun && places.iter().any(|place| self.is_solid(*place));
         let drills = group == Some(Group::Drilling);
         if solid && self.spindle < 0 && (drills || group == Some(Group::Pockets)) {
-            self.report(self.line, Incident::Backwards);
+            self.report(self.line, Incident::SpindleBackwards);
         }
         if !self.open && self.with_speed && self.probes.is_empty() && group != Some(Group::Threads) {
             // Where another tool has cut before, a tool that was not started still has to turn.
             let near = begun && places.iter().any(|own| own.z < body.high.z - SKIN && body.distance(*own) <= 0.0);
             if solid && (self.spindle == 0 || !self.started) || near && !self.started && key.is_none() {
-                self.report(self.line, Incident::Still { unstarted: self.spindle != 0 });
+                self.report(self.line, Incident::CutsWithoutSpindle { unstarted: self.spindle != 0 });
             }
         }
         if solid && (key.is_none() || drills) {
@@ -506,7 +506,7 @@ impl<'w> Watcher<'w> {
             let below = self.at.z < body.high.z - SKIN;
             let room = if self.scaled { SCALED + self.radius() } else { plan + FAR };
             if below && body.distance(self.at) > room {
-                self.report(self.line, Incident::Outside([self.at.x * self.unit, self.at.y * self.unit]));
+                self.report(self.line, Incident::OutsideBlank([self.at.x * self.unit, self.at.y * self.unit]));
             }
             if plain {
                 self.ways.note(self.line, from, self.at, body);
@@ -514,7 +514,7 @@ impl<'w> Watcher<'w> {
         }
         let under = if self.scaled { SCALED / 4.0 } else { UNDER };
         if self.at.z < body.low.z - under && body.distance(self.at) <= 0.0 && self.is_milling(key) {
-            self.report(self.line, Incident::Below(self.at.z * self.unit));
+            self.report(self.line, Incident::BelowBlank(self.at.z * self.unit));
         }
     }
 
@@ -543,7 +543,7 @@ impl<'w> Watcher<'w> {
             self.cuts |= feed <= CUTTING * usual;
         }
         if level && along > SAME && self.kind().is_some_and(ToolKind::only_along_axis) {
-            self.report(self.line, Incident::Sideways);
+            self.report(self.line, Incident::SidewaysWithDrill);
         }
     }
 
@@ -575,7 +575,7 @@ impl<'w> Watcher<'w> {
     /// A cycle for holes in the tilted plane is over.
     fn judge_tilted(&mut self) {
         if let Some((line, false)) = self.tilted_holes.take() {
-            self.report(line, Incident::Astray);
+            self.report(line, Incident::MissesBlankInTiltedPlane);
         }
     }
 
@@ -595,7 +595,7 @@ impl<'w> Watcher<'w> {
             *before == number && own.zip(job(*done)).is_some_and(|(own, other)| !own.goes_with(other))
         });
         if let Some((_, before)) = other.copied() {
-            self.report(self.line, Incident::OtherJob { cycle: key, before });
+            self.report(self.line, Incident::ToolHasOtherJob { cycle: key, before });
         }
     }
 

@@ -165,13 +165,13 @@ impl Watcher<'_> {
         let bottom = work.low.z;
         let place = [work.start.x * self.unit, work.start.y * self.unit];
         if bottom > body.high.z + SKIN {
-            self.report(work.line, Incident::Above(bottom * self.unit));
+            self.report(work.line, Incident::AboveBlank(bottom * self.unit));
         }
         if hole {
             if body.distance(work.start) > SKIN {
-                self.report(work.line, Incident::Beside(place));
+                self.report(work.line, Incident::HoleBesideBlank(place));
             } else if bottom < body.low.z - TIP {
-                self.report(work.line, Incident::Through(bottom * self.unit));
+                self.report(work.line, Incident::HoleThroughBlank(bottom * self.unit));
             }
             return;
         }
@@ -191,7 +191,7 @@ impl Watcher<'_> {
             _ => nothing,
         };
         if outside {
-            self.report(work.line, Incident::Outside([middle.x * self.unit, middle.y * self.unit]));
+            self.report(work.line, Incident::OutsideBlank([middle.x * self.unit, middle.y * self.unit]));
         }
     }
 
@@ -200,7 +200,7 @@ impl Watcher<'_> {
         let place = [work.start.x * self.unit, work.start.y * self.unit];
         let bits = work.start.with_z(work.low.z).to_array().map(|own| (own / SAME).round() as i64);
         if self.machined.insert((work.key, self.calls, bits), work.line).is_some() {
-            self.report(work.line, Incident::Again(place));
+            self.report(work.line, Incident::MachinedAgain(place));
         }
     }
 
@@ -212,7 +212,7 @@ impl Watcher<'_> {
         let all = [middle.x, middle.y, work.low.z, size.x, size.y].map(|own| (own / SAME).round() as i64);
         if !self.milled.insert((work.key, self.calls, work.written, all)) {
             let place = [middle.x * self.unit, middle.y * self.unit];
-            self.report(work.line, Incident::Again(place));
+            self.report(work.line, Incident::MachinedAgain(place));
         }
     }
 
@@ -261,14 +261,14 @@ impl Watcher<'_> {
         let unit = self.unit;
         let Some(lowest) = here.iter().map(|own| own.bottom).reduce(f64::min) else {
             if !self.others && self.kind() == Some(ToolKind::Reamer) {
-                self.report(work.line, Incident::Reamed { what: "none", value: 0.0, other: 0.0 });
+                self.report(work.line, Incident::ReamedWrongly { what: "none", value: 0.0, other: 0.0 });
             }
             return;
         };
         let through = self.body.is_some_and(|body| lowest <= body.low.z);
         if !through && work.low.z < lowest - SKIN {
             let (value, other) = (work.low.z * unit, lowest * unit);
-            return self.report(work.line, Incident::Reamed { what: "deep", value, other });
+            return self.report(work.line, Incident::ReamedWrongly { what: "deep", value, other });
         }
         let hole = here.iter().filter(|own| own.bottom <= work.low.z + SKIN).filter_map(|own| own.width);
         let hole = hole.reduce(f64::max);
@@ -277,7 +277,7 @@ impl Watcher<'_> {
             && self.kind() == Some(ToolKind::Reamer)
         {
             let (value, other) = (reamer * unit, hole * unit);
-            self.report(work.line, Incident::Reamed { what: "allowance", value, other });
+            self.report(work.line, Incident::ReamedWrongly { what: "allowance", value, other });
         }
     }
 

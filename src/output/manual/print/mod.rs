@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 use self::markup::{Places, Translation, place, say, string};
 use self::press::{Misprint, Press};
 use super::book::{Book, Chapter, Page, file_of};
-use super::section::Section;
+use super::edition::Edition;
 use super::site::Site;
 use crate::base::diag::Diagnostic;
 use crate::base::xml::{self, Node};
@@ -30,14 +30,14 @@ impl<'a> Site<'a> {
     pub fn printed(&mut self) -> Result<Vec<Book>, Vec<Diagnostic>> {
         self.is_book = true;
         let press = Press::new();
-        self.sections.iter().map(|section| self.print(section, &press)).collect()
+        self.editions.iter().map(|edition| self.print(edition, &press)).collect()
     }
 
-    fn print(&self, section: &Section<'a>, press: &Press) -> Result<Book, Vec<Diagnostic>> {
-        let (control, tag) = (section.on.id(), section.language.tag());
+    fn print(&self, edition: &Edition<'a>, press: &Press) -> Result<Book, Vec<Diagnostic>> {
+        let (control, tag) = (edition.on.id(), edition.language.tag());
         let name = format!("{control}-{tag}.pdf");
         let wrong = |found: Vec<Misprint>| found.into_iter().map(|one| misprinted(&name, one)).collect::<Vec<_>>();
-        let files = self.sheets(section).map_err(|fault| match fault {
+        let files = self.sheets(edition).map_err(|fault| match fault {
             Fault::Found(found) => found,
             Fault::Misprint(one) => wrong(vec![one]),
         })?;
@@ -46,14 +46,14 @@ impl<'a> Site<'a> {
     }
 
     /// The files that the press takes.
-    fn sheets(&self, section: &Section<'a>) -> Result<BTreeMap<String, String>, Fault> {
-        let made = self.made_pages(section)?;
-        let title = self.frame_page("book-title.html", section, Vec::new())?;
-        let chapters = self.chapters(section)?;
+    fn sheets(&self, edition: &Edition<'a>) -> Result<BTreeMap<String, String>, Fault> {
+        let made = self.made_pages(edition)?;
+        let title = self.frame_page("book-title.html", edition, Vec::new())?;
+        let chapters = self.chapters(edition)?;
         let read = |file: &str, html: &str| tree(file, html).map_err(Fault::Misprint);
         let mut pages = Vec::new();
         for page in &made {
-            let file = file_of(section, page.page);
+            let file = file_of(edition, page.page);
             pages.push((page, file, read(file, &page.html)?));
         }
         let mut places = Places::default();
@@ -90,25 +90,25 @@ impl<'a> Site<'a> {
             drawings: Vec::new(),
         };
         files.insert(sheet("title.html"), with_look(&front.inside(&tree)));
-        files.insert("main.typ".to_owned(), self.main(section, &chapters)?);
+        files.insert("main.typ".to_owned(), self.main(edition, &chapters)?);
         Ok(files)
     }
 
     /// The book: first page, contents, chapters.
-    fn main(&self, section: &Section<'a>, chapters: &[Chapter]) -> Result<String, Vec<Diagnostic>> {
-        let control = section.on.control.title.as_str();
-        let title = section.text("site-manual", &Args::new())?;
-        let tag = section.language.tag();
+    fn main(&self, edition: &Edition<'a>, chapters: &[Chapter]) -> Result<String, Vec<Diagnostic>> {
+        let control = edition.on.control.title.as_str();
+        let title = edition.text("site-manual", &Args::new())?;
+        let tag = edition.language.tag();
         let mut out = with_look("#show: book.with(");
         let _ = write!(out, "title: {}, ", string(&format!("{control}: {title}")));
         let _ = write!(out, "control: {}, lang: {}, ", string(control), string(tag.split('-').next().unwrap_or(tag)));
-        let edition = self.edition(section)?;
-        let edition: Vec<&str> = edition.iter().map(String::as_str).filter(|line| *line != control).collect();
+        let imprint = self.imprint(edition)?;
+        let imprint: Vec<&str> = imprint.iter().map(String::as_str).filter(|line| *line != control).collect();
         let date = self.catalogue.pages.as_ref().and_then(|pages| pages.edition.as_deref()).and_then(date);
         let _ =
-            writeln!(out, "edition: {}, date: {})", string(&edition.join(" · ")), date.as_deref().unwrap_or("none"));
+            writeln!(out, "imprint: {}, date: {})", string(&imprint.join(" · ")), date.as_deref().unwrap_or("none"));
         let _ = writeln!(out, "#front[#include {}]", string(&sheet("title.html")));
-        let _ = writeln!(out, "#contents({})", string(&section.text("site-contents", &Args::new())?));
+        let _ = writeln!(out, "#contents({})", string(&edition.text("site-contents", &Args::new())?));
         for chapter in chapters {
             if chapter.href.is_none() {
                 let _ = write!(out, "#chapter({}, ", string(&chapter.title));
