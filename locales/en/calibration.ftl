@@ -34,7 +34,6 @@ step-orient-to-calibration-angle = The control orients the touch probe to the an
 step-probe-down-from-here = From the present position the control probes in the negative direction of the spindle axis at the probing feed rate (column { $mp-probing-feed }).
 step-return-to-start-of-calibration = The control positions the touch probe at rapid traverse (column { $mp-positioning-feed }) back at the starting position.
 step-store-probe-length = The control stores the effective length in the tool table.
-note-datum-on-table-for-length = Before the calibration cycle starts, set the datum in the spindle axis so that Z=0 on the machine table, and position the touch probe above the calibration ring.
 
 # --- 462 and 463 ---
 cycle-calibrate-in-ring = Calibrate touch probe radius inside

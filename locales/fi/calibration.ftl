@@ -34,7 +34,6 @@ step-orient-to-calibration-angle = Jos kosketusjärjestelmä voidaan suunnata, o
 step-probe-down-from-here = Ohjaus koskettaa hetkellisasemasta karan akselin negatiiviseen suuntaan kosketussyöttöarvolla (sarake { $mp-probing-feed }).
 step-return-to-start-of-calibration = Ohjaus paikoittaa kosketusjärjestelmän pikaliikkeellä (sarake { $mp-positioning-feed }) takaisin aloitusasemaan.
 step-store-probe-length = Ohjaus tallentaa vaikuttavan pituuden työkalutaulukkoon.
-note-datum-on-table-for-length = Aseta ennen kalibrointityökierron käynnistystä karan akselin peruspiste niin, että koneen pöydällä Z = 0, ja paikoita kosketusjärjestelmä kalibrointirenkaan yläpuolelle.
 
 # --- 462 ja 463 ---
 cycle-calibrate-in-ring = Kosketusjärjestelmän säteen kalibrointi sisäpuolella

@@ -34,7 +34,6 @@ step-orient-to-calibration-angle = Il controllo orienta il sistema di tastatura 
 step-probe-down-from-here = Dalla posizione attuale il controllo esegue una tastatura in direzione negativa dell’asse del mandrino con l’avanzamento di tastatura (colonna { $mp-probing-feed }).
 step-return-to-start-of-calibration = Il controllo riporta il sistema di tastatura in rapido (colonna { $mp-positioning-feed }) alla posizione di partenza.
 step-store-probe-length = Il controllo memorizza la lunghezza attiva nella tabella utensili.
-note-datum-on-table-for-length = Prima dell’avvio del ciclo di calibrazione impostare l’origine nell’asse del mandrino in modo che sulla tavola della macchina sia Z=0 e posizionare il sistema di tastatura sopra l’anello di calibrazione.
 
 # --- 462 and 463 ---
 cycle-calibrate-in-ring = Calibrazione raggio TS interno

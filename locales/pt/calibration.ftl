@@ -34,7 +34,6 @@ step-orient-to-calibration-angle = O comando orienta o apalpador para o ângulo 
 step-probe-down-from-here = A partir da posição atual, o comando apalpa na direção negativa do eixo do cabeçote com o avanço de apalpação (coluna { $mp-probing-feed }).
 step-return-to-start-of-calibration = O comando faz regressar o apalpador em avanço rápido (coluna { $mp-positioning-feed }) à posição de partida.
 step-store-probe-length = O comando guarda a longitude efetiva na tabela de ferramentas.
-note-datum-on-table-for-length = Antes do início do ciclo de calibração, memorize o ponto de referência no eixo do cabeçote de modo que na mesa da máquina seja Z=0, e posicione o apalpador por cima do anel de calibração.
 
 # --- 462 and 463 ---
 cycle-calibrate-in-ring = Calibrar raio do apalpador, interior

@@ -34,7 +34,6 @@ step-orient-to-calibration-angle = Če je tipalni sistem mogoče usmeriti, ga kr
 step-probe-down-from-here = Krmiljenje s trenutnega položaja izvede tipanje v negativni smeri osi vretena s pomikom pri tipanju (stolpec { $mp-probing-feed }).
 step-return-to-start-of-calibration = Krmiljenje v hitrem teku (stolpec { $mp-positioning-feed }) pozicionira tipalni sistem nazaj na začetni položaj.
 step-store-probe-length = Krmiljenje dejansko dolžino shrani v preglednico orodij.
-note-datum-on-table-for-length = Pred začetkom umeritvenega cikla določite referenčno točko na osi vretena tako, da je na mizi stroja Z = 0, in pozicionirajte tipalni sistem nad umeritveni obroč.
 
 # --- 462 and 463 ---
 cycle-calibrate-in-ring = Umerjanje notranjega polmera tipalnega sistema

@@ -146,7 +146,7 @@ fn definition(control: &str, case: &Case) -> Option<String> {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(400))]
+    #![proptest_config(crate::cases::config(150))]
 
     #[test]
     fn bad_geometry_is_finite_or_explained(

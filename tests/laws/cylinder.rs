@@ -415,7 +415,7 @@ fn cases(rounded: bool) -> impl Strategy<Value = Case> {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(150))]
+    #![proptest_config(crate::cases::config(50))]
 
     /// The tool points at the rotary axis; on the development of the surface its centre is its radius and the allowance
     /// beside the contour, on the side that the program says; the feed is that along the development.

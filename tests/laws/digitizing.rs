@@ -564,7 +564,7 @@ fn around_a_hill(bump: Bump, how: Lines) -> Result<(), TestCaseError> {
 }
 
 laws! {
-    #![proptest_config(config(150))]
+    #![proptest_config(config(50))]
 
     #[test]
     fn meanders_lie_on_the_part(shop in shop(2), asked in asked()) {
@@ -927,7 +927,7 @@ fn with_a_rotary_axis(shop: Shop, how: &Turning) -> Result<(), TestCaseError> {
 }
 
 laws! {
-    #![proptest_config(config(60))]
+    #![proptest_config(config(30))]
 
     /// In a range with a rotary axis: lines along the linear axis, and along the rotary one.
     #[test]

@@ -217,7 +217,7 @@ fn changes(shop: &Shop, machine: &Machine) -> Vec<([f64; 3], [f64; 3])> {
 }
 
 laws! {
-    #![proptest_config(config(150))]
+    #![proptest_config(config(50))]
 
     #[test]
     fn the_places_of_the_axes_are_found_and_then_there_is_nothing_left(shop in shop()) {

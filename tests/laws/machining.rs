@@ -118,7 +118,7 @@ fn near(a: f64, b: f64) -> bool {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(48))]
+    #![proptest_config(crate::cases::config(24))]
 
     /// A measured hole is the hole.
     #[test]

@@ -266,7 +266,7 @@ fn wall(setup: &Setup, point: Point, normal: Point) -> String {
 const NO_LIMITS: [(u16, f64); 3] = [(281, 0.0), (309, 0.0), (330, 0.0)];
 
 laws! {
-    #![proptest_config(crate::cases::config(150))]
+    #![proptest_config(crate::cases::config(50))]
 
     /// 420: the angle of a straight edge, probed along either axis from either side.
     #[test]
@@ -710,7 +710,7 @@ fn deviations_of_a_tool_add_up() {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(150))]
+    #![proptest_config(crate::cases::config(50))]
 
     /// Nearly degenerate geometry: finite values, or an error that says why.
     #[test]

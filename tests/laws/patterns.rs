@@ -326,7 +326,7 @@ fn same(found: &[[f64; 3]], wanted: &[[f64; 2]]) -> bool {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(256))]
+    #![proptest_config(crate::cases::config(100))]
 
     /// 220: on a circle, by steps or up to an end, every hole at its angle, for every tool axis.
     #[test]

@@ -413,7 +413,7 @@ fn feature(kind: usize, place: &Place, s: &Sizes) -> Feature {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(1000))]
+    #![proptest_config(crate::cases::config(400))]
 
     /// A datum cycle reports the truth, and wherever its datum goes (display, preset table, datum table by either
     /// reference), the point has the wanted coordinates once that is in effect.
@@ -482,7 +482,7 @@ laws! {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(500))]
+    #![proptest_config(crate::cases::config(200))]
 
     /// Two cycles that write one row of the preset table each leave the other's coordinates: 417 the height, 412 the rest.
     #[test]

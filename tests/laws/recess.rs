@@ -582,7 +582,7 @@ fn keeps_its_profile(job: &Job) -> Result<(), TestCaseError> {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(150))]
+    #![proptest_config(crate::cases::config(50))]
 
     #[test]
     fn grooves_keep_their_profile(job in job()) {

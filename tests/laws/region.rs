@@ -170,7 +170,7 @@ fn formulas() -> impl Strategy<Value = Formula> {
 }
 
 laws! {
-    #![proptest_config(cases::config(150))]
+    #![proptest_config(cases::config(50))]
 
     #[test]
     fn an_index_finds_the_point_that_a_look_at_all_finds(first in star(), rest in others()) {
@@ -271,7 +271,7 @@ fn samples(from: DVec2, edge: &Edge) -> Vec<DVec2> {
 }
 
 laws! {
-    #![proptest_config(cases::config(60))]
+    #![proptest_config(cases::config(30))]
 
     #[test]
     fn clearing_reaches_all_that_the_cutter_can_reach_and_nothing_else(
@@ -388,7 +388,7 @@ fn distance(way: &Way, point: DVec2) -> f64 {
 }
 
 laws! {
-    #![proptest_config(cases::config(150))]
+    #![proptest_config(cases::config(50))]
 
     /// A way beside another one has that distance from it everywhere, begins beside it, and the same holds the other way
     /// round.

@@ -100,7 +100,7 @@ fn turned(p: (f64, f64), degrees: f64) -> (f64, f64) {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(200))]
+    #![proptest_config(crate::cases::config(80))]
 
     /// 401, 402, 403 and 405 with a vertical probe: the C axis turns by what the workpiece is off, table or head; without
     /// one there is an error that names it.

@@ -117,7 +117,7 @@ fn levels_cusps(
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(60))]
+    #![proptest_config(crate::cases::config(30))]
 
     #[test]
     fn an_insert_takes_away_what_it_sweeps(

@@ -179,7 +179,7 @@ fn face(round: bool, point: DVec3, normal: DVec3) -> String {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(150))]
+    #![proptest_config(crate::cases::config(50))]
 
     /// In a tilted plane and with TCPM, however the rotary axes got there and stand: the point that 444 reports is the one of
     /// the surface, within 1e-6.

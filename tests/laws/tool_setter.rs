@@ -122,7 +122,7 @@ fn status(deviations: &[f64]) -> f64 {
 }
 
 laws! {
-    #![proptest_config(config(150))]
+    #![proptest_config(config(50))]
 
     #[test]
     fn a_turning_tool_has_its_longest_and_its_widest_edge(shop in shop(), standing in any::<bool>()) {
@@ -172,7 +172,7 @@ laws! {
 }
 
 laws! {
-    #![proptest_config(config(100))]
+    #![proptest_config(config(50))]
 
     /// A fork head that is turned so that the tool is along the setter, wherever that faces: in a plane that is tilted
     /// there, and with the head turned about the vertical axis only.
@@ -310,7 +310,7 @@ fn with_columns(scene: &str, columns: &str) -> String {
 }
 
 laws! {
-    #![proptest_config(config(100))]
+    #![proptest_config(config(50))]
 
     /// Ball and bull-nose cutters as the tool table has them: put aside by R-OFFS so that their lowest point meets the
     /// face, and by L-OFFS so deep that their widest point meets the side (001:14899-14922).
@@ -496,7 +496,7 @@ fn width(form: Form, radius: f64, height: f64) -> f64 {
 }
 
 laws! {
-    #![proptest_config(config(400))]
+    #![proptest_config(config(150))]
 
     /// Against samples of the way: a tool that gets into the setter is a collision, whatever its form, and no other one.
     #[test]

@@ -109,7 +109,7 @@ fn least_sphere(points: &[[f64; 3]]) -> [f64; 4] {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(100))]
+    #![proptest_config(crate::cases::config(50))]
 
     /// A probe with lobes finds the least-squares circle of the points at which it triggers: those lie farther out by the
     /// pre-travel of their direction, and the control believes them as far out as the effective radius says.
@@ -229,7 +229,7 @@ laws! {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(100))]
+    #![proptest_config(crate::cases::config(50))]
 
     /// 444 in a tilted plane: the point is found in the coordinates of the plane, wherever the preset lies on the table and
     /// however the plane is tilted; once the axes stand elsewhere, a control that checks it refuses.

@@ -275,7 +275,7 @@ fn table() -> String {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(3000))]
+    #![proptest_config(crate::cases::config(1000))]
 
     /// After every block the event that tells the system has the product of the matrices, and a position lies there.
     #[test]
@@ -412,7 +412,7 @@ fn meets(found: [f64; 3], wanted: [f64; 3]) -> bool {
 const POINT: [f64; 3] = [10.0, 20.0, 30.0];
 
 laws! {
-    #![proptest_config(crate::cases::config(60))]
+    #![proptest_config(crate::cases::config(30))]
 
     /// The angles of Euler: about Z, then about the new X, then about the new Z.
     #[test]

@@ -425,7 +425,7 @@ impl Blank {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(150))]
+    #![proptest_config(crate::cases::config(50))]
 
     #[test]
     fn shoulders_keep_their_profile(job in job()) {

@@ -464,7 +464,7 @@ impl Blank {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(150))]
+    #![proptest_config(crate::cases::config(50))]
 
     #[test]
     fn contours_keep_their_profile(job in job()) {

@@ -307,7 +307,7 @@ struct Pass {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(150))]
+    #![proptest_config(crate::cases::config(50))]
 
     #[test]
     fn threads_are_in_step_and_exact(job in job()) {

@@ -69,7 +69,9 @@ fn line_width(text: &str) -> f64 {
 
 /// A coordinate with one place, without what is not needed.
 pub(super) fn short(value: f64) -> String {
-    tenth(tenths(value))
+    let mut out = String::new();
+    tenth(tenths(value), &mut out);
+    out
 }
 
 /// The number of tenths that is nearest.
@@ -77,20 +79,29 @@ fn tenths(value: f64) -> i64 {
     (value * 10.0).round() as i64
 }
 
-/// A number of tenths, without what is not needed.
-fn tenth(value: i64) -> String {
-    let (sign, whole, rest) = (if value < 0 { "-" } else { "" }, value.abs() / 10, value.abs() % 10);
-    match (whole, rest) {
-        (whole, 0) => format!("{sign}{whole}"),
-        (0, rest) => format!("{sign}.{rest}"),
-        (whole, rest) => format!("{sign}{whole}.{rest}"),
+/// Writes a number of tenths, without what is not needed.
+fn tenth(value: i64, out: &mut String) {
+    let (whole, rest) = (value.unsigned_abs() / 10, value.unsigned_abs() % 10);
+    let mut digits = itoa::Buffer::new();
+    if value < 0 {
+        out.push('-');
+    }
+    if whole > 0 || rest == 0 {
+        out.push_str(digits.format(whole));
+    }
+    if rest > 0 {
+        out.push('.');
+        out.push_str(digits.format(rest));
     }
 }
 
-/// Two numbers of tenths; a sign parts them as well as a blank.
-fn pair([x, y]: [i64; 2]) -> String {
-    let gap = if y < 0 { "" } else { " " };
-    format!("{}{gap}{}", tenth(x), tenth(y))
+/// Writes two numbers of tenths; a sign parts them as well as a blank.
+fn pair([x, y]: [i64; 2], out: &mut String) {
+    tenth(x, out);
+    if y >= 0 {
+        out.push(' ');
+    }
+    tenth(y, out);
 }
 
 /// A sheet with what is drawn on it so far.
@@ -115,14 +126,17 @@ impl Pen {
     /// The data of a path through points.
     pub(super) fn data(points: &[DVec2], closed: bool) -> String {
         let mut data = String::new();
-        let mut last = String::new();
+        let mut last = None;
         for p in points {
-            let text = format!("{} {}", short(p.x), short(p.y));
-            if text != last {
-                data.push(if data.is_empty() { 'M' } else { 'L' });
-                data.push_str(&text);
-                last = text;
+            let place = [tenths(p.x), tenths(p.y)];
+            if last == Some(place) {
+                continue;
             }
+            last = Some(place);
+            data.push(if data.is_empty() { 'M' } else { 'L' });
+            tenth(place[0], &mut data);
+            data.push(' ');
+            tenth(place[1], &mut data);
         }
         if closed {
             data.push('Z');
@@ -134,15 +148,25 @@ impl Pen {
     pub(super) fn outline(points: &[DVec2]) -> String {
         let mut places = points.iter().map(|p| [p.x, p.y].map(tenths));
         let Some(first) = places.next() else { return String::new() };
-        let (mut data, mut last) = (format!("M{}", pair(first)), first);
+        let (mut data, mut last) = ("M".to_owned(), first);
+        pair(first, &mut data);
         for place in places {
             let way = [place[0] - last[0], place[1] - last[1]];
             last = place;
             match way {
                 [0, 0] => {}
-                [across, 0] => data.push_str(&format!("h{}", tenth(across))),
-                [0, down] => data.push_str(&format!("v{}", tenth(down))),
-                _ => data.push_str(&format!("l{}", pair(way))),
+                [across, 0] => {
+                    data.push('h');
+                    tenth(across, &mut data);
+                }
+                [0, down] => {
+                    data.push('v');
+                    tenth(down, &mut data);
+                }
+                _ => {
+                    data.push('l');
+                    pair(way, &mut data);
+                }
             }
         }
         if data.contains(['h', 'v', 'l']) { data + "Z" } else { String::new() }

@@ -47,11 +47,12 @@ fn edges(polygon: &[DVec2]) -> Vec<Edge> {
 pub(super) fn left([min, max]: [DVec2; 2], polygons: &[Vec<DVec2>]) -> Vec<Vec<DVec2>> {
     let all: Vec<Vec<Edge>> = polygons.iter().map(|polygon| edges(polygon)).collect();
     let places = places([min.x, max.x], &all);
+    let mut near = Near::new(&all);
     let mut sides: Vec<[DVec2; 2]> = Vec::new();
     let mut before: Vec<[f64; 2]> = Vec::new();
     for pair in places.windows(2) {
         let &[a, b] = pair else { continue };
-        let here = trapezoids((a, b), [min.y, max.y], &all);
+        let here = trapezoids((a, b), [min.y, max.y], near.over(a.midpoint(b)));
         let begin: Vec<[f64; 2]> = here.iter().map(|[low, high]| [low.x, high.x]).collect();
         upright(a, &before, &begin, &mut sides);
         for [low, high] in &here {
@@ -62,6 +63,43 @@ pub(super) fn left([min, max]: [DVec2; 2], polygons: &[Vec<DVec2>]) -> Vec<Vec<D
     }
     upright(max.x, &before, &[], &mut sides);
     linked(&sides)
+}
+
+/// The polygons that are over a place, which only ever moves to the right.
+struct Near<'p> {
+    /// Left and right end of each polygon, those that begin further to the right first.
+    ahead: Vec<(f64, f64, usize)>,
+    /// Right end and number of those that have begun, in their order.
+    begun: Vec<(f64, usize)>,
+    all: &'p [Vec<Edge>],
+}
+
+impl<'p> Near<'p> {
+    fn new(all: &'p [Vec<Edge>]) -> Self {
+        let ends = |edges: &[Edge]| {
+            edges.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(left, right), edge| {
+                (left.min(edge.from.x), right.max(edge.to.x))
+            })
+        };
+        let mut ahead: Vec<(f64, f64, usize)> =
+            all.iter().map(|edges| ends(edges)).enumerate().map(|(n, (left, right))| (left, right, n)).collect();
+        ahead.sort_by(|a, b| b.0.total_cmp(&a.0));
+        Self { ahead, begun: Vec::new(), all }
+    }
+
+    fn over(&mut self, x: f64) -> impl Iterator<Item = &'p [Edge]> {
+        self.begun.retain(|(right, _)| *right > x);
+        let before = self.begun.len();
+        while let Some((_, right, n)) = self.ahead.pop_if(|(left, ..)| *left < x) {
+            if right > x {
+                self.begun.push((right, n));
+            }
+        }
+        if self.begun.len() > before {
+            self.begun.sort_by_key(|(_, n)| *n);
+        }
+        self.begun.iter().map(|(_, n)| self.all[*n].as_slice())
+    }
 }
 
 /// Where slabs begin and end.
@@ -85,10 +123,14 @@ fn places([from, to]: [f64; 2], all: &[Vec<Edge>]) -> Vec<f64> {
 }
 
 /// What is left in a slab: lower and upper side, each by its heights at both ends.
-fn trapezoids((a, b): (f64, f64), [bottom, top]: [f64; 2], all: &[Vec<Edge>]) -> Vec<[DVec2; 2]> {
+fn trapezoids<'p>(
+    (a, b): (f64, f64),
+    [bottom, top]: [f64; 2],
+    near: impl Iterator<Item = &'p [Edge]>,
+) -> Vec<[DVec2; 2]> {
     let middle = a.midpoint(b);
     let mut taken: Vec<[(f64, DVec2); 2]> = Vec::new();
-    for edges in all {
+    for edges in near {
         let mut here = edges.iter().filter(|edge| edge.from.x < middle && middle < edge.to.x);
         if let (Some(one), Some(other)) = (here.next(), here.next()) {
             let side = |edge: &Edge| (edge.at(middle), DVec2::new(edge.at(a), edge.at(b)));

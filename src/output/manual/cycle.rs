@@ -11,6 +11,7 @@ use super::view::{
 };
 use super::{Site, highlight, inline, page, programs};
 use crate::base::diag::Diagnostic;
+use crate::base::expr::QRef;
 use crate::language::label;
 use crate::language::locale::Args;
 use crate::language::text::{CycleText, RunPart, Vocabulary};
@@ -300,7 +301,10 @@ impl Maker<'_, '_, '_> {
         klartext.push_str(&self.site.relabelled(self.edition, &example.after));
         let title = example.title.as_ref().map(|title| self.html(&self.text.title(title)));
         let cycle = self.text.cycle;
-        let has_row = |name: &str| cycle.params.iter().any(|param| param.q.is_some_and(|q| q.to_string() == name));
+        let has_row = |name: &str| {
+            let named = QRef::parse(name).filter(|q| q.to_string() == name);
+            named.is_some() && cycle.params.iter().any(|param| param.q == named)
+        };
         let marked = |program: &str| Value::from_safe_string(highlight::html(program, &has_row));
         let iso = self.iso_block(block, example.number).map(|iso| marked(&iso));
         ExampleView { title, klartext: marked(&klartext), iso }

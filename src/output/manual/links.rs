@@ -48,11 +48,14 @@ impl Meaning {
 }
 
 /// The letters that decide which terms a word is compared with, in lower case.
-type Start = [Option<char>; 3];
+type Start = u64;
 
 fn start(word: &str) -> Start {
-    let mut letters = word.chars().flat_map(char::to_lowercase);
-    std::array::from_fn(|_| letters.next())
+    // A character has 21 bits, and none is 0.
+    word.chars()
+        .flat_map(char::to_lowercase)
+        .take(3)
+        .fold(0, |start, letter| start << 21 | u64::from(u32::from(letter)))
 }
 
 /// Whether a word begins with another one that is in lower case.
@@ -211,7 +214,9 @@ impl<'l, 'a> Linker<'l, 'a> {
         if first.text.starts_with('Q') && first.text[1..].bytes().next().is_some_and(|byte| byte.is_ascii_digit()) {
             return (self.parameter(first.text), 1);
         }
-        if let Some(file) = targets.functions.get(first.text) {
+        // Their words are written in capitals.
+        let function = || targets.functions.get(first.text);
+        if let Some(file) = first.text.bytes().next().filter(u8::is_ascii_uppercase).and_then(|_| function()) {
             return (Some(file.clone()), 1);
         }
         for at in targets.terms.get(&start(first.text)).into_iter().flatten() {
@@ -221,7 +226,7 @@ impl<'l, 'a> Linker<'l, 'a> {
             let apart = |pair: &[Token]| &text[pair[0].start + pair[0].text.len()..pair[1].start] != " ";
             let differs = |(word, stem): (&Token, &String)| targets.stems.stem(&word.text.to_lowercase()) != *stem;
             let like = || meaning.begins_like(&first.text.to_lowercase());
-            if words.windows(2).any(apart) || words.iter().zip(stems).any(differs) || !like() {
+            if words.windows(2).any(apart) || !like() || words.iter().zip(stems).any(differs) {
                 continue;
             }
             self.seen.borrow_mut().insert(*at);
@@ -233,7 +238,8 @@ impl<'l, 'a> Linker<'l, 'a> {
     /// Where a Q parameter is explained.
     fn parameter(&self, name: &str) -> Option<String> {
         let own = self.own.and_then(|cycle| {
-            let has = |q: Option<QRef>| q.is_some_and(|q| q.to_string() == name);
+            let named = QRef::parse(name).filter(|q| q.to_string() == name)?;
+            let has = |q: Option<QRef>| q == Some(named);
             if cycle.params.iter().any(|param| has(param.q)) {
                 return Some((cycle.key, format!("#{name}")));
             }

@@ -2,7 +2,7 @@
 //!
 //! The index has every sentence of the pages with the place that it is at, once for all controls that have it in the same
 //! words, and the forms of words that have the same stem. Invariant: every page of the index exists.
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use minijinja::value::Serde;
 use minijinja::{Value, context};
@@ -96,13 +96,10 @@ pub(super) fn index(
 /// The stems that have several forms among the words of the texts, each followed by its forms.
 fn stems(language: &Language, pages: &[(&str, &str, u32)], sentences: &[Vec<(&str, &str, u32)>]) -> Vec<String> {
     let stems = Stems::of(language);
-    let mut forms: BTreeSet<String> = BTreeSet::new();
     let texts = pages.iter().map(|page| page.1).chain(sentences.iter().flatten().map(|sentence| sentence.1));
-    for word in texts.flat_map(words) {
-        if !word.bytes().any(|byte| byte.is_ascii_digit()) && !forms.contains(&word) {
-            forms.insert(word);
-        }
-    }
+    let written: HashSet<&str> = texts.flat_map(words).collect();
+    let letters = written.into_iter().filter(|word| !word.bytes().any(|byte| byte.is_ascii_digit()));
+    let forms: BTreeSet<String> = letters.map(str::to_lowercase).collect();
     let mut groups: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for form in &forms {
         groups.entry(stems.stem(form)).or_default().push(form);
@@ -117,7 +114,14 @@ pub fn sentences(html: &str) -> Vec<(String, String)> {
     let inside =
         html.split_once("<main").and_then(|(_, rest)| rest.split_once("</main>")).map_or(html, |(main, _)| main);
     let inside = inside.split_once('>').map_or("", |(_, rest)| rest);
-    let mut reader = Reader::default();
+    let mut reader = Reader {
+        attribute: memchr::memmem::Finder::new(ID),
+        found: Vec::new(),
+        place: String::new(),
+        text: String::new(),
+        skipped: 0,
+        in_row: false,
+    };
     // What only names the cycle and other pages is found there.
     let inside = inside.split_once("<section id=\"see-also\"").map_or(inside, |(before, _)| before);
     let facts = inside.split_once("<section class=\"facts\"");
@@ -128,9 +132,18 @@ pub fn sentences(html: &str) -> Vec<(String, String)> {
     reader.found
 }
 
+/// What is before and after the first such byte, which is no part of another character.
+fn parted(text: &str, byte: u8) -> Option<(&str, &str)> {
+    let at = memchr::memchr(byte, text.as_bytes())?;
+    Some((&text[..at], &text[at + 1..]))
+}
+
+/// What stands before the id of an element.
+const ID: &str = " id=\"";
+
 /// Puts sentences together from texts and tags.
-#[derive(Default)]
 struct Reader {
+    attribute: memchr::memmem::Finder<'static>,
     found: Vec<(String, String)>,
     place: String,
     text: String,
@@ -148,9 +161,9 @@ const DRAWN: &[u8] = b"</svg>";
 impl Reader {
     fn read(&mut self, html: &str) {
         let mut rest = html;
-        while let Some((text, after)) = rest.split_once('<') {
+        while let Some((text, after)) = parted(rest, b'<') {
             self.text(text);
-            let Some((tag, after)) = after.split_once('>') else { break };
+            let Some((tag, after)) = parted(after, b'>') else { break };
             // A drawing has neither sentences nor places, and it is long.
             if tag.starts_with("svg ") {
                 let end = memchr::memmem::find(after.as_bytes(), DRAWN);
@@ -187,8 +200,10 @@ impl Reader {
             _ if block || matches!(name, "td" | "th" | "div" | "dt" | "br") => self.text.push(' '),
             _ => {}
         }
-        if let Some((_, id)) = tag.split_once(" id=\"").filter(|_| !closes) {
-            self.place = id.split('"').next().unwrap_or_default().to_owned();
+        if let Some(at) = self.attribute.find(tag.as_bytes()).filter(|_| !closes) {
+            let id = &tag[at + ID.len()..];
+            self.place.clear();
+            self.place.push_str(parted(id, b'"').map_or(id, |(id, _)| id));
         }
     }
 

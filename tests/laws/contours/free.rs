@@ -476,7 +476,7 @@ pub(super) fn solutions(
 }
 
 laws! {
-    #![proptest_config(config(150))]
+    #![proptest_config(config(50))]
 
     #[test]
     fn free_contours_come_out_as_they_are(drawn in drawn()) {

@@ -168,7 +168,7 @@ fn leads(outline: &Outline, enter: (Form, bool), leave: (Form, bool)) -> Result<
 }
 
 laws! {
-    #![proptest_config(config(48))]
+    #![proptest_config(config(24))]
 
     #[test]
     fn approaches_and_departures_join_the_contour(outline in outline(false), enter in form(), leave in form()) {

@@ -404,7 +404,7 @@ fn inside(nominal: &[Piece], place: DVec2) -> bool {
 }
 
 laws! {
-    #![proptest_config(config(48))]
+    #![proptest_config(config(24))]
 
     #[test]
     fn the_tool_keeps_the_distance_of_its_radius(outline in outline(false)) {

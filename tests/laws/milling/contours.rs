@@ -353,7 +353,7 @@ fn places_of(job: &Job, at: DVec2) -> DVec2 {
 }
 
 laws! {
-    #![proptest_config(crate::cases::config(150))]
+    #![proptest_config(crate::cases::config(50))]
 
     #[test]
     fn contour_pockets(job in job(), case in case()) {
