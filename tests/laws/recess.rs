@@ -8,7 +8,7 @@
 use std::fmt::Write as _;
 
 use ciklo::engine::region::groove::CuttingEdge;
-use ciklo::engine::region::profile::{Allowance, Envelope};
+use ciklo::engine::region::insert_envelope::{Allowance, Envelope};
 use ciklo::engine::region::{Edge, Way};
 use ciklo::engine::run::{Event, EventKind, MoveKind};
 use glam::DVec2;

@@ -17,7 +17,7 @@ use ciklo::engine::strategy::action::{
 };
 use ciklo::engine::strategy::alignment::{basic_rotation, datum, rotary};
 use ciklo::engine::strategy::contour::{self, Contours};
-use ciklo::engine::strategy::contour::{cylinder, cylinder_wall, train};
+use ciklo::engine::strategy::contour::{contour_train, cylinder, cylinder_wall};
 use ciklo::engine::strategy::digitizing::range::Digitizing;
 use ciklo::engine::strategy::kinematics::memory;
 use ciklo::engine::strategy::probing::{self, measure};
@@ -516,7 +516,7 @@ impl Kept for Notebook {
 
     fn hold_insert(&mut self, _: ciklo::engine::machine::Insert) {}
 
-    fn keep_turned(&mut self, turned: ciklo::engine::strategy::turning::profile::Turned) {
+    fn keep_turned(&mut self, turned: ciklo::engine::strategy::turning::area::Turned) {
         self.contours.turned = Some(turned);
     }
 
@@ -546,10 +546,10 @@ fn train() -> Contours {
 #[test]
 fn a_contour_is_followed_on_its_side_forwards_in_climb_and_backwards_in_up_cut() {
     let mut control = Notebook::default();
-    let begin = train::FindContourStart { allowance: 1.0, climb: -1.0 }.act(&mut control).expect("a start");
+    let begin = contour_train::FindContourStart { allowance: 1.0, climb: -1.0 }.act(&mut control).expect("a start");
     assert_eq!((begin.main, begin.minor), (44.0, 30.0));
     let ends = |climb: f64, turn: f64, from: DVec3| -> Vec<(f64, f64)> {
-        let follow = train::FollowContour { level: -3.0, allowance: 1.0, climb, turn, at: 200.0 };
+        let follow = contour_train::FollowContour { level: -3.0, allowance: 1.0, climb, turn, at: 200.0 };
         let path = follow.path(&control.contours, TOOL, from);
         assert_eq!(path.fault, None);
         path.legs.iter().map(|leg| (leg.end().x, leg.end().y)).collect()
@@ -560,7 +560,7 @@ fn a_contour_is_followed_on_its_side_forwards_in_climb_and_backwards_in_up_cut()
     assert_eq!(ends(-1.0, 1.0, last), [(44.0, 6.0), (0.0, 6.0)]);
     assert_eq!(ends(0.0, 1.0, first), ends(1.0, 1.0, first));
     assert_eq!(ends(0.0, 2.0, last), ends(-1.0, 1.0, last));
-    let over = train::MoveOverContourStart { allowance: 1.0, climb: 1.0, turn: 2.0, above: 50.0 };
+    let over = contour_train::MoveOverContourStart { allowance: 1.0, climb: 1.0, turn: 2.0, above: 50.0 };
     let path = over.path(&control.contours, TOOL, last);
     let ends: Vec<DVec3> = path.legs.iter().map(|leg| leg.end()).collect();
     assert_eq!(ends, [DVec3::new(44.0, 30.0, 50.0), DVec3::new(0.0, 6.0, 50.0)]);
@@ -768,7 +768,7 @@ impl Probe for Notebook {
         Ok(DVec3::new(1.0, 2.0, 3.0))
     }
 
-    fn approach(&mut self, way: DVec3, feed: f64) -> Done<Stopped> {
+    fn stroke(&mut self, way: DVec3, feed: f64) -> Done<Stopped> {
         self.done.push(format!("approach {way} at {feed}"));
         Ok(Stopped { centre: self.ball()? + way / 2.0, touched: self.pressed })
     }

@@ -27,8 +27,8 @@ use crate::engine::strategy::action::{
 };
 use crate::engine::strategy::contour::Contours;
 use crate::engine::strategy::digitizing::range::Digitizing;
+use crate::engine::strategy::turning::area::Turned;
 use crate::engine::strategy::turning::groove::Groove;
-use crate::engine::strategy::turning::profile::Turned;
 use crate::engine::strategy::turning::thread::TurnedThread;
 use crate::engine::table::{Cell, TableError, TableKind};
 use crate::engine::world::insert::Aligned;
@@ -191,11 +191,11 @@ impl Probe for OfRun<'_, '_, '_, '_> {
         Ok(world.system.back().point(world.believed_centre(world.machine, &world.probe()?)))
     }
 
-    fn approach(&mut self, way: DVec3, feed: f64) -> Done<Stopped> {
+    fn stroke(&mut self, way: DVec3, feed: f64) -> Done<Stopped> {
         let drives = &mut self.run.drives;
         let probe = drives.world.probe()?;
         let approach = ProbingStroke { direction: way.normalize(), path: way.length(), feed };
-        let stop = drives.approach(&probe, &approach)?;
+        let stop = drives.stroke(&probe, &approach)?;
         drives.world.machine = stop.tip;
         drives.world.renew();
         Ok(Stopped { centre: stop.centre, touched: stop.touched })

@@ -65,7 +65,7 @@ impl Drives<'_, '_> {
         }
         let mut centres = Vec::with_capacity(probe.measurements as usize);
         for _ in 0..probe.measurements {
-            let stop = self.approach(&probe, &approach)?;
+            let stop = self.stroke(&probe, &approach)?;
             if !stop.touched {
                 // It is where the path ended.
                 self.world.machine = stop.tip;
@@ -91,7 +91,7 @@ impl Drives<'_, '_> {
         let stroke = ProbingStroke { direction, path: probe.dist, feed: probe.feed };
         let mut tips = Vec::with_capacity(probe.measurements as usize);
         for _ in 0..probe.measurements {
-            let stop = self.approach(&probe, &stroke)?;
+            let stop = self.stroke(&probe, &stroke)?;
             if !stop.touched {
                 self.world.machine = stop.tip;
                 self.world.renew();
@@ -117,7 +117,7 @@ impl Drives<'_, '_> {
     }
 
     /// Moves towards the workpiece until the probe triggers or the path ends, and reports it. The tool stays where it is.
-    pub(crate) fn approach(&mut self, probe: &ProbeData, approach: &ProbingStroke) -> Done<Stop> {
+    pub(crate) fn stroke(&mut self, probe: &ProbeData, approach: &ProbingStroke) -> Done<Stop> {
         let frame = *self.world.system.frame();
         let from = self.world.here + self.world.up() * probe.effective_radius;
         let target = from + approach.direction * approach.path;

@@ -5,7 +5,7 @@
 //! lines and arcs stay lines and arcs.
 use glam::DVec2;
 
-use super::profile::{Allowance, Envelope, GoesBack, Insert};
+use super::insert_envelope::{Allowance, Envelope, GoesBack, Insert};
 use super::{Edge, Way};
 use crate::base::expr::atan2d;
 

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use super::profile::{Piece, Shape, highest};
+use super::insert_envelope::{Piece, Shape, highest};
 use super::sweep::Swept;
 use super::{Edge, Way};
 use crate::base::expr::{atan2d, cosd};

@@ -4,7 +4,7 @@
 //! what its corners and its edges pass over in between. Invariant: lines and arcs stay lines and arcs.
 use glam::DVec2;
 
-use super::profile::{Piece, Shape};
+use super::insert_envelope::{Piece, Shape};
 use super::section::{Cell, THIN, arc, between, line};
 use crate::base::expr::{atan2d, cosd, sind};
 

@@ -7,8 +7,8 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use super::bed::Bed;
 use super::columns::{BLOCK, OFFSETS, PART, SLIVER, Tally, larger};
-use super::flat_cutter::Bed;
 use super::tops::{Sum, Tops, greatest_of};
 
 /// Nothing, then everything, then nothing.

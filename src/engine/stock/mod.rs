@@ -15,6 +15,7 @@
 //! Invariant: nothing here knows a control; `blank` alone reads a program, `follow` alone events.
 mod arc_sweep;
 mod ball_continuation;
+mod bed;
 mod blank;
 mod columns;
 mod compare;
@@ -22,7 +23,6 @@ mod cut;
 mod cutter;
 mod cutter_rim;
 mod dexel_row;
-mod flat_cutter;
 mod follow;
 mod grid;
 mod kernel;

@@ -8,11 +8,11 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use super::bed::Reach;
 use super::columns::{Tally, larger, smaller};
 use super::cutter::Tip;
 use super::cutter_rim::{Leaving, Seen, Trail};
 use super::dexel_row::Row;
-use super::flat_cutter::Reach;
 use super::grid::{BAND, Grid};
 use super::rim::{Place, Rims};
 use super::sweep::{HAIR, NONE, Sweep, Way};

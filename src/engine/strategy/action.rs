@@ -10,8 +10,8 @@ use glam::DVec3;
 use super::contour::Contours;
 use super::digitizing::range::Digitizing;
 use super::signature::{Results, Signature};
+use super::turning::area::Turned;
 use super::turning::groove::Groove;
-use super::turning::profile::Turned;
 use super::turning::thread::TurnedThread;
 use crate::engine::geometry::{Around, Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::machine::{Arm, Insert, Machine, MemoryReport, SavedKinematics, Survey, TurningInsert};
@@ -199,7 +199,7 @@ pub trait Probe {
     ///
     /// # Errors
     /// The stylus is deflected at the start (`probe-deflected`), or something else is touched.
-    fn approach(&mut self, way: DVec3, feed: f64) -> Done<Stopped>;
+    fn stroke(&mut self, way: DVec3, feed: f64) -> Done<Stopped>;
 
     /// Goes back against the direction in which it touched, at rapid traverse, not beyond where that movement began;
     /// nowhere if it does not touch anything.

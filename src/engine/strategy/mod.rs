@@ -4,7 +4,7 @@
 //! Start reading at [`registry`], which has one line for each, then at one of the families: a strategy is a type whose
 //! fields are its arguments, with
 //! - [`Milling`]: it draws a path ([`pen`]) from where the tool is,
-//! - [`OverContours`]: the same over the contours of subprograms,
+//! - [`OverContours`]: the same over what was read or said before it: contours, a turning area, a groove, a thread,
 //! - [`Calculation`]: it calculates values, or
 //! - [`Action`]: it changes something through narrow traits of the control ([`action`]).
 //!

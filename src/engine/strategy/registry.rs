@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::action::{Action, Control};
 use super::alignment::{basic_rotation, datum, rotary, tilting};
 use super::calculation::Calculation;
-use super::contour::{self, cylinder, train, walls};
+use super::contour::{self, contour_train, cylinder, walls};
 use super::contour::{Contours, OverContours};
 use super::digitizing::{self, contour_lines};
 use super::kinematics::{self, memory};
@@ -176,9 +176,9 @@ pub static STRATEGIES: &[Strategy] = &[
     calculate::<engraving::LayOutText>(),
     mill::<engraving::MoveOverGlyph>(),
     mill::<engraving::EngraveGlyph>(),
-    act::<train::FindContourStart>(),
-    mill_over::<train::MoveOverContourStart>(),
-    mill_over::<train::FollowContour>(),
+    act::<contour_train::FindContourStart>(),
+    mill_over::<contour_train::MoveOverContourStart>(),
+    mill_over::<contour_train::FollowContour>(),
     act::<cylinder::WrapOnCylinder>(),
     act::<cylinder::RetractFromCylinder>(),
     act::<cylinder::PlungeIntoCylinder>(),

@@ -19,7 +19,7 @@ mod relief;
 mod rotary;
 mod scan;
 mod setter;
-mod setter_turned;
+mod setter_other_mounting;
 mod sheet;
 mod shot;
 mod slabs;

@@ -14,7 +14,7 @@ use super::slice::{self, Face, Outline};
 use super::stroke::{Stroke, Way};
 use super::subject::{Subject, Words, depth, flat};
 use super::window::Window;
-use super::{axonometric, bar, cutter, cylinder, rotary, scan, setter, setter_turned, turned, way};
+use super::{axonometric, bar, cutter, cylinder, rotary, scan, setter, setter_other_mounting, turned, way};
 use crate::spec::{Along, FigureView};
 
 /// The figure on paper.
@@ -96,7 +96,7 @@ impl Sheet<'_> {
             let at = |p: DVec3| camera.place(flat(p, self.view));
             return match setter.is_upright() {
                 true => setter::draw(&mut self.pen, setter, self.view, &at),
-                false => setter_turned::draw(&mut self.pen, setter, self.view, &at),
+                false => setter_other_mounting::draw(&mut self.pen, setter, self.view, &at),
             };
         }
         if !faces.is_empty() {
@@ -239,7 +239,7 @@ impl Sheet<'_> {
         }
         if let Some(setter) = self.subject.shot.setter.as_ref().filter(|setter| !setter.is_upright()) {
             let (camera, view) = (self.frame.camera, self.view);
-            return setter_turned::tool(&mut self.pen, setter, &tool, tip, &|p| camera.place(flat(p, view)));
+            return setter_other_mounting::tool(&mut self.pen, setter, &tool, tip, &|p| camera.place(flat(p, view)));
         }
         if self.is_from_above() {
             self.pen.circle("t", place, radius);
@@ -274,7 +274,7 @@ impl Sheet<'_> {
         let (camera, view, top) = (self.frame.camera, self.view, self.frame.paper().min.y);
         let (shot, at) = (self.subject.shot, |p: DVec3| camera.place(flat(p, view)));
         match shot.setter.as_ref().filter(|setter| !setter.is_upright()) {
-            Some(setter) => setter_turned::poses(&mut self.pen, shot, setter, &at),
+            Some(setter) => setter_other_mounting::poses(&mut self.pen, shot, setter, &at),
             None => setter::poses(&mut self.pen, shot, view, top, &at),
         }
     }

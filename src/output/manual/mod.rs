@@ -1,6 +1,6 @@
-//! The manual as a static site: a page a cycle for every control and language, overviews, dialog
-//! bundles and label tables, indexes, topics, comparisons. No network is needed to read it,
-//! and a script only to search.
+//! The manual as a static site, and the same pages as books: a page a cycle for every control and language, topics,
+//! notes for many cycles, worked programs, lists, comparisons, a search, dialog bundles and label tables. No network is
+//! needed to read it, and scripts only help: to search, copy and filter.
 //!
 //! Invariant: a pure function from specifications, locales and templates to paths and bytes; the
 //! same input gives the same bytes, whatever thread makes a page. Who writes files is not known here.

@@ -1,4 +1,4 @@
-//! The overview of a control: its cycles by group, and those only named.
+//! The overview of a control: its cycles by group, those only named, topics and worked programs.
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 

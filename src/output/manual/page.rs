@@ -1,4 +1,4 @@
-//! What every page has: title, switches of language and control, neighbours.
+//! What every page has: title, trail, switches of language and control, neighbours; and NC lines in its language.
 use super::edition::{Edition, Entry, OVERVIEW};
 use super::view::{Html, LinkView, PageView, SwitchView, TrailView};
 use super::{Site, programs};

@@ -1,4 +1,4 @@
-//! What the templates see: one type a template, every value ready to be shown.
+//! Types of what the templates see, every value ready to be shown.
 //!
 //! Invariant: a field of type [`Html`] is well-formed HTML; every other text is escaped by the template.
 use minijinja::Value;

@@ -3,9 +3,9 @@
 //! The region of the tool centre is what the contours enclose, shrunk by the radius of the tool and the allowance. Its
 //! parts are numbered from 1 in the order in which they are cleared. Invariant: the centre never leaves that region,
 //! and a level is cleared without lifting (TNC 640 manual, line 4408).
+pub mod contour_train;
 pub mod cylinder;
 pub mod cylinder_wall;
-pub mod train;
 pub mod walls;
 
 use std::cell::RefCell;
@@ -27,8 +27,8 @@ use crate::engine::strategy::calculation::Calculation;
 use crate::engine::strategy::milling::{shape_impossible, too_many};
 use crate::engine::strategy::pen::{Cutter, Path, Pen};
 use crate::engine::strategy::signature::{Signature, results, strategy};
+use crate::engine::strategy::turning::area::Turned;
 use crate::engine::strategy::turning::groove::Groove;
-use crate::engine::strategy::turning::profile::Turned;
 use crate::engine::strategy::turning::thread::TurnedThread;
 use crate::engine::table::TableKind;
 

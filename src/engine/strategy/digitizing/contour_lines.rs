@@ -4,8 +4,8 @@
 use glam::{DVec2, DVec3};
 
 use super::range::Row;
+use super::rotary_axis::{contour_line_start, ends_in_plane, once_around, turn_back, turning_sense};
 use super::scan::{Level, feel, lost};
-use super::turned::{contour_line_start, ends_in_plane, once_around, turn_back, turning_sense};
 use super::{Manner, OFF, Spent, begin, in_plane, keep_sudden, probe, range_of, scanning, stepping, sudden, take};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;

@@ -2,19 +2,19 @@
 //!
 //! A touch-trigger probe probes every point and goes back from it by the travel in the direction of the normal; a stylus
 //! that measures its deflection (it has a feed) stays on the part. Invariant: where the ball touches comes from `scan`,
-//! what is kept and written from `digitized`; here the stylus moves.
+//! what is kept and written from `range`; here the stylus moves.
 pub mod contour_lines;
 pub mod range;
+mod rotary_axis;
 mod scan;
-mod turned;
 
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
 use self::range::{Lines, Range, Row};
+use self::rotary_axis::{go_over, in_working_plane, line_direction, rotary_range, take_turned};
 use self::scan::{Chart, Ground, Profile, Sample, feel, lost, stored};
-use self::turned::{go_over, in_working_plane, line_direction, rotary_range, take_turned};
 use crate::base::expr::{cosd, sind};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -286,7 +286,7 @@ fn store(control: &mut dyn Control, at: DVec3) {
 fn probe(control: &mut dyn Control, way: DVec3, feed: f64) -> Done<bool> {
     let (began, _) = control.stylus()?;
     let centre = control.ball()?;
-    let stopped = control.approach(control.axes(way), feed)?;
+    let stopped = control.stroke(control.axes(way), feed)?;
     if stopped.touched {
         let at = control.in_plane(began + (stopped.centre - centre));
         store(control, at);

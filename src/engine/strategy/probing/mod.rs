@@ -75,7 +75,7 @@ impl Action for ProbeWithOwnPath {
         let frame = control.frame();
         let way = control.axes(self.direction) * self.path.0;
         let way = if given(self.in_machine) { frame.inverse().vector(way) } else { way };
-        let (centre, status) = approach(way, self.feed.0, given(self.silent), here, control)?;
+        let (centre, status) = stroke(way, self.feed.0, given(self.silent), here, control)?;
         if status == NOTHING_THERE && !given(self.tolerant) {
             return Err(Fault::control("probe-no-contact").arg("distance", way.length()).into());
         }
@@ -89,11 +89,11 @@ const NOTHING_THERE: f64 = 1.0;
 const DEFLECTED: f64 = 2.0;
 
 /// Where the ball is after a way, and the status; a way of nothing touches nothing.
-fn approach(way: DVec3, feed: f64, silent: bool, here: DVec3, probe: &mut dyn Probe) -> Done<(DVec3, f64)> {
+fn stroke(way: DVec3, feed: f64, silent: bool, here: DVec3, probe: &mut dyn Probe) -> Done<(DVec3, f64)> {
     if way.length() <= 0.0 || way.is_nan() {
         return Ok((here, NOTHING_THERE));
     }
-    match probe.approach(way, feed) {
+    match probe.stroke(way, feed) {
         Ok(Stopped { centre, touched }) => Ok((centre, if touched { TOUCHED } else { NOTHING_THERE })),
         Err(Leave::Fault(fault)) if silent && fault.code == "probe-deflected" => Ok((here, DEFLECTED)),
         Err(leave) => Err(leave),

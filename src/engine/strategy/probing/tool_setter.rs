@@ -1,6 +1,7 @@
 //! Strategies of the tool setter: going to it, measuring length and radius of a tool, calibrating it.
 //!
-//! Invariant: one value at a time; whether it is a first measurement, and what is written, is in the plans. Rotary speed
+//! Invariant: one length or radius at a time, which may be that of one edge of all; how it compares with the tool table, wear
+//! and what is written are formulas of the cycles (`cycle-specs/tool-measurement`). Spindle speed
 //! and feed are those of the manuals (001:14853-14897).
 use glam::{DVec2, DVec3};
 
@@ -300,9 +301,7 @@ impl Action for ApproachToolSetterSide {
     type Results = ();
 
     fn act(&self, control: &mut dyn Control) -> Done {
-        let mut work = Work::new(control)?;
-        let deep = work.control.setting("setter-axis-offset")? + work.column("L-OFFS")?.unwrap_or_default();
-        work.go(DVec2::new(work.beside(), 0.0), -deep)
+        Work::new(control)?.go_beside()
     }
 }
 
@@ -323,9 +322,9 @@ impl Action for MeasureLengthOfTeeth {
     type Results = LengthResults;
 
     fn act(&self, control: &mut dyn Control) -> Done<LengthResults> {
-        Work::new(control)?.can_measure_edges(self.most)?;
-        ApproachToolSetterSide {}.act(control)?;
         let mut work = Work::new(control)?;
+        work.can_measure_edges(self.most)?;
+        work.go_beside()?;
         let inwards = -work.control.plane().main.unit();
         // Turning, it finds where the edges are.
         work.touch_turning(inwards)?;
@@ -343,6 +342,12 @@ impl Action for MeasureLengthOfTeeth {
 }
 
 impl Work<'_> {
+    /// Beside the setter, as deep as its offset and that of the tool say.
+    fn go_beside(&mut self) -> Done {
+        let deep = self.control.setting("setter-axis-offset")? + self.column("L-OFFS")?.unwrap_or_default();
+        self.go(DVec2::new(self.beside(), 0.0), -deep)
+    }
+
     /// The radius that a tip beside the setter means.
     fn radius(&self, tip: DVec3) -> f64 {
         let main = self.control.plane().main;

@@ -5,12 +5,12 @@
 //! under a part of the contour that goes back stays, and is told as left.
 use glam::{DVec2, DVec3};
 
+use super::area::{Cutting, Sight, Turned, direction, highest};
 use super::cuts::turned;
-use super::insert::{Held, hold};
-use super::profile::{Cutting, Sight, Turned, direction, highest};
+use super::insert_report::{Held, hold};
 use super::shoulder::{area_of, insert_of, material_of};
 use crate::base::expr::{atan2d, tand};
-use crate::engine::region::profile::{Allowance, GoesBack, Insert, monotone};
+use crate::engine::region::insert_envelope::{Allowance, GoesBack, Insert, monotone};
 use crate::engine::region::{Edge, Way};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;

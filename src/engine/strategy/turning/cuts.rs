@@ -1,12 +1,12 @@
 //! Strategies that turn: one level, one infeed, one retreat, or once along the contour.
 //!
-//! What is turned was said before ([`shoulder`](super::shoulder)). Invariant: at a feed the tip stays on the
+//! What is turned was said before ([`shoulder`](super::shoulder), [`contour`](super::contour)). Invariant: at a feed the tip stays on the
 //! envelope of the contour or above it, and at rapid traverse where nothing is left to cut.
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use glam::DVec2;
 
-use super::profile::Turned;
+use super::area::Turned;
 use crate::engine::report::fault::Fault;
 use crate::engine::strategy::contour::{Contours, OverContours};
 use crate::engine::strategy::pen::{Cutter, Pen};

@@ -5,9 +5,9 @@
 //! are radii here.
 use glam::{DVec2, DVec3};
 
-use super::profile::{Sight, direction};
+use super::area::{Sight, direction};
 use crate::engine::region::groove::{CuttingEdge, EASED};
-use crate::engine::region::profile::{Allowance, Envelope, GoesBack};
+use crate::engine::region::insert_envelope::{Allowance, Envelope, GoesBack};
 use crate::engine::region::{Edge, Way};
 use crate::engine::strategy::pen::Pen;
 

@@ -4,15 +4,15 @@
 //! out to the height of the beginning (TNC 640 manual, lines 8847-8852). Invariant: nothing moves.
 use glam::{DVec2, DVec3};
 
+use super::area::Sight;
 use super::groove::{Groove, Reach};
-use super::insert::{Held, hold};
-use super::profile::Sight;
+use super::insert_report::{Held, hold};
 use super::shoulder::{Treated, points_elsewhere, way_through};
 use crate::base::expr::tand;
 use crate::engine::machine::TurningInsert;
 use crate::engine::region::Way;
 use crate::engine::region::groove::CuttingEdge;
-use crate::engine::region::profile::{Allowance, Envelope, GoesBack};
+use crate::engine::region::insert_envelope::{Allowance, Envelope, GoesBack};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
 use crate::engine::strategy::action::{Action, Control};

@@ -7,11 +7,11 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::insert::{Held, hold};
-use super::profile::{Sight, Turned};
+use super::area::{Sight, Turned};
+use super::insert_report::{Held, hold};
 use crate::base::expr::{atan2d, tand};
 use crate::engine::machine::TurningInsert;
-use crate::engine::region::profile::{Allowance, Envelope, GoesBack, Insert};
+use crate::engine::region::insert_envelope::{Allowance, Envelope, GoesBack, Insert};
 use crate::engine::region::{Edge, Way};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;

@@ -6,8 +6,8 @@
 //! follow the infeed angle. In material the tool moves in step with the spindle only.
 use glam::{DVec2, DVec3};
 
-use super::insert::{Held, hold};
-use super::profile::{Sight, highest};
+use super::area::{Sight, highest};
+use super::insert_report::{Held, hold};
 use crate::base::expr::tand;
 use crate::engine::region::{Edge, Way};
 use crate::engine::report::ending::Done;

@@ -4,11 +4,11 @@
 //! nothing moves.
 use glam::DVec2;
 
-use super::profile::{Sight, TIP};
+use super::area::{Sight, TIP};
 use crate::base::expr::{atan2d, cosd, sind};
 use crate::engine::machine::{Insert, InsertForm};
 use crate::engine::region::groove::CuttingEdge;
-use crate::engine::region::profile::Insert as Nose;
+use crate::engine::region::insert_envelope::Insert as Nose;
 use crate::engine::report::ending::Done;
 use crate::engine::strategy::action::Control;
 use crate::engine::table::TableKind;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use crate::base::expr::tand;
-use crate::engine::region::profile::{Allowance, Envelope, GoesBack, Insert, monotone};
+use crate::engine::region::insert_envelope::{Allowance, Envelope, GoesBack, Insert, monotone};
 use crate::engine::region::{Edge, Way};
 use crate::engine::strategy::pen::Pen;
 
