@@ -79,21 +79,25 @@ impl Setter {
         let (from, tip) = (*stroke.points.first()?, *stroke.points.last()?);
         let way = tip - from;
         let radius = stroke.tool.radius;
+        // The width of its flat end, and how far above its tip it has its full width.
+        let corner = stroke.tool.corner.clamp(0.0, radius);
+        let flat = radius - corner;
         if !self.is_upright() {
             let up = self.axes[2];
             let deep = (tip - self.at).dot(up);
             let aside = (self.at - tip).reject_from_normalized(up);
             return Some(match way.reject_from_normalized(up).length() > way.dot(up).abs() {
-                true => tip + way.normalize() * radius - up * (deep / 2.0),
-                false => tip - up * deep + aside.clamp_length_max(radius),
+                true => tip + way.normalize() * radius + up * (-deep / 2.0).max(corner.min(-deep)),
+                false => tip - up * deep + aside.clamp_length_max(flat),
             });
         }
         Some(if way.truncate().length() > way.z.abs() {
             // With its side, as deep as the tip is below the face.
-            (tip + way.normalize() * radius).with_z((tip.z + self.at.z) / 2.0)
+            let height = tip.z.midpoint(self.at.z).max((tip.z + corner).min(self.at.z));
+            (tip + way.normalize() * radius).with_z(height)
         } else {
             let aside = (self.at - tip).truncate();
-            (tip.truncate() + aside.clamp_length_max(radius)).extend(self.at.z)
+            (tip.truncate() + aside.clamp_length_max(flat)).extend(self.at.z)
         })
     }
 }
