@@ -59,11 +59,13 @@ impl Tools {
                 radius: radius + oversize,
                 angle: value("ANGLE"),
                 cutting_length: value("LCUTS"),
-                pitch: value("PITCH").filter(|pitch| *pitch > 0.0).or_else(|| {
-                    let words = ["NAME", "DOC"].into_iter().filter_map(|column| listed?.tool_word(name, column));
-                    let pitch = words.filter_map(pitch_of).next();
-                    pitch.map(|pitch| if facts.inch { pitch / MM_PER_INCH } else { pitch })
-                }),
+                pitch: listed.and_then(|own| own.tool_value(name, "PITCH")).and_then(|own| pitch(facts, own)).or_else(
+                    || {
+                        let words = ["NAME", "DOC"].into_iter().filter_map(|column| listed?.tool_word(name, column));
+                        let pitch = words.filter_map(pitch_of).next();
+                        pitch.map(|pitch| if facts.inch { pitch / MM_PER_INCH } else { pitch })
+                    },
+                ),
                 speed: call.speed.and_then(|speed| facts.number(&speed)).filter(|_| !changed),
             });
             if let Ok(index) = u32::try_from(index) {
@@ -93,6 +95,19 @@ pub(super) fn kind_of_call(facts: &Facts<'_>, block: usize) -> Option<ToolKind> 
         ToolName::Number(_) => None,
     };
     listed.or(own).or_else(|| ToolKind::named(facts.text(block.comment()?)))
+}
+
+/// The pitch in the table, in the unit of the program. The column is not converted: what is finer than any thread in
+/// millimetres is in inches.
+fn pitch(facts: &Facts<'_>, listed: f64) -> Option<f64> {
+    const FINEST: f64 = 0.2;
+    let inches = listed < FINEST;
+    let unit = match (inches, facts.inch) {
+        (true, false) => 1.0 / MM_PER_INCH,
+        (false, true) => MM_PER_INCH,
+        _ => 1.0,
+    };
+    Some(listed / unit).filter(|_| listed > 0.0)
 }
 
 /// The coarse pitches of metric threads by their diameters, mm (ISO 261).

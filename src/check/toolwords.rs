@@ -38,19 +38,19 @@ pub enum ToolKind {
 
 /// Words for kinds of tools, alone or as the beginning of a word.
 const WORDS: [(ToolKind, &[&str], &[&str]); 13] = [
-    (ToolKind::ThreadMill, &["GF"], &["THREADMILL", "GEWINDEFR", "KIERREJYRS"]),
-    (ToolKind::Tap, &["TAP", "GB"], &["TAPPING", "GEWINDEBOHR", "MASCHIO", "MACHO", "KIERRETAP"]),
+    (ToolKind::ThreadMill, &["GF"], &["THREADMILL", "GEWINDEFR", "GEWFR", "KIERREJYRS"]),
+    (ToolKind::Tap, &["TAP", "GB"], &["TAPPING", "GEWINDEBOHR", "GEWBOHR", "MASCHIO", "MACHO", "KIERRETAP"]),
     (ToolKind::Reamer, &["REAM"], &["REAMER", "REIBAHL", "ALESATOR", "ALARGADOR", "KALVI", "POVRTAL"]),
     (ToolKind::BackBoring, &[], &["BACKBOR", "BACKSPOT"]),
-    (ToolKind::Boring, &[], &["BORINGBAR", "BORING"]),
+    (ToolKind::Boring, &[], &["BORINGBAR", "BORING", "BOHRSTANGE"]),
     (ToolKind::Spot, &["SPOT", "CENT"], &["SPOTDRILL", "CENTERDR", "CENTREDR", "ZENTRIER", "ANBOHR"]),
     (ToolKind::Probe, &["TS"], &["PROBE", "TASTER", "TOUCHPROBE"]),
     (ToolKind::FaceMill, &["FACE"], &["FACEMILL", "PLANFR"]),
     (ToolKind::Ball, &["BALL"], &["BALLNOSE", "KUGELFR"]),
     (ToolKind::Chamfer, &[], &["CHAMFER", "FASENFR", "COUNTERSINK", "CSINK", "SENKER"]),
     (ToolKind::Engraver, &[], &["ENGRAV", "GRAVIER"]),
-    (ToolKind::Drill, &["DRILL", "BOHRER", "BROCA", "PORA", "SVEDER"], &["SPIRALBOHR", "TWISTDRILL"]),
-    (ToolKind::EndMill, &["EM", "ENDMILL", "FRESA", "JYRSIN"], &["ENDMILL", "SCHAFTFR"]),
+    (ToolKind::Drill, &["DRILL", "BOHRER", "BROCA", "PORA", "SVEDER"], &["SPIRALB", "TWISTDRILL"]),
+    (ToolKind::EndMill, &["EM", "ENDMILL", "FRESA", "JYRSIN"], &["ENDMILL", "SCHAFTFR", "SCHLICHTFR", "SCHRUPPFR"]),
 ];
 
 impl ToolKind {
@@ -64,6 +64,8 @@ impl ToolKind {
                 ("THREAD", "MILL") => return Some(Self::ThreadMill),
                 ("TAP" | "CORE" | "PILOT", "DRILL") => return Some(Self::Drill),
                 ("END", "MILL") => return Some(Self::EndMill),
+                ("GEW" | "GEWINDE", _) if next.starts_with("BOHR") => return Some(Self::Tap),
+                ("GEW" | "GEWINDE", _) if next.starts_with("FR") => return Some(Self::ThreadMill),
                 ("CENTER" | "CENTRE" | "CENTERING" | "CENTRING", "DRILL") => return Some(Self::Spot),
                 ("BACK", _) if next.starts_with("BOR") => return Some(Self::BackBoring),
                 ("DRILL", "MILL") => return None,

@@ -13,6 +13,7 @@ use super::program::Understood;
 use super::project::CheckedProgram;
 use crate::base::data::Files;
 use crate::base::diag::{Arg, Diagnostic, Place, Severity, Source};
+use crate::check::ToolKind;
 use crate::engine::run::FindingKind;
 use crate::engine::run::{Engine, Event, EventKind, Limits, MoveKind, Status};
 use crate::engine::scene::Scene;
@@ -22,7 +23,7 @@ use crate::language::locale::Locales;
 use crate::program::syntax::{Block, BlockKind, Program, StatementKind};
 use crate::program::table::TableKind;
 use crate::tools::conform::LogTexts;
-use crate::tools::rehearse::{describing, without_obstacles};
+use crate::tools::rehearse::{UNNAMED_PRESET, any_preset, describing, without_obstacles};
 
 /// Less material than this is not reported, mm: columns of the stock end at its own walls.
 const LEAST: f64 = 0.1;
@@ -96,7 +97,11 @@ impl DryRun<'_> {
         if guess.tools.iter().any(|tool| tool.origin == Origin::Assumed && !tool.probes) {
             return None;
         }
-        let text = guess.to_yaml(&|_| String::new());
+        let mut text = guess.to_yaml(&|_| String::new());
+        let knows_presets = tables.iter().any(|table| table.kind() == TableKind::Preset);
+        if !knows_presets {
+            text.push_str(&any_preset());
+        }
         let mut scene = Scene::parse(&Source::new("scene", text), self.files).ok()?;
         for table in tables {
             match table.kind() {
@@ -110,7 +115,10 @@ impl DryRun<'_> {
         let engine = Engine::new(run, on, &scene, &texts).with_limits(LIMITS);
         let engine = engine.with_catalogue(against.catalogue).with_programs(&neighbours);
         let mut watch = Watch::new(Machining::new(run, &scene, None).ok()?);
-        let mut sight = Sight::new(&file.program, tables.iter().any(|table| table.kind() == TableKind::Preset));
+        let mut sight = Sight::new(&file.program, knows_presets);
+        let name = |tool: f64| tools.and_then(|table| table.text(tool, "NAME").ok()).and_then(ToolKind::named);
+        let called = guess.tools.iter().map(|tool| tool.number);
+        sight.thread_mills = called.filter(|tool| name(*tool) == Some(ToolKind::ThreadMill)).collect();
         let outcome = engine.run(&mut |event| {
             if sight.holds(&event) {
                 watch.see(event, &mut drop);
@@ -120,7 +128,8 @@ impl DryRun<'_> {
         let tilts =
             |block: &Block| matches!(&block.kind, BlockKind::Statement(own) if own.kind == StatementKind::Plane);
         let depends = guess.positions_rotary_axes() && file.program.blocks().iter().any(tilts);
-        let mut found = if depends { Vec::new() } else { of_material(&watch.finish().1.findings, file) };
+        let mut found =
+            if depends { Vec::new() } else { of_material(&watch.finish().1.findings, &sight.threaded, file) };
         let fault = outcome.diagnostic.filter(|_| outcome.status == Status::Error);
         if let Some(fault) = fault.filter(|fault| OF_PROGRAM.contains(&fault.code)) {
             found.push(fault);
@@ -140,6 +149,10 @@ struct Sight {
     of_machine: BTreeSet<usize>,
     preset: Option<f64>,
     tilted: bool,
+    /// The thread mills, which are narrower above their edges; whether one is in the spindle, and the lines where it has moved.
+    thread_mills: Vec<f64>,
+    threading: bool,
+    threaded: BTreeSet<usize>,
     moved: bool,
     lost: bool,
     /// Axes of which it is not known where they are.
@@ -156,8 +169,11 @@ impl Sight {
             knows_presets,
             program: program.source().name().into(),
             of_machine: program.blocks().iter().filter(of_machine).map(|block| block.line).collect(),
-            preset: None,
+            preset: (!knows_presets).then_some(f64::from(UNNAMED_PRESET)),
             tilted: false,
+            thread_mills: Vec::new(),
+            threading: false,
+            threaded: BTreeSet::new(),
             moved: false,
             lost: false,
             unknown: [false; 3],
@@ -178,8 +194,14 @@ impl Sight {
             EventKind::Turn { axes, .. } => {
                 self.lost |= !self.tilted && axes.iter().any(|turned| turned.to.abs() > TURN);
             }
+            EventKind::Spindle { tool: Some((tool, _)), .. } => {
+                self.threading = self.thread_mills.contains(&tool.number)
+            }
             EventKind::Move { kind, from, to, .. } => {
                 self.moved = true;
+                if self.threading {
+                    self.threaded.insert(event.at.line);
+                }
                 let of_machine = event.at.program == self.program && self.of_machine.contains(&event.at.line);
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
                 // What cuts is seen in any case: too much is gone rather than too little.
@@ -208,7 +230,7 @@ fn is_rapid(code: &str) -> bool {
 }
 
 /// What was found in the material, the first of each kind.
-fn of_material(all: &[Finding], file: &Understood) -> Vec<Diagnostic> {
+fn of_material(all: &[Finding], threaded: &BTreeSet<usize>, file: &Understood) -> Vec<Diagnostic> {
     let source = file.program.source();
     // Where the spindle is stationary in material, as when a boring bar retracts, the stock does not know the shape of the
     // tool well enough.
@@ -218,8 +240,9 @@ fn of_material(all: &[Finding], file: &Understood) -> Vec<Diagnostic> {
     };
     let first = |kind, code| {
         let mut same = all.iter().filter(|finding| finding.kind == kind && *finding.program == *source.name());
-        let finding = same.find(|finding| finding.amount > LEAST && !stationary(finding))?;
-        let place = Place::new(source, line(source.text(), finding.line)?);
+        let necked = |own: &Finding| own.kind == FindingKind::EdgesTooShort && threaded.contains(&own.line);
+        let finding = same.find(|finding| finding.amount > LEAST && !stationary(finding) && !necked(finding))?;
+        let place = Place::new(source, line(&file.program, finding.line)?);
         Some(Diagnostic::warning(code, place).arg("value", Arg::Number(finding.amount)))
     };
     [
@@ -231,9 +254,10 @@ fn of_material(all: &[Finding], file: &Understood) -> Vec<Diagnostic> {
     .collect()
 }
 
-/// The stretch of a line, from 1, without its end.
-fn line(text: &str, number: usize) -> Option<std::ops::Range<usize>> {
-    let own = text.split('\n').nth(number.checked_sub(1)?)?;
-    let start = own.as_ptr() as usize - text.as_ptr() as usize;
-    Some(start..start + own.trim_end().len())
+/// The first line of the block that has a line of the file, without its end.
+fn line(program: &Program, number: usize) -> Option<std::ops::Range<usize>> {
+    let blocks = program.blocks();
+    let block = blocks.get(blocks.partition_point(|block| block.line < number)).filter(|own| own.line == number)?;
+    let own = program.source().text().get(block.span.start..block.span.end)?.split('\n').next()?;
+    Some(block.span.start..block.span.start + own.trim_end().len())
 }

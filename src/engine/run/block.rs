@@ -23,6 +23,9 @@ use crate::program::syntax::{
     StatementKind, ToolCall, ToolDef, ToolRef,
 };
 
+/// The parameter that has the radius of the tool in the spindle.
+const TOOL_RADIUS: u16 = 108;
+
 /// Q parameters while a program's formula is evaluated: there are no other names.
 struct ProgramEnv<'p>(&'p super::Params);
 
@@ -261,6 +264,9 @@ impl<'e> Run<'_, 'e> {
             let mut tool = self.drives.world.tool_data(number, delta_radius, delta_length)?;
             tool.corner += delta(&call.dr2)?;
             let before = self.drives.world.system.reported();
+            // The active radius, as formulas of programs read it.
+            let radius = Content::Number(tool.radius / self.drives.unit());
+            self.params.set(QRef { kind: QKind::Q, number: TOOL_RADIUS }, &radius)?;
             self.drives.world.take_tool(tool);
             self.drives.transformed(before);
         }

@@ -33,6 +33,8 @@ use crate::spec::{Catalogue, Known, OnControl};
 
 /// Longer programs are not executed: posts write them, and their ways are all in the text.
 const MOST_BLOCKS: usize = 3_000;
+/// So often the operator goes on where the program stops.
+const STOPS: usize = 20;
 /// What a run may do.
 const LIMITS: Limits = Limits { blocks: 50_000, jumps: 10_000, depth: 19, members: 2_000, moves: 50_000 };
 
@@ -74,9 +76,9 @@ impl Rehearsal<'_> {
             tool.plunges = !tool.probes && !tool.turns;
         }
         let mut text = guess.to_yaml(&|_| String::new());
-        // Whatever preset is activated first is that of the blank.
-        let rows: Vec<String> = (0..=99).map(|row| format!("{{NO: {row}}}")).collect();
-        text.push_str(&format!("presets: {{active: 1, rows: [{}]}}\n", rows.join(", ")));
+        text.push_str(&any_preset());
+        let answers = vec!["{to: stop, say: continue}"; STOPS];
+        text.push_str(&format!("answers: [{}]\n", answers.join(", ")));
         let mut scene = Scene::parse(&Source::new("scene", text), self.files).ok()?;
         beside(&mut scene);
         let mut watcher = Watcher::new((on, self.catalogue), program, body, &scene);
@@ -113,6 +115,15 @@ impl Rehearsal<'_> {
     }
 }
 
+/// The row that is active before a program activates one: hardly any names it.
+pub const UNNAMED_PRESET: u8 = 99;
+
+/// What a scene says of presets that are not known: whatever row is activated first is that of the blank.
+pub fn any_preset() -> String {
+    let rows: Vec<String> = (0..=99).map(|row| format!("{{NO: {row}}}")).collect();
+    format!("presets: {{active: {UNNAMED_PRESET}, rows: [{}]}}\n", rows.join(", "))
+}
+
 /// The program without what would end its execution and changes nothing of where the tool goes, if it has such: blocks that
 /// only round the way to a contour and from it are comments, since the manuals do not say where the tool goes there; a feed
 /// of some height stands for `FMAX` where a pattern is called, which no control takes and a finding names.
@@ -138,7 +149,11 @@ pub fn without_obstacles(program: &Program) -> Option<Program> {
     for (place, sign) in edits {
         text.get_mut(place)?.fill(sign as u8);
     }
-    Some(syntax::parse(&Source::new(program.source().name(), String::from_utf8(text).ok()?)))
+    let edited = syntax::parse(&Source::new(program.source().name(), String::from_utf8(text).ok()?));
+    // A program that was put into Klartext keeps the lines of the file that it was made from.
+    let mut lines = program.blocks().iter().map(|block| block.line);
+    let same = edited.blocks().len() == program.blocks().len();
+    same.then(|| edited.with_blocks(&mut |block| block.line = lines.next().unwrap_or(block.line)))
 }
 
 /// The control itself, or the one that describes most of the cycles of a program if this one lacks some: enough to see

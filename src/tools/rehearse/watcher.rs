@@ -3,6 +3,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 
 use glam::DVec3;
 
+use super::UNNAMED_PRESET;
 use super::body::Body;
 use super::path::Ways;
 use super::series::Rows;
@@ -11,7 +12,7 @@ use crate::base::diag::{Arg, interned};
 use crate::check::{Incident, Observed, ToolKind, removes_material};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::machine::Machine;
-use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MoveKind, Status, Tool};
+use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MessageKind, MoveKind, Status, Tool};
 use crate::engine::scene::Scene;
 use crate::engine::solid::Path;
 use crate::engine::stock::Blank;
@@ -94,6 +95,8 @@ pub(super) struct Watcher<'w> {
     cuts: bool,
     preset: Option<f64>,
     worked: bool,
+    /// Whether the operator was asked to go on after something was machined, and whether rows of holes were uncertain then.
+    stopped: Option<bool>,
     pub(super) radii: Vec<(f64, f64)>,
     /// What tools are called.
     pub(super) kinds: Vec<(f64, ToolKind)>,
@@ -168,8 +171,9 @@ impl<'w> Watcher<'w> {
             parts: None,
             tilted_holes: None,
             cuts: false,
-            preset: None,
+            preset: Some(f64::from(UNNAMED_PRESET)),
             worked: false,
+            stopped: None,
             radii: Vec::new(),
             kinds: Vec::new(),
             probes: Vec::new(),
@@ -236,6 +240,7 @@ impl<'w> Watcher<'w> {
             }
             EventKind::Transform(coordinates) => self.preset(coordinates),
             EventKind::Probe(_) => self.worked = true,
+            EventKind::Message { kind: MessageKind::Stop, .. } => self.stop(),
             EventKind::Error(fault) => self.fault(fault, key),
             EventKind::End(Status::Done) => {
                 self.finish();
@@ -334,11 +339,36 @@ impl<'w> Watcher<'w> {
         let all = std::iter::once(now.preset).chain(angles.into_iter().flatten());
         self.frame = all.map(|own| (own / SAME).round() as i64).collect();
         let other = self.preset.is_some_and(|before| before != now.preset);
+        if other && self.worked {
+            self.clamp_again();
+        }
         self.lost |= other && self.worked;
         if other || self.preset.is_none() {
             self.preset = Some(now.preset);
         }
         self.lost |= now.origin.length() > SAME || now.basic_rotation.length() > SAME;
+    }
+
+    /// The operator goes on: the workpiece may lie otherwise from here on.
+    fn stop(&mut self) {
+        self.finish();
+        if self.worked && self.stopped.is_none() {
+            self.stopped = Some(self.series.open);
+            self.lost = true;
+            self.series.open = true;
+        }
+    }
+
+    /// Another preset is activated after the operator was asked to go on: the workpiece is clamped otherwise, and nothing is
+    /// known of its blank, but holes that belong together have the same datum again.
+    fn clamp_again(&mut self) {
+        let Some(open) = self.stopped.take() else { return };
+        self.finish();
+        self.series.open = open;
+        (self.lost, self.worked, self.others, self.body) = (false, false, false, None);
+        self.holes.clear();
+        self.machined.clear();
+        self.milled.clear();
     }
 
     /// The run ends with a fault of the program, or with a message of a cycle whose tool is known.
@@ -523,6 +553,8 @@ impl<'w> Watcher<'w> {
         /// So much of the diameter a tool may plunge per revolution, and so much any tool, mm.
         const OF_DIAMETER: f64 = 0.15;
         const AT_MOST: f64 = 1.5;
+        // Programs in inches may give feeds in tenths of them.
+        let feed = if self.unit < 1.0 { feed / 10.0 } else { feed };
         let (along, down) = ((self.at - from).truncate().length(), from.z - self.at.z);
         if along <= SAME && down > 0.0 && self.speed > 0.0 {
             let most = self.width().map_or(AT_MOST, |width| (OF_DIAMETER * width).clamp(0.3, AT_MOST));

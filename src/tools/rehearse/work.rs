@@ -52,6 +52,8 @@ pub(super) struct Hole {
     bottom: f64,
     /// How wide it is, if that is known.
     width: Option<f64>,
+    /// Whether the tip of a drill is at its bottom: there it is not as wide.
+    pointed: bool,
     /// The tool call that it was made after, and the cycle.
     made: (u32, CycleKey),
 }
@@ -222,10 +224,19 @@ impl Watcher<'_> {
         self.holes.iter().filter(here).copied().collect()
     }
 
+    /// Whether a hole goes through the blank in its whole width; without a blank none does.
+    fn goes_through(&self, hole: &Hole) -> bool {
+        self.body.is_some_and(|body| match hole.pointed {
+            true => hole.bottom < body.low.z - SKIN,
+            false => hole.bottom <= body.low.z,
+        })
+    }
+
     fn remember(&mut self, work: &Work, width: Option<f64>, at: DVec3) {
         if self.holes.len() < MOST_HOLES {
             let made = (self.calls, work.key);
-            self.holes.push(Hole { at: [at.x, at.y], bottom: work.low.z, width, made });
+            let pointed = self.kind() == Some(ToolKind::Drill);
+            self.holes.push(Hole { at: [at.x, at.y], bottom: work.low.z, width, pointed, made });
         }
     }
 
@@ -259,15 +270,14 @@ impl Watcher<'_> {
     /// A reamer needs a hole that is there, as deep as it goes, and a little narrower.
     fn ream(&mut self, work: &Work, here: &[Hole]) {
         let unit = self.unit;
-        let Some(lowest) = here.iter().map(|own| own.bottom).reduce(f64::min) else {
+        let Some(lowest) = lowest(here) else {
             if !self.others && self.kind() == Some(ToolKind::Reamer) {
                 self.report(work.line, Incident::ReamedWrongly { what: "none", value: 0.0, other: 0.0 });
             }
             return;
         };
-        let through = self.body.is_some_and(|body| lowest <= body.low.z);
-        if !through && work.low.z < lowest - SKIN {
-            let (value, other) = (work.low.z * unit, lowest * unit);
+        if !self.goes_through(&lowest) && work.low.z < lowest.bottom - SKIN {
+            let (value, other) = (work.low.z * unit, lowest.bottom * unit);
             return self.report(work.line, Incident::ReamedWrongly { what: "deep", value, other });
         }
         let hole = here.iter().filter(|own| own.bottom <= work.low.z + SKIN).filter_map(|own| own.width);
@@ -294,8 +304,12 @@ impl Watcher<'_> {
     /// A thread goes into a hole that must be there, wide enough and not too wide, and not deeper than it.
     fn thread(&mut self, work: &Work) {
         let place = [work.start.x * self.unit, work.start.y * self.unit];
-        let here = self.holes_at(work.start);
-        let bottom = here.iter().map(|own| own.bottom).reduce(f64::min);
+        let mut here = self.holes_at(work.start);
+        if let Some(thread) = self.width().filter(|_| work.milled).map(|width| width + work.high.x - work.low.x) {
+            // What is wider than a milled thread is no core hole of it: that one was there before.
+            here.retain(|own| own.width.is_none_or(|hole| hole <= thread + SAME));
+        }
+        let bottom = lowest(&here);
         // What only centres is not as wide as its tool.
         let hole = here.iter().filter(|own| own.bottom <= work.low.z).filter_map(|own| own.width).reduce(f64::max);
         if let Some((thread, hole)) = self.width().zip(hole).filter(|_| !work.milled) {
@@ -311,8 +325,8 @@ impl Watcher<'_> {
             }
         }
         match bottom {
-            Some(hole) if self.body.is_none_or(|body| hole > body.low.z) && work.low.z < hole - SKIN => {
-                let incident = Incident::HoleTooShallow { tap: work.low.z * self.unit, hole: hole * self.unit };
+            Some(hole) if !self.goes_through(&hole) && work.low.z < hole.bottom - SKIN => {
+                let incident = Incident::HoleTooShallow { tap: work.low.z * self.unit, hole: hole.bottom * self.unit };
                 self.report(work.line, incident);
             }
             None if !work.milled && !self.holes.is_empty() && !self.others => {
@@ -323,6 +337,11 @@ impl Watcher<'_> {
             _ => {}
         }
     }
+}
+
+/// The deepest of several holes.
+fn lowest(holes: &[Hole]) -> Option<Hole> {
+    holes.iter().copied().min_by(|one, other| one.bottom.total_cmp(&other.bottom))
 }
 
 /// The narrowest and the widest hole in which a metric thread of a diameter is cut or formed, whatever its pitch: cutting
