@@ -203,7 +203,11 @@ diag-labels-of-unknown-language =
        *[other] The labels of { $count } definitions, of which this is the first, are in a language that Ciklo does not know; they were read by their parameter numbers.
     }
 diag-languages-mixed = Most labels are in one language ({ $language }); the definitions in these lines are in another ({ $others }): { $lines }.
-diag-loop-endless = This jump closes a loop that never ends.
+diag-loop-endless =
+    { $what ->
+        [counter] This jump waits for { $parameter }, but nothing in the loop counts it.
+       *[jump] This jump closes a loop that never ends.
+    }
 diag-machine-coordinates-compensated = Machine coordinates (M91, M92) are programmed here with radius compensation.
 diag-machine-coordinates-missing = Elsewhere the program retracts to { $value } with M91; here M91 is missing, and the height counts from the workpiece datum.
 diag-main-runs-into-subprogram = The main program runs into the subprogram { $label } here: neither M2 nor M30 ends it.
@@ -573,6 +577,7 @@ diag-stud-in-solid = The raw size { $value } is far less than the blank around t
 diag-surface-wrong =
     { $what ->
         [opposite] The surface at { $value } is above the blank; others begin or end at { $other }.
+        [pattern] The surface of the pattern is at { $value }, that of the cycle which it calls at { $other }: the one of the pattern acts.
        *[faced] The surface is at { $value }, but the face was milled down to { $other }.
     }
 diag-turned-thread-wrong =
@@ -595,3 +600,4 @@ diag-correction-wrong =
         [side] { $parameter } is corrected by { $other }, which is the deviation of the other side.
        *[added] The deviation { $other } is added to the size { $parameter }: it must be taken away.
     }
+diag-monitored-tool-idle = { $cycle } monitors or corrects tool { $tool }, which has not been called before.

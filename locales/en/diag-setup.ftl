@@ -35,6 +35,7 @@ diag-preset-row-wrong =
         [again] Preset { $row } is written again here, at another place, and nothing has activated it in between.
         [other] Preset { $other } is activated here, but the probed one is preset { $row }, which is never activated.
         [datum] Row { $row } of the datum table is written here and never activated: machining goes on with another datum.
+        [same] Preset { $row } is active already; here it is activated again, after the program has stopped for the operator.
        *[unused] Preset { $row } is written here and never activated: machining goes on with another preset.
     }
 diag-repeat-without-effect = A repeat of zero times does nothing.
@@ -94,7 +95,10 @@ diag-loop-runs-once =
 diag-parameter-unused =
     { $parameter } is given a value here, and nothing reads it.
 diag-probing-direction-wrong =
-    { $cycle } probes the edge in { $axis } with the direction { $value }: the part is on the side from which the probe comes.
+    { $what ->
+        [up] { $cycle } probes with { $value }, upwards along the tool axis: the probe would come from inside of the part.
+       *[edge] { $cycle } probes the edge in { $axis } with the direction { $value }: the part is on the side from which the probe comes.
+    }
 diag-same-datum-twice =
     { $what ->
         [loop] The loop counts, but activates row { $row } on every pass: the same is machined again each time.

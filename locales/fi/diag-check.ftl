@@ -203,7 +203,11 @@ diag-labels-of-unknown-language =
        *[other] { $count } määrittelyn, joista tämä on ensimmäinen, NC-tekstit ovat kieltä, jota Ciklo ei tunne; määrittelyt luettiin parametrien numeroista.
     }
 diag-languages-mixed = Useimmat NC-tekstit ovat yhtä kieltä ({ $language }); näiden rivien määrittelyt ovat toista ({ $others }): { $lines }.
-diag-loop-endless = Tämä hyppy sulkee silmukan, joka ei koskaan pääty.
+diag-loop-endless =
+    { $what ->
+        [counter] Tämä hyppy odottaa parametria { $parameter }, mutta mikään silmukassa ei laske sitä.
+       *[jump] Tämä hyppy sulkee silmukan, joka ei koskaan pääty.
+    }
 diag-machine-coordinates-compensated = Konekoordinaatit (M91, M92) on tässä ohjelmoitu sädekorjauksen kanssa.
 diag-machine-coordinates-missing = Muualla ohjelma irtautuu arvoon { $value } M91-toiminnolla; tässä M91 puuttuu, ja korkeus lasketaan työkappaleen nollapisteestä.
 diag-main-runs-into-subprogram = Pääohjelma jatkuu tässä suoraan aliohjelmaan { $label }: M2 tai M30 ei päätä sitä.
@@ -572,6 +576,7 @@ diag-stud-in-solid = Koneistamaton mitta { $value } on paljon pienempi kuin aihi
 diag-surface-wrong =
     { $what ->
         [opposite] Pinta { $value } on aihion yläpuolella; muut alkavat tai päättyvät arvoon { $other }.
+        [pattern] Kuvion pinta on { $value }, sen kutsuman työkierron pinta { $other }: kuvion pinta on voimassa.
        *[faced] Pinta on { $value }, mutta taso on jyrsitty arvoon { $other }.
     }
 diag-turned-thread-wrong =
@@ -594,3 +599,4 @@ diag-correction-wrong =
         [side] Parametria { $parameter } korjataan arvolla { $other }, joka on toisen sivun ero.
        *[added] Ero { $other } lisätään mittaan { $parameter }: se on vähennettävä.
     }
+diag-monitored-tool-idle = { $cycle } valvoo tai korjaa työkalua { $tool }, jota ei ole kutsuttu aiemmin.

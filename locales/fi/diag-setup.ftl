@@ -35,6 +35,7 @@ diag-preset-row-wrong =
         [again] Esiasetus { $row } kirjoitetaan tässä uudelleen toisesta paikasta, eikä sitä ole välillä aktivoitu.
         [other] Tässä aktivoidaan esiasetus { $other }, mutta mitattu on esiasetus { $row }, jota ei koskaan aktivoida.
         [datum] Nollapistetaulukon rivi { $row } kirjoitetaan tässä, mutta sitä ei koskaan aktivoida: koneistus jatkuu toisella nollapisteellä.
+        [same] Esiasetus { $row } on jo voimassa; tässä se aktivoidaan uudelleen sen jälkeen, kun ohjelma on pysähtynyt käyttäjää varten.
        *[unused] Esiasetus { $row } kirjoitetaan tässä, mutta sitä ei koskaan aktivoida: koneistus jatkuu toisella esiasetuksella.
     }
 diag-repeat-without-effect = Nolla toistoa ei tee mitään.
@@ -93,7 +94,10 @@ diag-loop-runs-once =
     }
 diag-parameter-unused = Parametri { $parameter } saa tässä arvon, eikä mikään lue sitä.
 diag-probing-direction-wrong =
-    { $cycle } koskettaa akselin { $axis } reunaa suunnassa { $value }: kappale on sillä puolella, jolta kosketusjärjestelmä tulee.
+    { $what ->
+        [up] { $cycle } koskettaa suunnassa { $value } eli työkaluakselia ylöspäin: kosketusjärjestelmä tulisi kappaleen sisältä.
+       *[edge] { $cycle } koskettaa akselin { $axis } reunaa suunnassa { $value }: kappale on sillä puolella, jolta kosketusjärjestelmä tulee.
+    }
 diag-same-datum-twice =
     { $what ->
         [loop] Silmukka laskee kierroksia, mutta aktivoi joka kierroksella rivin { $row }: joka kerta koneistetaan sama.

@@ -203,7 +203,11 @@ diag-labels-of-unknown-language =
        *[other] Le etichette di { $count } definizioni, di cui questa è la prima, sono in una lingua che Ciklo non conosce; sono state lette in base ai numeri dei parametri.
     }
 diag-languages-mixed = La maggior parte delle etichette è in una lingua ({ $language }); le definizioni in queste righe sono in un’altra ({ $others }): { $lines }.
-diag-loop-endless = Questo salto chiude una ripetizione che non termina mai.
+diag-loop-endless =
+    { $what ->
+        [counter] Questo salto aspetta { $parameter }, ma nella ripetizione nulla lo conta.
+       *[jump] Questo salto chiude una ripetizione che non termina mai.
+    }
 diag-machine-coordinates-compensated = Qui si programmano coordinate macchina (M91, M92) con correzione del raggio.
 diag-machine-coordinates-missing = Altrove il programma si disimpegna a { $value } con M91; qui M91 manca, e la quota vale dall’origine del pezzo.
 diag-main-runs-into-subprogram = Il programma principale prosegue qui nel sottoprogramma { $label }: non lo termina né M2 né M30.
@@ -572,6 +576,7 @@ diag-stud-in-solid = La misura grezza { $value } è molto minore del pezzo grezz
 diag-surface-wrong =
     { $what ->
         [opposite] La superficie a { $value } è sopra il pezzo grezzo; altre lavorazioni iniziano o finiscono a { $other }.
+        [pattern] La superficie della sagoma è a { $value }, quella del ciclo che essa chiama a { $other }: vale quella della sagoma.
        *[faced] La superficie è a { $value }, ma la faccia è stata fresata fino a { $other }.
     }
 diag-turned-thread-wrong =
@@ -594,3 +599,4 @@ diag-correction-wrong =
         [side] { $parameter } viene corretto di { $other }, che è lo scostamento dell’altro lato.
        *[added] Lo scostamento { $other } viene aggiunto alla misura { $parameter }: va sottratto.
     }
+diag-monitored-tool-idle = { $cycle } controlla o corregge l’utensile { $tool }, che prima non è stato chiamato.

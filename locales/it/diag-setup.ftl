@@ -35,6 +35,7 @@ diag-preset-row-wrong =
         [again] Il Preset { $row } viene scritto di nuovo qui, in un altro punto, e nel frattempo nulla lo ha attivato.
         [other] Qui viene attivato il Preset { $other }, ma quello rilevato è il Preset { $row }, che non viene mai attivato.
         [datum] La riga { $row } della tabella origini viene scritta qui e mai attivata: la lavorazione prosegue con un’altra origine.
+        [same] Il Preset { $row } è già attivo; qui viene attivato di nuovo, dopo che il programma si è fermato per l’operatore.
        *[unused] Il Preset { $row } viene scritto qui e mai attivato: la lavorazione prosegue con un altro Preset.
     }
 diag-repeat-without-effect = Una ripetizione di zero volte non ha alcun effetto.
@@ -94,7 +95,10 @@ diag-loop-runs-once =
 diag-parameter-unused =
     { $parameter } riceve qui un valore, e nulla lo legge.
 diag-probing-direction-wrong =
-    { $cycle } tasta il bordo in { $axis } con la direzione { $value }: il pezzo è sul lato da cui arriva il sistema di tastatura.
+    { $what ->
+        [up] { $cycle } tasta con { $value }, verso l’alto lungo l’asse utensile: il sistema di tastatura arriverebbe dall’interno del pezzo.
+       *[edge] { $cycle } tasta il bordo in { $axis } con la direzione { $value }: il pezzo è sul lato da cui arriva il sistema di tastatura.
+    }
 diag-same-datum-twice =
     { $what ->
         [loop] La ripetizione conta, ma attiva la riga { $row } in ogni passaggio: ogni volta viene lavorato lo stesso punto.

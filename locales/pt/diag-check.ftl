@@ -203,7 +203,11 @@ diag-labels-of-unknown-language =
        *[other] As designações de { $count } definições, das quais esta é a primeira, estão num idioma que o Ciklo não conhece; foram lidas pelos números dos parâmetros.
     }
 diag-languages-mixed = A maioria das designações está num idioma ({ $language }); as definições nestas linhas estão noutro ({ $others }): { $lines }.
-diag-loop-endless = Este salto fecha uma repetição que nunca acaba.
+diag-loop-endless =
+    { $what ->
+        [counter] Este salto espera por { $parameter }, mas na repetição nada o conta.
+       *[jump] Este salto fecha uma repetição que nunca acaba.
+    }
 diag-machine-coordinates-compensated = Programam-se aqui coordenadas da máquina (M91, M92) com correção de raio.
 diag-machine-coordinates-missing = Noutro lugar o programa recua para { $value } com M91; aqui falta M91, e a altura conta a partir do ponto zero da peça.
 diag-main-runs-into-subprogram = O programa principal continua aqui para dentro do subprograma { $label }: nem M2 nem M30 o termina.
@@ -573,6 +577,7 @@ diag-stud-in-solid = A medida em bruto { $value } é muito menor do que o bloco 
 diag-surface-wrong =
     { $what ->
         [opposite] A superfície em { $value } está acima do bloco; outras maquinações começam ou terminam em { $other }.
+        [pattern] A superfície do padrão está em { $value }, a do ciclo que ele chama em { $other }: vale a do padrão.
        *[faced] A superfície está em { $value }, mas a face foi fresada até { $other }.
     }
 diag-turned-thread-wrong =
@@ -595,3 +600,4 @@ diag-correction-wrong =
         [side] { $parameter } é corrigido por { $other }, que é o desvio do outro lado.
        *[added] O desvio { $other } é somado à medida { $parameter }: tem de ser subtraído.
     }
+diag-monitored-tool-idle = { $cycle } vigia ou corrige a ferramenta { $tool }, que antes não foi chamada.

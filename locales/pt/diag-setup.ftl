@@ -35,6 +35,7 @@ diag-preset-row-wrong =
         [again] O preset { $row } volta a ser escrito aqui, noutro ponto, e entretanto nada o ativou.
         [other] Aqui é ativado o preset { $other }, mas o que foi apalpado é o preset { $row }, que nunca é ativado.
         [datum] A linha { $row } da tabela de pontos zero é escrita aqui e nunca é ativada: a maquinação prossegue com outro ponto zero.
+        [same] O preset { $row } já está ativo; aqui é ativado de novo, depois de o programa ter parado para o operador.
        *[unused] O preset { $row } é escrito aqui e nunca é ativado: a maquinação prossegue com outro preset.
     }
 diag-repeat-without-effect = Uma repetição de zero vezes não tem efeito.
@@ -94,7 +95,10 @@ diag-loop-runs-once =
 diag-parameter-unused =
     { $parameter } recebe aqui um valor, e nada o lê.
 diag-probing-direction-wrong =
-    { $cycle } apalpa a aresta em { $axis } com a direção { $value }: a peça está no lado de onde vem o apalpador.
+    { $what ->
+        [up] { $cycle } apalpa com { $value }, para cima ao longo do eixo da ferramenta: o apalpador viria de dentro da peça.
+       *[edge] { $cycle } apalpa a aresta em { $axis } com a direção { $value }: a peça está no lado de onde vem o apalpador.
+    }
 diag-same-datum-twice =
     { $what ->
         [loop] A repetição conta, mas ativa a linha { $row } em todas as passagens: é maquinado sempre o mesmo.

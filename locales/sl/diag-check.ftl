@@ -205,7 +205,11 @@ diag-labels-of-unknown-language =
        *[other] Oznake v { $count } definicijah od te naprej so v jeziku, ki ga Ciklo ne pozna; prebrane so bile po številkah parametrov.
     }
 diag-languages-mixed = Večina oznak je v enem jeziku ({ $language }); definicije v teh vrsticah so v drugem ({ $others }): { $lines }.
-diag-loop-endless = Ta skok sklene zanko, ki se nikoli ne konča.
+diag-loop-endless =
+    { $what ->
+        [counter] Ta skok čaka na { $parameter }, vendar ga v zanki nič ne šteje.
+       *[jump] Ta skok sklene zanko, ki se nikoli ne konča.
+    }
 diag-machine-coordinates-compensated = Strojne koordinate (M91, M92) so tu programirane s popravkom polmera.
 diag-machine-coordinates-missing = Drugje se program odmakne na { $value } z M91; tu M91 manjka in višina velja od referenčne točke obdelovanca.
 diag-main-runs-into-subprogram = Glavni program se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
@@ -576,6 +580,7 @@ diag-stud-in-solid = Surova mera { $value } je veliko manjša od surovca okrog �
 diag-surface-wrong =
     { $what ->
         [opposite] Površina pri { $value } je nad surovcem; druge obdelave se začnejo ali končajo pri { $other }.
+        [pattern] Površina vzorca je pri { $value }, površina cikla, ki ga kliče, pa pri { $other }: velja tista iz vzorca.
        *[faced] Površina je pri { $value }, ploskev pa je bila rezkana do { $other }.
     }
 diag-turned-thread-wrong =
@@ -598,3 +603,4 @@ diag-correction-wrong =
         [side] { $parameter } se popravi za { $other }, kar je odstopanje druge stranice.
        *[added] Odstopanje { $other } se prišteje meri { $parameter }: treba ga je odšteti.
     }
+diag-monitored-tool-idle = { $cycle } nadzoruje ali popravlja orodje { $tool }, ki prej ni bilo priklicano.

@@ -37,6 +37,7 @@ diag-preset-row-wrong =
         [again] Prednastavitev { $row } se tukaj znova zapiše na drugem mestu, vmes pa je nič ni aktiviralo.
         [other] Tukaj se aktivira prednastavitev { $other }, izmerjena pa je prednastavitev { $row }, ki se nikoli ne aktivira.
         [datum] Vrstica { $row } preglednice ničelnih točk se tukaj zapiše in se nikoli ne aktivira: obdelava se nadaljuje z drugo ničelno točko.
+        [same] Prednastavitev { $row } je že aktivna; tukaj se aktivira še enkrat, potem ko se je program ustavil za posluževalca.
        *[unused] Prednastavitev { $row } se tukaj zapiše in se nikoli ne aktivira: obdelava se nadaljuje z drugo prednastavitvijo.
     }
 diag-repeat-without-effect = Nič ponovitev nima nobenega učinka.
@@ -96,7 +97,10 @@ diag-loop-runs-once =
 diag-parameter-unused =
     { $parameter } tukaj dobi vrednost, nič pa je ne prebere.
 diag-probing-direction-wrong =
-    { $cycle } tipa rob na osi { $axis } s smerjo { $value }: obdelovanec je na strani, s katere pride tipalni sistem.
+    { $what ->
+        [up] { $cycle } tipa s smerjo { $value }, navzgor vzdolž orodne osi: tipalni sistem bi prišel iz notranjosti obdelovanca.
+       *[edge] { $cycle } tipa rob na osi { $axis } s smerjo { $value }: obdelovanec je na strani, s katere pride tipalni sistem.
+    }
 diag-same-datum-twice =
     { $what ->
         [loop] Zanka šteje, vendar v vsakem prehodu aktivira vrstico { $row }: vsakič se obdela isto.

@@ -1,13 +1,16 @@
 //! Counterboring from below whose material thickness ends far inside of the blank: the cutting edge would swing out in solid
 //! material.
 //!
-//! Only in programs with a box as their blank, and where the thickness is less than a quarter of what is below the surface.
+//! Only in programs with a box as their blank, and where the thickness is far less than what is below the surface.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::program::number;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "back-boring-inside", severity: Severity::Warning, run };
+
+/// Less than so much of what is below the surface is no blank with an allowance on its lower face.
+const MOST: f64 = 0.7;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
@@ -20,7 +23,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let unmoved = facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));
         let (Some(thickness), Some(surface)) = (number(item), number(surface)) else { continue };
         let below = surface - blank.low[2];
-        if unmoved && thickness > 0.0 && 4.0 * thickness < below {
+        if unmoved && thickness > 0.0 && thickness < MOST * below {
             let finding = rule.at(facts, item.value_span).arg("value", Arg::Number(thickness));
             found.push(finding.arg("other", Arg::Number(below)));
         }

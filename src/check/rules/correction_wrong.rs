@@ -1,8 +1,8 @@
 //! A size that is corrected by what was measured, the wrong way round: the deviation is added, or it is that of the other side.
 //!
 //! A deviation is the actual size less the nominal one: what is too large is made smaller by taking it away from the size
-//! with which it is machined again, be it a pocket or a stud. Only of parameters that are corrected by themselves and are a
-//! size of a pocket, a stud or a slot.
+//! with which it is machined again, be it a pocket or a stud. Only of parameters that are corrected by themselves, or
+//! are a number and the deviation, and are a size of a pocket, a stud or a slot.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Diagnostic, Severity, Span};
@@ -122,11 +122,28 @@ fn correction(block: &Block) -> Option<(QRef, QRef, bool, Span)> {
                 FnOp::Sub => false,
                 _ => return None,
             };
-            (own.target, own.target_span, added, plain(own.a.amount)?, plain(own.b.as_ref()?.amount)?)
+            let (a, b) = (own.a.amount, own.b.as_ref()?.amount);
+            match (a, b) {
+                (Amount::Number(_), Amount::Q { q, negative: false }) => {
+                    return Some((own.target, q, added, own.target_span));
+                }
+                (Amount::Q { q, negative: false }, Amount::Number(_)) if added => {
+                    return Some((own.target, q, added, own.target_span));
+                }
+                _ => {}
+            }
+            (own.target, own.target_span, added, plain(a)?, plain(b)?)
         }
         BlockKind::Formula(own) => {
             let Node::Binary(op @ (Op::Add | Op::Sub), left, right) = &own.expr.node else { return None };
-            let (Node::Q(a), Node::Q(b)) = (&left.node, &right.node) else { return None };
+            let (a, b) = match (&left.node, &right.node) {
+                (Node::Q(a), Node::Q(b)) => (a, b),
+                (Node::Number(_), Node::Q(q)) => return Some((own.target, *q, *op == Op::Add, own.target_span)),
+                (Node::Q(q), Node::Number(_)) if *op == Op::Add => {
+                    return Some((own.target, *q, true, own.target_span));
+                }
+                _ => return None,
+            };
             (own.target, own.target_span, *op == Op::Add, *a, *b)
         }
         _ => return None,

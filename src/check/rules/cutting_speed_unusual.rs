@@ -2,10 +2,10 @@
 //!
 //! Only where a tool table or a TOOL DEF gives the diameter. The limits are far beyond what is usual: 400 m/min for
 //! drills, 80 for taps, 120 for reamers, 2500 for anything else; 2.5 m/min for drills and mills, 0.8 for taps. What a tool
-//! is, its name or a comment beside its call says.
+//! is, its name or a comment beside its call says. Also a mill that cuts many times as fast as the fastest of the others.
 use std::f64::consts::PI;
 
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::tools::{Tools, kind_of_call};
 use crate::check::{Aspect, Facts, Loaded, Rule, ToolKind, Tri};
 use crate::program::syntax::BlockKind;
@@ -15,9 +15,14 @@ pub(super) const RULE: Rule = Rule { code: "cutting-speed-unusual", severity: Se
 
 /// Of narrower tools the speed says nothing, mm.
 const NARROW: f64 = 1.0;
+/// A mill that is so many times as fast as all others of the program has a digit too many, m/min, unless it is slow.
+const MANY: f64 = 6.0;
+const FAST: f64 = 600.0;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(tools) = Tools::of(facts) else { return };
+    // The mills: their speeds, and what a finding says.
+    let mut mills: Vec<(f64, f64, Span)> = Vec::new();
     for (index, block) in facts.marked() {
         let BlockKind::ToolCall(call) = &block.kind else { continue };
         let (Some(_), Some(speed), None) = (call.tool, call.speed, call.cutting_speed) else { continue };
@@ -37,11 +42,24 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             Some(ToolKind::Probe | ToolKind::Boring | ToolKind::BackBoring) => continue,
             _ => (0.3, 2500.0),
         };
+        let mills_kind = matches!(kind_of_call(facts, index), Some(ToolKind::EndMill | ToolKind::FaceMill));
+        if mills_kind && metres >= least && metres <= most {
+            mills.push((metres, diameter, speed.span));
+        }
         if metres < least || metres > most {
             let side = if metres < least { "below" } else { "above" };
             let finding = rule.at(facts, speed.span).arg("side", side);
             let finding = finding.arg("value", Arg::Number((metres * 10.0).round() / 10.0));
             found.push(finding.arg("other", Arg::Number(diameter)));
         }
+    }
+    mills.sort_by(|one, other| other.0.total_cmp(&one.0));
+    if let [(fastest, diameter, span), (second, ..), ..] = mills.as_slice()
+        && *fastest > FAST
+        && *fastest > MANY * second
+    {
+        let finding = rule.at(facts, *span).arg("side", "above");
+        let finding = finding.arg("value", Arg::Number((fastest * 10.0).round() / 10.0));
+        found.push(finding.arg("other", Arg::Number(*diameter)));
     }
 }

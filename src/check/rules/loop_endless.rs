@@ -1,15 +1,19 @@
 //! A jump back that nothing in the loop can end: its condition always holds, or compares what the loop does not change,
 //! or changes it away from the end, or steps over it.
 //!
+//! Also a jump out of a loop that waits for a counter which nothing counts.
+//!
 //! Silent where the loop stops for the operator, calls programs, has another way out, may be changed by what cannot be
 //! read, or takes too long to look through.
+use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 use crate::base::diag::{Diagnostic, Severity};
-use crate::base::expr::QKind;
+use crate::base::expr::{Node, QKind, QRef};
 use crate::check::loops::{Loop, set_once};
+use crate::check::program::reads;
 use crate::check::{Facts, Rule, Use, Way};
-use crate::program::syntax::{Amount, BlockKind, FnJump, Operand, Relation};
+use crate::program::syntax::{Amount, Block, BlockKind, FnJump, FnOp, Operand, Relation};
 
 pub(super) const RULE: Rule = Rule { code: "loop-endless", severity: Severity::Warning, run };
 
@@ -24,9 +28,78 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(block) = facts.program.blocks().get(own.block) else { continue };
         let BlockKind::FnJump(jump) = &block.kind else { continue };
         if !block.skip && never_ends(facts, own, jump, &mut patience) {
-            found.push(rule.at(facts, facts.content(block)));
+            found.push(rule.at(facts, facts.content(block)).arg("what", "jump").arg("parameter", ""));
         }
     }
+    for (block, q) in uncounted(facts) {
+        found.push(rule.at(facts, facts.content(block)).arg("what", "counter").arg("parameter", q.to_string()));
+    }
+}
+
+/// The jumps out of loops that compare a counter with a limit which nothing counts: it is given a number once, before the
+/// loop, and read nowhere else.
+fn uncounted<'p>(facts: &Facts<'p>) -> Vec<(&'p Block, QRef)> {
+    let blocks = facts.program.blocks();
+    let waits = |block: &'p Block| {
+        let BlockKind::FnJump(jump) = &block.kind else { return None };
+        let grows = matches!(jump.relation, Relation::Less | Relation::Greater) && !block.skip;
+        match (jump.a.amount, jump.b.amount) {
+            (Amount::Q { q, .. }, Amount::Number(_)) if grows && q.kind == QKind::Q && q.number < 100 => Some(q),
+            _ => None,
+        }
+    };
+    let mut jumps: Vec<(usize, &'p Block, QRef)> =
+        facts.marked().filter_map(|(index, block)| Some((index, block, waits(block)?))).collect();
+    let hidden = facts.flow.skips || facts.flow.programs || facts.flow.unread.any() || !facts.calls.is_empty();
+    if jumps.is_empty() || hidden || !facts.begins() {
+        return Vec::new();
+    }
+    // How many loops a block is in.
+    let mut loops = vec![0_i32; blocks.len() + 1];
+    for own in facts.run.graph.uses.iter().filter(|own| own.way == Way::Jump) {
+        let from = own.mark.as_ref().and_then(|mark| facts.run.graph.block_of(mark));
+        if let Some(from) = from.filter(|from| *from < own.block) {
+            loops[from] += 1;
+            loops[own.block] -= 1;
+        }
+    }
+    let mut depth = 0;
+    for own in &mut loops {
+        depth += *own;
+        *own = depth;
+    }
+    let in_loop = |at: usize| loops.get(at).is_some_and(|own| *own > 0);
+    jumps.retain(|(index, ..)| in_loop(*index));
+    // Where each of them is written, if that is once and by a number, and how often it is read.
+    let mut written: BTreeMap<QRef, Vec<(usize, bool)>> = BTreeMap::new();
+    let mut counted: BTreeMap<QRef, usize> = BTreeMap::new();
+    let mut read = Vec::new();
+    for (index, block) in facts.marked() {
+        match &block.kind {
+            BlockKind::FnAssign(own) => {
+                written.entry(own.target).or_default().push((index, own.op == FnOp::Set));
+            }
+            BlockKind::Formula(own) => {
+                let number = matches!(own.expr.node, Node::Number(_));
+                written.entry(own.target).or_default().push((index, number));
+            }
+            BlockKind::Statement(_) | BlockKind::TextFormula(_) => return Vec::new(),
+            _ => {}
+        }
+    }
+    for block in blocks {
+        read.clear();
+        reads(block, &mut read);
+        for (q, _) in &read {
+            *counted.entry(*q).or_default() += 1;
+        }
+    }
+    jumps.retain(|(index, _, q)| {
+        let once =
+            written.get(q).is_some_and(|all| matches!(all.as_slice(), [(at, true)] if at < index && !in_loop(*at)));
+        once && counted.get(q) == Some(&1)
+    });
+    jumps.into_iter().map(|(_, block, q)| (block, q)).collect()
 }
 
 fn never_ends<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut usize) -> bool {

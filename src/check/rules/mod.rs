@@ -110,6 +110,7 @@ mod misordered_parameter;
 mod missing_parameter;
 mod modal_call_left_on;
 mod mode_wrong;
+mod monitored_tool_idle;
 mod name_of_another_cycle;
 mod no_result;
 mod no_table_open;
@@ -334,6 +335,7 @@ pub const RULES: &[&Rule] = &[
     &missing_parameter::RULE,
     &modal_call_left_on::RULE,
     &mode_wrong::RULE,
+    &monitored_tool_idle::RULE,
     &name_of_another_cycle::RULE,
     &no_result::RULE,
     &no_table_open::RULE,

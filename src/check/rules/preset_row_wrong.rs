@@ -1,10 +1,12 @@
 //! A row of the preset table, or of a selected datum table, that probing cycles write and the program does not use as it was meant: written again at
-//! another place before anything has activated it, or never activated although the program goes on to machine.
+//! another place before anything has activated it, or never activated although the program goes on to machine. Also a preset that is
+//! activated again for another clamping.
 //!
 //! Only in programs that neither jump nor call others, and of rows that are certain. TNC 640, 001: 11216-11232: a preset
 //! that is written to a row other than 0 is activated by the cycle for presets.
 use crate::base::diag::{Arg, Diagnostic, Place, Severity, Span};
 use crate::check::cycle::removes_material;
+use crate::check::program::words::has_function;
 use crate::check::program::{number, with_meaning};
 use crate::check::{Aspect, Defined, Definition, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{Block, BlockKind, Compensates};
@@ -50,6 +52,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if facts.flow.programs || facts.flow.unread.any() {
         return;
     }
+    clamped_again(rule, facts, found);
     // What comes before the first label and the first jump is carried out in the order of the text.
     let straight = if facts.flow.jumps { first_turn(facts) } else { usize::MAX };
     let (mut written, mut activated): (Vec<Written>, Vec<Activated>) = (Vec::new(), Vec::new());
@@ -100,12 +103,48 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let finding = finding.arg("other", Arg::Number(other.row));
                 found.push(finding.related("preset-written-here", Place::new(facts.program.source(), own.span)));
             }
-            None if after.is_none() => {
+            None if after.is_none() || !activated.iter().any(|other| other.row == own.row) => {
                 let finding = rule.at(facts, own.span).arg("what", "unused").arg("row", Arg::Number(own.row));
                 found.push(finding.arg("other", 0));
             }
             None => {}
         }
+    }
+}
+
+/// A preset that is activated a second time after the program has stopped for the operator, though no other one was active in
+/// between and nothing has written it: the next clamping has the preset of the one before.
+fn clamped_again(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let has = |own: &Defined<'_>, meaning: &str| {
+        own.related_cycle().is_some_and(|cycle| with_meaning(cycle, meaning).is_some())
+    };
+    let mut activated = Vec::new();
+    for own in facts.definitions.iter().filter(|own| has(own, PRESET)) {
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let Some((row, span)) = read.item(PRESET).and_then(|item| Some((number(item)?, item.value_span))) else {
+            return;
+        };
+        activated.push((own.view.first, row, span));
+    }
+    let [(first, row, _), (second, again, span)] = activated.as_slice() else { return };
+    if row != again || facts.definitions.iter().any(|own| own.view.first > *first && has(own, ROW)) {
+        return;
+    }
+    let (mut stops, mut called) = (false, false);
+    for (_, block) in facts.marked().filter(|(index, _)| (*first..*second).contains(index)) {
+        match &block.kind {
+            BlockKind::Lbl(_) | BlockKind::FnJump(_) => return,
+            BlockKind::Stop(_) => stops = true,
+            BlockKind::ToolCall(_) => {
+                called = true;
+                stops = false;
+            }
+            _ => stops |= has_function(block, &[0]),
+        }
+    }
+    if stops && called && machines(facts, *second) {
+        found.push(rule.at(facts, *span).arg("what", "same").arg("row", Arg::Number(*row)).arg("other", 0));
     }
 }
 

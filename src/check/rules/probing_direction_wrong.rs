@@ -1,12 +1,14 @@
 //! An edge that is probed away from the part: the tool comes to it from the side on which the part is.
 //!
+//! Or a face that is probed upwards along the tool axis.
+//!
 //! Where the part is say the tops that the program drills or probes: all of them on the side from which the probe comes,
 //! none on the other, and none below the measuring height. Only of edges at the datum: walls of pockets are elsewhere.
 //! Silent where coordinates are moved.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::blank::is_unmoved;
 use crate::check::program::{number, with_meaning};
-use crate::check::{Definition, Facts, Pending, Rule};
+use crate::check::{Aspect, Defined, Definition, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{Amount, Axis, BlockKind};
 
 pub(super) const RULE: Rule = Rule { code: "probing-direction-wrong", severity: Severity::Warning, run };
@@ -15,6 +17,8 @@ pub(super) const RULE: Rule = Rule { code: "probing-direction-wrong", severity: 
 const AXIS: &str = "measuring-axis";
 const DIRECTION: &str = "traverse-direction";
 const HEIGHT: &str = "measuring-height";
+/// The meaning of an axis with its direction.
+const PLAIN: &str = "probing-direction";
 /// The meanings of the first point that is probed.
 const POINT: [&str; 3] = ["first-point-main", "first-point-minor", "first-point-tool"];
 /// The meaning of the surface on which a cycle begins.
@@ -23,6 +27,7 @@ const SURFACE: &str = "surface-coordinate";
 const APART: f64 = 1.0;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    upwards(rule, facts, found);
     let edges: Vec<Definition<'_>> = facts
         .definitions
         .iter()
@@ -54,8 +59,26 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             && !away(direction)
             && let Some(item) = edge.item(DIRECTION)
         {
-            let finding = rule.at(facts, item.value_span).arg("value", item.printed.as_ref());
+            let finding = rule.at(facts, item.value_span).arg("what", "edge").arg("value", item.printed.as_ref());
             found.push(finding.arg("axis", if axis == 0 { "X" } else { "Y" }).arg("cycle", edge.key.to_string()));
+        }
+    }
+}
+
+/// Probing along the tool axis, upwards: no stylus reaches a face from below.
+fn upwards(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let probes = |own: &&Defined<'_>| {
+        own.related_cycle().is_some_and(|cycle| with_meaning(cycle, PLAIN).is_some())
+            && facts.run.before(own.view.first).is_some_and(|modal| modal.is(Aspect::OtherAxis) == Tri::No)
+    };
+    for own in facts.definitions.iter().filter(probes) {
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let Some(item) = read.item(PLAIN) else { continue };
+        let written = item.printed.trim();
+        if written.eq_ignore_ascii_case("Z+") {
+            let finding = rule.at(facts, item.value_span).arg("what", "up").arg("value", written);
+            found.push(finding.arg("axis", "Z").arg("cycle", own.key.to_string()));
         }
     }
 }

@@ -18,6 +18,8 @@ pub(super) const RULE: Rule = Rule { code: "repeated-infeed", severity: Severity
 const LEAST: f64 = 2.0;
 /// So far below the blank nobody machines, in millimetres.
 const BELOW: f64 = 25.0;
+/// So deep subprograms of subprograms are looked at.
+const NESTED: usize = 2;
 
 /// So far through the blank the pass before the last one may go, in millimetres.
 const THROUGH: f64 = 2.0;
@@ -122,7 +124,7 @@ fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>) -> bool {
             BlockKind::CallLbl(call) if call.repeat.is_none() && !block.skip => {
                 let mut uses = facts.run.graph.uses_in(index).iter();
                 let called = uses.next().and_then(|own| facts.run.graph.block_of(own.mark.as_ref()?));
-                if called.is_none_or(|start| !is_same_each_time(facts, start)) {
+                if called.is_none_or(|start| !is_same_each_time(facts, start, NESTED)) {
                     return false;
                 }
                 works = true;
@@ -135,13 +137,19 @@ fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>) -> bool {
 
 /// Whether a subprogram only moves, be it incrementally, and calls cycles: it leaves no parameter and no transformation
 /// behind.
-fn is_same_each_time(facts: &Facts<'_>, start: usize) -> bool {
+fn is_same_each_time(facts: &Facts<'_>, start: usize, nested: usize) -> bool {
     /// Longer subprograms are not looked at: each call looks at its own.
     const LONGEST: usize = 1 << 8;
     let body = facts.program.blocks().get(start + 1..).unwrap_or_default();
     let end = body.iter().take(LONGEST).position(Block::ends_subprogram);
     end.is_some_and(|end| {
-        body.iter().take(end).filter(|block| !is_silent(block)).all(|block| match &block.kind {
+        let mut all = body.iter().zip(start + 1..).take(end).filter(|(block, _)| !is_silent(block));
+        all.all(|(block, index)| match &block.kind {
+            BlockKind::CallLbl(call) if call.repeat.is_none() && !block.skip && nested > 0 => {
+                let own = facts.run.graph.uses_in(index).first();
+                let called = own.and_then(|own| facts.run.graph.block_of(own.mark.as_ref()?));
+                called.is_some_and(|start| is_same_each_time(facts, start, nested - 1))
+            }
             BlockKind::Motion(motion) => {
                 !block.skip && motion.words().coords.iter().all(|own| matches!(own.value.amount, Amount::Number(_)))
             }

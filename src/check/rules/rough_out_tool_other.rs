@@ -19,6 +19,8 @@ const COARSE: &str = "coarse-roughing-tool";
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // The tools that rough out, in the order of the calls.
     let mut roughs: Vec<(usize, Loaded, f64)> = Vec::new();
+    // Those of them that rough out first, and not what another tool has left.
+    let mut firsts: Vec<(usize, f64)> = Vec::new();
     let mut wanted = Vec::new();
     let mut seen = HashSet::new();
     for call in &facts.run.calls {
@@ -39,16 +41,23 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         wanted.extend(named.map(|(tool, span)| (call.block, call.modal.loaded, tool, span, pilot)));
         if coarse {
             let Some(tool) = tool(facts, call.modal.loaded) else { return };
+            if named.is_none_or(|(coarse, _)| coarse == 0.0) {
+                firsts.push((call.block, tool));
+            }
             roughs.push((call.block, call.modal.loaded, tool));
         }
     }
+    // What is drilled for a tool that only clears what another one has left does not serve that one, which plunges first.
+    let pilots: Vec<f64> = wanted.iter().filter(|own| own.4).map(|own| own.2).collect();
     for (block, loaded, tool, span, pilot) in wanted.into_iter().filter(|(_, _, tool, ..)| *tool > 0.0) {
         // What does both with one tool call is an example, not a part.
         let other =
             |(at, own, _): &&(usize, Loaded, f64)| *own != loaded && if pilot { *at > block } else { *at < block };
         let mut own = roughs.iter().filter(other).peekable();
         let Some((.., first)) = own.peek().copied().copied() else { continue };
-        if own.all(|(.., own)| *own != tool) {
+        let first = firsts.iter().find(|(at, _)| pilot && *at > block).map_or(first, |(_, own)| *own);
+        let in_vain = pilot && first != tool && !pilots.contains(&first) && !firsts.iter().any(|(_, own)| *own == tool);
+        if in_vain || own.all(|(.., own)| *own != tool) {
             let finding = rule.at(facts, span).arg("what", if pilot { "pilot" } else { "coarse" });
             found.push(finding.arg("value", Arg::Number(tool)).arg("other", Arg::Number(first)));
         }

@@ -1,7 +1,11 @@
 //! A cycle that begins at a height at which there is no material or still is some: above a face that the program has milled
 //! lower, or above the blank where the same height with the other sign is the floor on which others work.
 //!
+//! Also a pattern that sets another surface than the cycle which it calls: that of the pattern acts.
+//!
 //! Only where numbers say all of it, in programs with a box as their blank; not after transformations.
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::program::number;
@@ -30,6 +34,7 @@ const MOST: f64 = 0.9;
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
     let unit = facts.millimetre();
+    patterns(rule, facts, found);
     let mut seen = std::collections::HashSet::new();
     // The lowest face over the whole blank, and the surfaces and floors of the cycles.
     let mut face: Option<f64> = None;
@@ -79,5 +84,31 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if let Some((surface, span)) = opposite {
         let finding = rule.at(facts, *span).arg("what", "opposite").arg("value", Arg::Number(*surface));
         found.push(finding.arg("other", Arg::Number(-surface)));
+    }
+}
+
+/// Patterns whose surface is more than a little above that of the cycles which they call: these begin in the air.
+fn patterns(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut own_of = BTreeMap::new();
+    for call in &facts.run.calls {
+        let Some(pattern) = facts.definition_at(call.block).filter(|own| own.calls_last()) else { continue };
+        let Pending::Definition(index) = call.modal.pending else { continue };
+        own_of.entry(pattern.view.first).or_insert_with(|| (pattern, BTreeSet::new())).1.insert(index);
+    }
+    for (pattern, called) in own_of.into_values() {
+        let related = pattern.as_related_cycle();
+        let read = facts.read(&related);
+        let Some((item, surface)) = read.item(SURFACE).and_then(|item| Some((item, number(item)?))) else { continue };
+        let mut others = called.iter().filter_map(|index| {
+            let own = facts.definitions.get(*index as usize)?;
+            let related = own.as_related_cycle();
+            facts.read(&related).item(SURFACE).and_then(number)
+        });
+        let Some(other) = others.next().filter(|other| surface - other > HIGHER * facts.millimetre()) else { continue };
+        if others.all(|own| (own - other).abs() <= 1e-6) {
+            let finding = rule.at(facts, item.value_span).arg("what", "pattern").arg("value", Arg::Number(surface));
+            found.push(finding.arg("other", Arg::Number(other)));
+            return;
+        }
     }
 }

@@ -53,7 +53,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     let Some(blank) = blank.or(usual) else { return };
     // The blank of a part that is turned lies in the plane of turning, whatever is drilled into it.
-    if facts.run.stretches().any(|(.., modal)| modal.is_some_and(|own| own.is(Aspect::Turning) != Tri::No)) {
+    if facts.run.stretches().any(|(.., modal)| modal.is_some_and(|own| own.is(Aspect::Turning) == Tri::Yes)) {
         return;
     }
     if let (Some((block, _)), false, None) = (first, fits, usual) {

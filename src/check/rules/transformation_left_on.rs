@@ -1,12 +1,18 @@
 //! A datum shift, rotation, mirror image or scaling that is certainly still active where the program ends.
 //!
+//! A rotation by a parameter is one, too, where no definition of the program has the angle 0.
+//!
 //! A machine parameter decides whether the end of a program resets it, so this is no error. A program that ends with
 //! END PGM only may set it for those that call it.
 use crate::base::diag::{Diagnostic, Severity};
+use crate::check::program::{number, with_meaning};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "transformation-left-on", severity: Severity::Warning, run };
+
+/// The meaning of an angle by which coordinates are turned.
+const ANGLE: &str = "rotation-angle";
 
 /// What may be left on, with the word by which the message knows it.
 const LEFT: [(Aspect, &str); 5] = [
@@ -25,4 +31,35 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.at(facts, facts.content(block)).arg("what", what));
         }
     }
+    let mut ends = facts.run.ends.iter().filter(|(_, modal)| modal.is(Aspect::Rotation) == Tri::Unknown);
+    let end = ends.find_map(|(block, _)| facts.program.blocks().get(*block));
+    if let Some(block) = end.filter(|block| !matches!(block.kind, BlockKind::EndPgm(_)) && never_turned_back(facts)) {
+        found.push(rule.at(facts, facts.content(block)).arg("what", "rotation"));
+    }
+}
+
+/// Whether the program turns coordinates by the absolute value of a parameter and never back by the angle 0, nor in any other
+/// way.
+fn never_turned_back(facts: &Facts<'_>) -> bool {
+    if facts.flow.programs || facts.flow.unread.any() {
+        return false;
+    }
+    let mut turns = false;
+    for own in &facts.definitions {
+        let Some(cycle) = own.related_cycle() else { return false };
+        if with_meaning(cycle, ANGLE).is_none() {
+            continue;
+        }
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let Some(item) = read.item(ANGLE) else { return false };
+        let written = item.printed.trim().to_ascii_uppercase();
+        let incremental = written.starts_with('I') || facts.text(item.span).to_ascii_uppercase().starts_with('I');
+        if incremental || number(item) == Some(0.0) {
+            return false;
+        }
+        turns |= written.contains('Q');
+    }
+    // Functions of blocks reset it, too.
+    turns && !facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::Statement(_)))
 }

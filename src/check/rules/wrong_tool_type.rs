@@ -6,6 +6,7 @@
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::{probes, removes_material};
 use crate::check::program::with_meaning;
+use crate::check::program::words::has_function;
 use crate::check::tools::kind_of_call;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, ToolKind, Tri};
 use crate::program::syntax::{Block, BlockKind, Compensates};
@@ -17,9 +18,13 @@ pub(super) const RULE: Rule = Rule { code: "wrong-tool-type", severity: Severity
 const MEASURED: &str = "tooth-measurement";
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let milled = Milled::of(facts);
     let probe = facts.definitions.iter().find(|own| {
         own.related_cycle().is_some_and(probes)
-            && facts.run.before(own.view.first).is_some_and(|modal| modal.is(Aspect::Cut) == Tri::Yes)
+            && facts
+                .run
+                .before(own.view.first)
+                .is_some_and(|modal| modal.is(Aspect::Cut) == Tri::Yes || milled.with(modal.loaded, own.view.first))
     });
     if let Some(own) = probe {
         let finding = rule.at(facts, own.view.head).arg("what", "probe");
@@ -48,15 +53,46 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         found.push(rule.at(facts, span).arg("what", "mill").arg("cycle", own.key.to_string()));
         return;
     }
-    let along = |block: &Block| match &block.kind {
+    let probed = |index: usize| facts.run.before(index).is_some_and(|modal| modal.is(Aspect::Probed) == Tri::Yes);
+    if let Some((_, block)) = facts.shaped().find(|(index, block)| along(block) && probed(*index)) {
+        found.push(rule.at(facts, facts.content(block)).arg("what", "contour"));
+    }
+}
+
+/// Whether a block moves along a contour.
+fn along(block: &Block) -> bool {
+    match &block.kind {
         BlockKind::Motion(motion) => {
             motion.outline().compensates() == Compensates::Beside && !motion.outline().is_rapid()
         }
         _ => false,
-    };
-    let probed = |index: usize| facts.run.before(index).is_some_and(|modal| modal.is(Aspect::Probed) == Tri::Yes);
-    if let Some((_, block)) = facts.shaped().find(|(index, block)| along(block) && probed(*index)) {
-        found.push(rule.at(facts, facts.content(block)).arg("what", "contour"));
+    }
+}
+
+/// The blocks of contours, and those at which a tool may be put in by hand, in programs that probe.
+#[derive(Default)]
+struct Milled {
+    contours: Vec<usize>,
+    by_hand: Vec<usize>,
+}
+
+impl Milled {
+    fn of(facts: &Facts<'_>) -> Self {
+        if !facts.definitions.iter().any(|own| own.related_cycle().is_some_and(probes)) {
+            return Self::default();
+        }
+        let contours = facts.shaped().filter(|(_, block)| along(block)).map(|(index, _)| index).collect();
+        let stops = |block: &Block| matches!(block.kind, BlockKind::Stop(_)) || has_function(block, &[0, 1, 6]);
+        let by_hand = facts.marked().filter(|(_, block)| stops(block)).map(|(index, _)| index).collect();
+        Self { contours, by_hand }
+    }
+
+    /// Whether a tool has moved along a contour between its call and a block.
+    fn with(&self, loaded: Loaded, until: usize) -> bool {
+        let Loaded::By(call) = loaded else { return false };
+        let within =
+            |all: &[usize]| all.get(all.partition_point(|own| *own < call as usize)).is_some_and(|own| *own < until);
+        within(&self.contours) && !within(&self.by_hand)
     }
 }
 
