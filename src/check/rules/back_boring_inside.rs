@@ -10,7 +10,7 @@ use crate::check::{Facts, Rule};
 pub(super) const RULE: Rule = Rule { code: "back-boring-inside", severity: Severity::Warning, run };
 
 /// Less than so much of what is below the surface is no blank with an allowance on its lower face.
-const MOST: f64 = 0.7;
+const MOST: f64 = 0.25;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };

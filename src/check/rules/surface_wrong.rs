@@ -34,7 +34,7 @@ const MOST: f64 = 0.9;
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
     let unit = facts.millimetre();
-    patterns(rule, facts, found);
+    patterns(rule, facts, blank.high[2], found);
     let mut seen = std::collections::HashSet::new();
     // The lowest face over the whole blank, and the surfaces and floors of the cycles.
     let mut face: Option<f64> = None;
@@ -88,7 +88,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 }
 
 /// Patterns whose surface is more than a little above that of the cycles which they call: these begin in the air.
-fn patterns(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+fn patterns(rule: &Rule, facts: &Facts<'_>, top: f64, found: &mut Vec<Diagnostic>) {
     let mut own_of = BTreeMap::new();
     for call in &facts.run.calls {
         let Some(pattern) = facts.definition_at(call.block).filter(|own| own.calls_last()) else { continue };
@@ -99,6 +99,10 @@ fn patterns(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let related = pattern.as_related_cycle();
         let read = facts.read(&related);
         let Some((item, surface)) = read.item(SURFACE).and_then(|item| Some((item, number(item)?))) else { continue };
+        // What begins above the blank is an example, not a part.
+        if surface > top {
+            continue;
+        }
         let mut others = called.iter().filter_map(|index| {
             let own = facts.definitions.get(*index as usize)?;
             let related = own.as_related_cycle();

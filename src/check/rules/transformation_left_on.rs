@@ -1,12 +1,12 @@
 //! A datum shift, rotation, mirror image or scaling that is certainly still active where the program ends.
 //!
-//! A rotation by a parameter is one, too, where no definition of the program has the angle 0.
+//! A rotation by a parameter in a loop is one, too, where no definition of the program has the angle 0.
 //!
 //! A machine parameter decides whether the end of a program resets it, so this is no error. A program that ends with
 //! END PGM only may set it for those that call it.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::program::{number, with_meaning};
-use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::check::{Aspect, Facts, Rule, Tri, Way};
 use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "transformation-left-on", severity: Severity::Warning, run };
@@ -44,6 +44,18 @@ fn never_turned_back(facts: &Facts<'_>) -> bool {
     if facts.flow.programs || facts.flow.unread.any() {
         return false;
     }
+    let loops: Vec<(usize, usize)> = facts
+        .run
+        .graph
+        .uses
+        .iter()
+        .filter(|own| own.way == Way::Jump)
+        .filter_map(|own| Some((facts.run.graph.block_of(own.mark.as_ref()?)?, own.block)))
+        .filter(|(from, to)| from < to)
+        .collect();
+    // One look is enough: the first loop and the last one say which blocks may be in one.
+    let range = loops.iter().map(|own| own.0).min().zip(loops.iter().map(|own| own.1).max());
+    let counts = |at: usize| range.is_some_and(|(from, to)| from < at && at < to);
     let mut turns = false;
     for own in &facts.definitions {
         let Some(cycle) = own.related_cycle() else { return false };
@@ -58,7 +70,7 @@ fn never_turned_back(facts: &Facts<'_>) -> bool {
         if incremental || number(item) == Some(0.0) {
             return false;
         }
-        turns |= written.contains('Q');
+        turns |= written.contains('Q') && counts(own.view.first);
     }
     // Functions of blocks reset it, too.
     turns && !facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::Statement(_)))

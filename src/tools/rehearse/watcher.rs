@@ -94,9 +94,9 @@ pub(super) struct Watcher<'w> {
     /// Whether this tool has gone sideways through solid material at the feed of its call.
     cuts: bool,
     preset: Option<f64>,
-    worked: bool,
+    pub(super) worked: bool,
     /// Whether the operator was asked to go on after something was machined, and whether rows of holes were uncertain then.
-    stopped: Option<bool>,
+    pub(super) stopped: Option<bool>,
     pub(super) radii: Vec<(f64, f64)>,
     /// What tools are called.
     pub(super) kinds: Vec<(f64, ToolKind)>,
@@ -339,36 +339,12 @@ impl<'w> Watcher<'w> {
         let all = std::iter::once(now.preset).chain(angles.into_iter().flatten());
         self.frame = all.map(|own| (own / SAME).round() as i64).collect();
         let other = self.preset.is_some_and(|before| before != now.preset);
-        if other && self.worked {
-            self.clamp_again();
-        }
+        self.clamp_again(other);
         self.lost |= other && self.worked;
         if other || self.preset.is_none() {
             self.preset = Some(now.preset);
         }
         self.lost |= now.origin.length() > SAME || now.basic_rotation.length() > SAME;
-    }
-
-    /// The operator goes on: the workpiece may lie otherwise from here on.
-    fn stop(&mut self) {
-        self.finish();
-        if self.worked && self.stopped.is_none() {
-            self.stopped = Some(self.series.open);
-            self.lost = true;
-            self.series.open = true;
-        }
-    }
-
-    /// Another preset is activated after the operator was asked to go on: the workpiece is clamped otherwise, and nothing is
-    /// known of its blank, but holes that belong together have the same datum again.
-    fn clamp_again(&mut self) {
-        let Some(open) = self.stopped.take() else { return };
-        self.finish();
-        self.series.open = open;
-        (self.lost, self.worked, self.others, self.body) = (false, false, false, None);
-        self.holes.clear();
-        self.machined.clear();
-        self.milled.clear();
     }
 
     /// The run ends with a fault of the program, or with a message of a cycle whose tool is known.

@@ -97,6 +97,29 @@ pub(super) fn job(cycle: &Cycle) -> Option<Job> {
 }
 
 impl Watcher<'_> {
+    /// The operator goes on: the workpiece may lie otherwise from here on.
+    pub(super) fn stop(&mut self) {
+        self.finish();
+        if self.worked && self.stopped.is_none() {
+            self.stopped = Some(self.series.open);
+            self.lost = true;
+            self.series.open = true;
+        }
+    }
+
+    /// Another preset is activated after the operator was asked to go on: the workpiece is clamped otherwise, and nothing is
+    /// known of its blank, but holes that belong together have the same datum again.
+    pub(super) fn clamp_again(&mut self, other: bool) {
+        let Some(open) = self.stopped.filter(|_| other && self.worked) else { return };
+        self.stopped = None;
+        self.finish();
+        self.series.open = open;
+        (self.lost, self.worked, self.others, self.body) = (false, false, false, None);
+        self.holes.clear();
+        self.machined.clear();
+        self.milled.clear();
+    }
+
     /// Adds a cut to what a cycle does; `written` is the line of its call.
     pub(super) fn note(&mut self, key: Option<CycleKey>, written: usize, path: &[DVec3], known: bool) {
         let Some(from) = path.first().copied() else { return };
