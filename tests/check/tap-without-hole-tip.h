@@ -1,4 +1,4 @@
-; control: tnc640
+; control: tnc640 beside
 0 BEGIN PGM A MM
 1 BLK FORM 0.1 Z X+0 Y+0 Z-20
 2 BLK FORM 0.2 X+80 Y+60 Z+0

@@ -5,6 +5,8 @@
 //! that consist of movements with numbers, which are repeated several times, in programs with a box as their blank; once is
 //! enough where the tool was brought at a feed to the height from which they are to infeed, and where the part begins with
 //! an infeed and has no radius compensation.
+use std::collections::BTreeMap;
+
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::program::is_silent;
@@ -20,6 +22,9 @@ const LEAST: f64 = 2.0;
 const BELOW: f64 = 25.0;
 /// So deep subprograms of subprograms are looked at.
 const NESTED: usize = 2;
+
+/// What was found out of subprograms, by the block of their label and how deep it may go from there.
+type Known = BTreeMap<(usize, usize), bool>;
 
 /// So far through the blank the pass before the last one may go, in millimetres.
 const THROUGH: f64 = 2.0;
@@ -49,6 +54,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let blank = Blank::of(facts.program);
     let unit = facts.millimetre();
     let blocks = facts.program.blocks();
+    let mut known = Known::new();
     for (index, block) in facts.marked() {
         let BlockKind::CallLbl(call) = &block.kind else { continue };
         let times = call.repeat.as_ref().and_then(|own| facts.number(own)).filter(|times| *times >= 1.0);
@@ -56,7 +62,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let uses = facts.run.graph.uses_in(index);
         let start = uses.first().and_then(|own| facts.run.graph.block_of(own.mark.as_ref()?));
         let Some(start) = start.filter(|start| *start < index) else { continue };
-        if times >= LEAST && is_absolute(facts, start + 1..index) {
+        if times >= LEAST && is_absolute(facts, start + 1..index, &mut known) {
             let finding = rule.at(facts, facts.content(block)).arg("what", "absolute");
             found.push(finding.arg("value", Arg::Number(times)));
             continue;
@@ -93,7 +99,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// Whether a part calls cycles and defines a transformation, and all of it is absolute: from its second pass on it does the
 /// same each time.
-fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>) -> bool {
+fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>, known: &mut Known) -> bool {
     let mut works = facts.run.calls.iter().any(|call| part.contains(&call.block));
     let mut transforms = false;
     let all = facts.program.blocks().get(part.clone()).unwrap_or_default().iter().zip(part);
@@ -124,7 +130,7 @@ fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>) -> bool {
             BlockKind::CallLbl(call) if call.repeat.is_none() && !block.skip => {
                 let mut uses = facts.run.graph.uses_in(index).iter();
                 let called = uses.next().and_then(|own| facts.run.graph.block_of(own.mark.as_ref()?));
-                if called.is_none_or(|start| !is_same_each_time(facts, start, NESTED)) {
+                if called.is_none_or(|start| !is_same_each_time(facts, start, NESTED, known)) {
                     return false;
                 }
                 works = true;
@@ -137,18 +143,21 @@ fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>) -> bool {
 
 /// Whether a subprogram only moves, be it incrementally, and calls cycles: it leaves no parameter and no transformation
 /// behind.
-fn is_same_each_time(facts: &Facts<'_>, start: usize, nested: usize) -> bool {
+fn is_same_each_time(facts: &Facts<'_>, start: usize, nested: usize, known: &mut Known) -> bool {
+    if let Some(known) = known.get(&(start, nested)) {
+        return *known;
+    }
     /// Longer subprograms are not looked at: each call looks at its own.
     const LONGEST: usize = 1 << 8;
     let body = facts.program.blocks().get(start + 1..).unwrap_or_default();
     let end = body.iter().take(LONGEST).position(Block::ends_subprogram);
-    end.is_some_and(|end| {
+    let same = end.is_some_and(|end| {
         let mut all = body.iter().zip(start + 1..).take(end).filter(|(block, _)| !is_silent(block));
         all.all(|(block, index)| match &block.kind {
             BlockKind::CallLbl(call) if call.repeat.is_none() && !block.skip && nested > 0 => {
                 let own = facts.run.graph.uses_in(index).first();
                 let called = own.and_then(|own| facts.run.graph.block_of(own.mark.as_ref()?));
-                called.is_some_and(|start| is_same_each_time(facts, start, nested - 1))
+                called.is_some_and(|start| is_same_each_time(facts, start, nested - 1, known))
             }
             BlockKind::Motion(motion) => {
                 !block.skip && motion.words().coords.iter().all(|own| matches!(own.value.amount, Amount::Number(_)))
@@ -156,7 +165,9 @@ fn is_same_each_time(facts: &Facts<'_>, start: usize, nested: usize) -> bool {
             BlockKind::CyclCall(_) | BlockKind::Functions(_) => true,
             _ => false,
         })
-    })
+    });
+    known.insert((start, nested), same);
+    same
 }
 
 /// What one pass of a part does; nothing if it has anything but movements.
