@@ -37,7 +37,7 @@ diag-preset-row-wrong =
         [again] Prednastavitev { $row } se tukaj znova zapiše na drugem mestu, vmes pa je nič ni aktiviralo.
         [other] Tukaj se aktivira prednastavitev { $other }, izmerjena pa je prednastavitev { $row }, ki se nikoli ne aktivira.
         [datum] Vrstica { $row } preglednice ničelnih točk se tukaj zapiše in se nikoli ne aktivira: obdelava se nadaljuje z drugo ničelno točko.
-        [same] Prednastavitev { $row } je že aktivna; tukaj se aktivira še enkrat, potem ko se je program ustavil za posluževalca.
+        [same] Prednastavitev { $row } je že aktivna; tukaj se aktivira še enkrat, potem ko se je program ustavil za upravljavca.
        *[unused] Prednastavitev { $row } se tukaj zapiše in se nikoli ne aktivira: obdelava se nadaljuje z drugo prednastavitvijo.
     }
 diag-repeat-without-effect = Nič ponovitev nima nobenega učinka.
