@@ -23,7 +23,8 @@ use crate::language::locale::Locales;
 use crate::program::syntax::{Block, BlockKind, Program, StatementKind};
 use crate::program::table::TableKind;
 use crate::tools::conform::LogTexts;
-use crate::tools::rehearse::{UNNAMED_PRESET, any_preset, describing, without_obstacles};
+use crate::tools::rehearse::presets::{UNNAMED_PRESET, any_preset};
+use crate::tools::rehearse::{describing, without_obstacles};
 
 /// Less material than this is not reported, mm: columns of the stock end at its own walls.
 const LEAST: f64 = 0.1;

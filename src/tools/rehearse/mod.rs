@@ -13,11 +13,13 @@
 //! Invariant: a run is bounded, and ends where the engine cannot go on; what was seen before that holds.
 mod body;
 mod path;
+pub mod presets;
 mod series;
 mod watcher;
 mod work;
 
 use self::body::Body;
+use self::presets::any_preset;
 use self::watcher::Watcher;
 use crate::base::diag::Source;
 use crate::check::{Observed, ToolKind};
@@ -113,15 +115,6 @@ impl Rehearsal<'_> {
             })
         })
     }
-}
-
-/// The row that is active before a program activates one: hardly any names it.
-pub const UNNAMED_PRESET: u8 = 99;
-
-/// What a scene says of presets that are not known: whatever row is activated first is that of the blank.
-pub fn any_preset() -> String {
-    let rows: Vec<String> = (0..=99).map(|row| format!("{{NO: {row}}}")).collect();
-    format!("presets: {{active: {UNNAMED_PRESET}, rows: [{}]}}\n", rows.join(", "))
 }
 
 /// The program without what would end its execution and changes nothing of where the tool goes, if it has such: blocks that

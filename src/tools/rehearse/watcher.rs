@@ -3,9 +3,9 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 
 use glam::DVec3;
 
-use super::UNNAMED_PRESET;
 use super::body::Body;
 use super::path::Ways;
+use super::presets::UNNAMED_PRESET;
 use super::series::Rows;
 use super::work::{Hole, Work};
 use crate::base::diag::{Arg, interned};
