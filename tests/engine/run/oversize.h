@@ -14,5 +14,5 @@ LN IY+10 NX+3 NY+0 NZ+4 ; [from the programmed position: 40.3, 10, -0.1]
 L X+50 ; [50, 10, 0]
 TOOL CALL 1 Z S1200 F300 DR-0.2
 LN X+60 NX+0 NY-0.6 NZ+0.8 ; [an end mill: -0.2 across; 60, 10.2, 0]
-L Z+10 FMAX
+L X+Q108 Y+0 Z+10 FMAX ; [the active radius, 5 - 0.2 = 4.8, in Q108: 4.8, 0, 10]
 END PGM OVERSIZE MM
