@@ -112,8 +112,8 @@ fn stems(language: &Language, pages: &[(&str, &str, u32)], sentences: &[Vec<(&st
 /// is one sentence.
 pub fn sentences(html: &str) -> Vec<(String, String)> {
     let inside =
-        html.split_once("<main").and_then(|(_, rest)| rest.split_once("</main>")).map_or(html, |(main, _)| main);
-    let inside = inside.split_once('>').map_or("", |(_, rest)| rest);
+        parted_by(html, "<main").and_then(|(_, rest)| parted_by(rest, "</main>")).map_or(html, |(main, _)| main);
+    let inside = parted(inside, b'>').map_or("", |(_, rest)| rest);
     let mut reader = Reader {
         attribute: memchr::memmem::Finder::new(ID),
         found: Vec::new(),
@@ -123,9 +123,9 @@ pub fn sentences(html: &str) -> Vec<(String, String)> {
         in_row: false,
     };
     // What only names the cycle and other pages is found there.
-    let inside = inside.split_once("<section id=\"see-also\"").map_or(inside, |(before, _)| before);
-    let facts = inside.split_once("<section class=\"facts\"");
-    let after = facts.and_then(|(_, facts)| facts.split_once("</section>")).map_or("", |(_, after)| after);
+    let inside = parted_by(inside, "<section id=\"see-also\"").map_or(inside, |(before, _)| before);
+    let facts = parted_by(inside, "<section class=\"facts\"");
+    let after = facts.and_then(|(_, facts)| parted_by(facts, "</section>")).map_or("", |(_, after)| after);
     for part in [facts.map_or(inside, |(before, _)| before), after] {
         reader.read(part);
     }
@@ -136,6 +136,12 @@ pub fn sentences(html: &str) -> Vec<(String, String)> {
 fn parted(text: &str, byte: u8) -> Option<(&str, &str)> {
     let at = memchr::memchr(byte, text.as_bytes())?;
     Some((&text[..at], &text[at + 1..]))
+}
+
+/// What is before and after the first such words: pages are long, and their drawings have nothing of what is looked for.
+fn parted_by<'t>(text: &'t str, words: &str) -> Option<(&'t str, &'t str)> {
+    let at = memchr::memmem::find(text.as_bytes(), words.as_bytes())?;
+    Some((&text[..at], &text[at + words.len()..]))
 }
 
 /// What stands before the id of an element.
