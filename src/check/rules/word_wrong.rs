@@ -10,7 +10,7 @@ use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::base::expr::{QKind, QRef};
 use crate::check::program::words::{self, Words};
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, BlockKind, CallForm, FeedKind, FnOp, Operand, Path, ToolRef, misfitting};
+use crate::program::syntax::{Amount, BlockKind, CallForm, FnOp, Operand, Path, ToolRef, misfitting};
 use crate::spec::WordLimit;
 
 pub(super) const RULE: Rule = Rule { code: "word-wrong", severity: Severity::Warning, run };
@@ -31,9 +31,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let functions = words::functions(facts);
     let mut reported = Telling { rule, facts, found };
     let mut texts: Option<BTreeMap<QRef, &str>> = None;
-    let table = facts.marked().any(
-        |(_, block)| matches!(&block.kind, BlockKind::Sel(own) if facts.text(own.what).eq_ignore_ascii_case("PATTERN")),
-    );
     for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::Sel(_) | BlockKind::CallPgm(_) | BlockKind::Lbl(_) | BlockKind::CallLbl(_)
@@ -58,12 +55,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 }
                 continue;
             }
-            // The way between the points has a feed; the rapid one is none (001: 1663). With a point table this is a wrong
-            // pattern.
             BlockKind::CyclCall(call) if matches!(call.form, CallForm::Pattern) => {
-                if let Some(feed) = call.feed.filter(|feed| feed.kind == FeedKind::Max && !table) {
-                    reported.report("place", feed.span, "FMAX", "");
-                }
                 if !words::has_function(block, &functions) {
                     continue;
                 }

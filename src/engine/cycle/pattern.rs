@@ -151,8 +151,8 @@ impl<'e> Run<'_, 'e> {
         if self.patterns.is_defined {
             self.pattern_axis()?;
         }
-        // The manual excludes rapid traverse between the points by this word.
-        if matches!(feed.map(|feed| feed.kind), Some(FeedKind::Max)) {
+        // The manual excludes rapid traverse between the points of a table by this word (001: 1663).
+        if !self.patterns.is_defined && matches!(feed.map(|feed| feed.kind), Some(FeedKind::Max)) {
             return Err(Fault::program("word-not-offered").arg("word", "FMAX").into());
         }
         let speed = self.speed(feed);
