@@ -81,7 +81,11 @@ diag-contour-wrong =
        *[open] it does not end where it begins
     }.
 diag-coordinate-out-of-place = { $path } does not take these coordinates.
-diag-core-hole-too-large = The hole has a diameter of { $other }, the thread { $value }: no material is left for the thread.
+diag-core-hole-too-large =
+    { $what ->
+        [removed] The drill with a diameter of { $other } removes the thread { $value } that was tapped here before.
+       *[core] The hole has a diameter of { $other }, the thread { $value }: no material is left for the thread.
+    }
 diag-core-hole-too-small = A thread of { $value } is tapped in a hole of { $other }: the hole is too narrow.
 diag-corner-wrong =
     This corner cannot be machined: { $what ->
@@ -101,7 +105,11 @@ diag-cutting-speed-unusual =
 diag-cutting-without-tool = The tool moves at feed rate before any tool call.
 diag-cycle-line-zero-missing = Line { $line } is not preceded by line { $head }.
 diag-cycle-line-empty = Line { $line } of { $cycle } is empty.
-diag-cycle-line-missing = Line { $missing } is missing before { $line }.
+diag-cycle-line-missing =
+    { $line ->
+        [none] Line { $missing } is missing: the definition consists of its name alone.
+       *[other] Line { $missing } is missing before { $line }.
+    }
 diag-cycle-line-twice = Line { $line } is given twice in this definition.
 diag-cycle-not-covered =
     { $other ->
@@ -179,7 +187,11 @@ diag-hole-outside-blank =
        *[through] The hole goes down to { $value }, far through the blank.
     }
 diag-incremental-left-on = The coordinates of this contour are incremental; only as absolute ones do they lead back to its beginning.
-diag-result-of-other-axis = { $parameter } is the result for the axis { $axis }, but it is used for { $other } here.
+diag-result-of-other-axis =
+    { $what ->
+        [size] { $value } is the nominal value for { $other }, but { $parameter } is compared with it here.
+       *[axis] { $parameter } is the result for the axis { $axis }, but it is used for { $other } here.
+    }
 diag-holes-overlap = Two holes with a diameter of { $other } are only { $value } apart here: they overlap.
 diag-insert-points-away = The insert cannot cut where { $cycle } goes: its orientation (TO) is { $orientation }, so its tip points away from the part or from the feed.
 diag-iso-incomplete =
@@ -287,6 +299,7 @@ diag-plane-incomplete = This PLANE lacks { $word }.
 diag-plane-not-positioned =
     { $what ->
         [cycle] No block positions the rotary axes after this tilt; whether the cycle does so depends on the machine.
+        [reset] PLANE RESET with STAY leaves the rotary axes turned, and machining goes on before a block moves them back.
        *[plane] STAY does not move the rotary axes, and no block of the program moves them to the angles of this plane.
     }
 diag-plane-not-reset =
@@ -297,6 +310,8 @@ diag-plane-not-reset =
 diag-plunge-too-fast =
     { $what ->
         [sideways] The tool goes through solid material here with { $value } times the feed of its tool call.
+        [tenfold] The tool goes through solid material here with { $value } times the feed of its other cuts.
+        [turn] The tool mills { $value } per revolution here, far more than a tool of its diameter can take.
        *[plunge] The tool plunges into the material by { $value } per revolution here.
     }
 diag-position-after-contour = This is the first position after { $cycle }, but it does not have absolute values for both coordinates of the plane.
@@ -425,6 +440,8 @@ diag-uncalculable-contour =
 diag-value-unlike-others =
     { $what ->
         [feed] The feed is { $value } here, and { $other } in the tool call.
+        [sign] The height is { $value } here, between lower ones on the same path; { $other } would fit.
+        [depth] The depth is { $value } here; in the other cycles of the program depths are negative.
        *[others] The value is { $value } here, and { $other } in all other places of this kind.
     }
 diag-wrong-tool-type =
@@ -559,6 +576,7 @@ diag-holes-differ =
         [gap] The circle of holes lacks the one at { $value }, { $other }.
         [corner] This hole does not lie at the corner { $value }, { $other } of the rectangle that the three others form.
         [passed] The tool stops at { $value }, { $other } and does nothing there; the blocks before and after call the cycle.
+        [rotation] The tool machines at { $value } of { $other } equal angles of a full turn here: one is missing.
        *[arc] The centre misses the hole at { $value }, { $other }; the other arcs lie about holes.
     }
 diag-probing-place-wrong =

@@ -61,6 +61,9 @@ diag-tool-table-contradicts =
         [size] Tool { $tool } has a diameter of { $other } in the tool table, and its name says { $value }.
         [oversize] The oversize { $value } (DR) leaves nothing of the radius { $other } of tool { $tool }.
         [left] The pitch { $value } is that of a left-hand thread, and nothing says that tool { $tool } is a left-hand tap.
+        [length] Tool { $tool } has no length in the tool table (L), while the other tools have one.
+        [teeth] { $value } measures each tooth, but tool { $tool } has no number of teeth in the tool table (CUT).
+        [large] The oversize { $value } (DR) is greater than the radius { $other } of tool { $tool }.
        *[type] { $value } is not meant for tool { $tool }, which is of type { $other } in the tool table (TYP).
     }
 diag-translate-encoding = The file is written in { $encoding }: it has the same bytes there, and all letters of the new labels.
@@ -69,7 +72,11 @@ diag-translate-encoding-wrong = { $path } is not in { $encoding }: some bytes ha
 diag-translate-unread = { $cycle } has a line that cannot be read, so its name and labels stay as they are.
 related-preset-written-here = written here
 diag-character-unknown = The text has “{ $character }”, which the font does not have.
-diag-allowance-left = The contour of label { $label } is machined with the oversize { $value } with this tool, too: the allowance stays on the part.
+diag-allowance-left =
+    { $what ->
+        [below] The contour of label { $label } is machined with the negative oversize { $value } first: nothing is left for the tool that machines it afterwards.
+       *[left] The contour of label { $label } is machined with the oversize { $value } with this tool, too: the allowance stays on the part.
+    }
 diag-contour-crossed =
     { $what ->
         [back] This closed contour goes from a corner straight back to the one before it.
@@ -118,3 +125,5 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } reads { $parameter }, and nothing has given it a value before this call.
+diag-branch-runs-on = The branch ends here without a jump: the next one gives { $parameter } other values before anything reads these.
+diag-finishing-tool-too-wide = The allowance and the radius of the tool add up to { $value } here; this must be less than in roughing, { $other }.

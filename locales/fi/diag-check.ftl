@@ -81,7 +81,11 @@ diag-contour-wrong =
        *[open] se ei pääty siihen, mistä se alkaa
     }.
 diag-coordinate-out-of-place = Koordinaatit eivät sovi lauseeseen { $path }.
-diag-core-hole-too-large = Reiän halkaisija on { $other }, kierteen { $value }: kierteelle ei jää materiaalia.
+diag-core-hole-too-large =
+    { $what ->
+        [removed] Pora, jonka halkaisija on { $other }, poistaa kierteen { $value }, joka on tehty tähän aiemmin.
+       *[core] Reiän halkaisija on { $other }, kierteen { $value }: kierteelle ei jää materiaalia.
+    }
 diag-core-hole-too-small = Kierre { $value } tehdään reikään { $other }: reikä on liian kapea.
 diag-corner-wrong =
     Tätä nurkkaa ei voi koneistaa: { $what ->
@@ -101,7 +105,11 @@ diag-cutting-speed-unusual =
 diag-cutting-without-tool = Työkalu liikkuu tässä syöttöarvolla, mutta ennen sitä ei ole työkalukutsua.
 diag-cycle-line-zero-missing = Rivin { $line } edellä ei ole riviä { $head }.
 diag-cycle-line-empty = Työkierron { $cycle } rivillä { $line } ei ole mitään.
-diag-cycle-line-missing = Rivin { $line } edeltä puuttuu rivi { $missing }.
+diag-cycle-line-missing =
+    { $line ->
+        [none] Rivi { $missing } puuttuu: määrittelyssä on pelkkä nimi.
+       *[other] Rivin { $line } edeltä puuttuu rivi { $missing }.
+    }
 diag-cycle-line-twice = Rivi { $line } on tässä määrittelyssä kahdesti.
 diag-cycle-not-covered =
     { $other ->
@@ -179,7 +187,11 @@ diag-hole-outside-blank =
        *[through] Reikä ulottuu arvoon { $value }, kauas aihion läpi.
     }
 diag-incremental-left-on = Tämän muodon koordinaatit ovat inkrementaalisia; vain absoluuttisina ne johtavat takaisin sen alkuun.
-diag-result-of-other-axis = { $parameter } on akselin { $axis } tulos, mutta sitä käytetään tässä akselille { $other }.
+diag-result-of-other-axis =
+    { $what ->
+        [size] { $value } on parametrin { $other } asetusarvo, mutta siihen verrataan tässä parametria { $parameter }.
+       *[axis] { $parameter } on akselin { $axis } tulos, mutta sitä käytetään tässä akselille { $other }.
+    }
 diag-holes-overlap = Kaksi reikää, joiden halkaisija on { $other }, on tässä vain etäisyydellä { $value } toisistaan: ne leikkaavat toisensa.
 diag-insert-points-away = Teräpala ei voi lastuta siihen suuntaan, johon { $cycle } etenee: sen suunta (TO) on { $orientation }, joten kärki osoittaa poispäin kappaleesta tai syötöstä.
 diag-iso-incomplete =
@@ -287,6 +299,7 @@ diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
 diag-plane-not-positioned =
     { $what ->
         [cycle] Mikään lause ei paikoita kiertoakseleita tämän käännön jälkeen; koneesta riippuu, tekeekö työkierto sen.
+        [reset] PLANE RESET ja STAY jättävät kiertoakselit käännetyiksi, ja koneistus jatkuu, ennen kuin mikään lause ajaa ne takaisin.
        *[plane] STAY ei liikuta kiertoakseleita, eikä mikään ohjelman lause aja niitä tämän tason kulmiin.
     }
 diag-plane-not-reset =
@@ -297,6 +310,8 @@ diag-plane-not-reset =
 diag-plunge-too-fast =
     { $what ->
         [sideways] Työkalu kulkee tässä umpimateriaalin läpi syöttöarvolla, joka on { $value } kertaa työkalukutsun syöttöarvo.
+        [tenfold] Työkalu kulkee tässä umpimateriaalin läpi syöttöarvolla, joka on { $value } kertaa sen muiden lastuavien liikkeiden syöttöarvo.
+        [turn] Työkalu jyrsii tässä { $value } kierrosta kohti, mikä on paljon enemmän kuin sen kokoinen työkalu kestää.
        *[plunge] Työkalu pistää tässä materiaaliin { $value } kierrosta kohti.
     }
 diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, mutta siinä ei ole tason molempia koordinaatteja absoluuttisina.
@@ -424,6 +439,8 @@ diag-uncalculable-contour =
 diag-value-unlike-others =
     { $what ->
         [feed] Syöttöarvo on tässä { $value } ja työkalukutsussa { $other }.
+        [sign] Korkeus on tässä { $value }, vaikka sen edellä ja jäljessä samalla radalla ollaan alempana; { $other } sopisi.
+        [depth] Syvyys on tässä { $value }; ohjelman muissa työkierroissa syvyydet ovat negatiivisia.
        *[others] Arvo on tässä { $value } ja kaikissa muissa vastaavissa paikoissa { $other }.
     }
 diag-wrong-tool-type =
@@ -558,6 +575,7 @@ diag-holes-differ =
         [gap] Reikäympyrästä puuttuu reikä kohdassa { $value }; { $other }.
         [corner] Tämä reikä ei ole kolmen muun muodostaman suorakulmion nurkassa { $value }; { $other }.
         [passed] Työkalu pysähtyy kohtaan { $value }; { $other } eikä tee siinä mitään; edeltävä ja seuraava lause kutsuvat työkierron.
+        [rotation] Työkalu koneistaa tässä { $value } kulmassa, kun täydellä kierroksella on { $other } yhtä suurta kulmaa: yksi puuttuu.
        *[arc] Keskipiste ei osu reikään kohdassa { $value }; { $other }; muut kaaret ovat reikien ympärillä.
     }
 diag-probing-place-wrong =

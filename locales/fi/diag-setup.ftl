@@ -61,6 +61,9 @@ diag-tool-table-contradicts =
         [size] Työkalun { $tool } halkaisija on työkalutaulukossa { $other }, mutta nimessä { $value }.
         [oversize] Työvara { $value } (DR) ei jätä työkalun { $tool } säteestä { $other } mitään.
         [left] Nousu { $value } on vasenkätisen kierteen nousu, mutta mikään ei kerro, että työkalu { $tool } olisi vasenkätinen kierretappi.
+        [length] Työkalulla { $tool } ei ole pituutta työkalutaulukossa (L), vaikka muilla työkaluilla on.
+        [teeth] { $value } mittaa jokaisen terän, mutta työkalulla { $tool } ei ole terien lukumäärää työkalutaulukossa (CUT).
+        [large] Työvara { $value } (DR) on suurempi kuin työkalun { $tool } säde { $other }.
        *[type] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on työkalutaulukossa { $other } (TYP).
     }
 diag-translate-encoding = Tiedosto kirjoitetaan merkistöllä { $encoding }: tavut pysyvät siinä samoina, ja siinä ovat uusien NC-tekstien kaikki kirjaimet.
@@ -69,7 +72,11 @@ diag-translate-encoding-wrong = Tiedoston { $path } merkistö ei ole { $encoding
 diag-translate-unread = Työkierron { $cycle } määrittelyssä on rivi, jota ei voi lukea, joten sen nimi ja NC-tekstit jäävät ennalleen.
 related-preset-written-here = kirjoitettu tässä
 diag-character-unknown = Tekstissä on merkki ”{ $character }”, jota kirjasimessa ei ole.
-diag-allowance-left = Labelin { $label } muoto koneistetaan myös tällä työkalulla työvaralla { $value }: työvara jää kappaleeseen.
+diag-allowance-left =
+    { $what ->
+        [below] Labelin { $label } muoto koneistetaan ensin negatiivisella työvaralla { $value }: sen jälkeen koneistavalle työkalulle ei jää mitään.
+       *[left] Labelin { $label } muoto koneistetaan myös tällä työkalulla työvaralla { $value }: työvara jää kappaleeseen.
+    }
 diag-contour-crossed =
     { $what ->
         [back] Tämä suljettu muoto palaa nurkasta suoraan edelliseen nurkkaan.
@@ -117,3 +124,5 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } lukee parametrin { $parameter }, eikä mikään ole antanut sille arvoa ennen tätä kutsua.
+diag-branch-runs-on = Haara päättyy tässä ilman hyppyä: seuraava haara antaa uudet arvot ({ $parameter }), ennen kuin mikään lukee näitä.
+diag-finishing-tool-too-wide = Työvara ja työkalun säde ovat tässä yhteensä { $value }; summan on oltava pienempi kuin rouhinnassa, { $other }.

@@ -81,7 +81,11 @@ diag-contour-wrong =
        *[open] non finisce dove comincia
     }.
 diag-coordinate-out-of-place = { $path } non ammette queste coordinate.
-diag-core-hole-too-large = Il foro ha diametro { $other }, la filettatura { $value }: non resta materiale per la filettatura.
+diag-core-hole-too-large =
+    { $what ->
+        [removed] La punta con diametro { $other } asporta la filettatura { $value } maschiata qui in precedenza.
+       *[core] Il foro ha diametro { $other }, la filettatura { $value }: non resta materiale per la filettatura.
+    }
 diag-core-hole-too-small = Una filettatura di { $value } viene maschiata in un foro di { $other }: il foro è troppo stretto.
 diag-corner-wrong =
     Questo spigolo non si può lavorare: { $what ->
@@ -101,7 +105,11 @@ diag-cutting-speed-unusual =
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
 diag-cycle-line-zero-missing = La riga { $line } non è preceduta dalla riga { $head }.
 diag-cycle-line-empty = Nella riga { $line } di { $cycle } non c’è nulla.
-diag-cycle-line-missing = Prima di { $line } manca la riga { $missing }.
+diag-cycle-line-missing =
+    { $line ->
+        [none] Manca la riga { $missing }: la definizione ha soltanto il nome.
+       *[other] Prima di { $line } manca la riga { $missing }.
+    }
 diag-cycle-line-twice = La riga { $line } compare due volte in questa definizione.
 diag-cycle-not-covered =
     { $other ->
@@ -179,7 +187,11 @@ diag-hole-outside-blank =
        *[through] Il foro arriva a { $value }, ben oltre il pezzo grezzo.
     }
 diag-incremental-left-on = Le coordinate di questo profilo sono incrementali; solo come assolute riportano al suo inizio.
-diag-result-of-other-axis = { $parameter } è il risultato per l’asse { $axis }, ma qui viene usato per { $other }.
+diag-result-of-other-axis =
+    { $what ->
+        [size] { $value } è il valore nominale di { $other }, ma qui viene confrontato con { $parameter }.
+       *[axis] { $parameter } è il risultato per l’asse { $axis }, ma qui viene usato per { $other }.
+    }
 diag-holes-overlap = Qui due fori del diametro di { $other } distano solo { $value }: si sovrappongono.
 diag-insert-points-away = L’inserto non può tagliare dove va { $cycle }: il suo orientamento (TO) è { $orientation }, perciò la punta è rivolta dalla parte opposta al pezzo o all’avanzamento.
 diag-iso-incomplete =
@@ -287,6 +299,7 @@ diag-plane-incomplete = In questo PLANE manca { $word }.
 diag-plane-not-positioned =
     { $what ->
         [cycle] Nessun blocco posiziona gli assi rotativi dopo questa rotazione del piano; se lo fa il ciclo dipende dalla macchina.
+        [reset] PLANE RESET con STAY lascia ruotati gli assi rotativi, e la lavorazione prosegue prima che un blocco li riporti indietro.
        *[plane] STAY non muove gli assi rotativi, e nessun blocco del programma li porta agli angoli di questo piano.
     }
 diag-plane-not-reset =
@@ -297,6 +310,8 @@ diag-plane-not-reset =
 diag-plunge-too-fast =
     { $what ->
         [sideways] Qui l’utensile attraversa materiale pieno con { $value } volte l’avanzamento della sua chiamata.
+        [tenfold] Qui l’utensile attraversa materiale pieno con { $value } volte l’avanzamento delle sue altre passate.
+        [turn] Qui l’utensile fresa { $value } al giro, molto più di quanto regga un utensile del suo diametro.
        *[plunge] Qui l’utensile penetra nel materiale di { $value } al giro.
     }
 diag-position-after-contour = Questa è la prima posizione dopo { $cycle }, ma non ha valori assoluti per entrambe le coordinate del piano.
@@ -424,6 +439,8 @@ diag-uncalculable-contour =
 diag-value-unlike-others =
     { $what ->
         [feed] Qui l’avanzamento è { $value }, nella chiamata utensile { $other }.
+        [sign] La quota è qui { $value }, tra altre più basse sullo stesso percorso; { $other } sarebbe coerente.
+        [depth] La profondità è qui { $value }; negli altri cicli del programma le profondità sono negative.
        *[others] Qui il valore è { $value }, in tutti gli altri punti simili { $other }.
     }
 diag-wrong-tool-type =
@@ -558,6 +575,7 @@ diag-holes-differ =
         [gap] Nel cerchio di fori manca quello in { $value }; { $other }.
         [corner] Questo foro non è nel vertice { $value }; { $other } del rettangolo formato dagli altri tre.
         [passed] L’utensile si ferma in { $value }; { $other } e non vi fa nulla; i blocchi prima e dopo chiamano il ciclo.
+        [rotation] Qui l’utensile lavora in { $value } di { $other } angoli uguali di un giro completo: ne manca uno.
        *[arc] Il centro manca il foro in { $value }; { $other }; gli altri archi sono intorno a fori.
     }
 diag-probing-place-wrong =

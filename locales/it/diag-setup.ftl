@@ -61,6 +61,9 @@ diag-tool-table-contradicts =
         [size] L’utensile { $tool } ha nella tabella utensili il diametro { $other }, ma il nome dice { $value }.
         [oversize] Il sovrametallo { $value } (DR) non lascia nulla del raggio { $other } dell’utensile { $tool }.
         [left] Il passo { $value } è quello di una filettatura sinistrorsa, e nulla dice che l’utensile { $tool } sia un maschio sinistrorso.
+        [length] Per l’utensile { $tool } la tabella utensili non indica la lunghezza (L), per gli altri sì.
+        [teeth] { $value } misura ogni tagliente, ma per l’utensile { $tool } la tabella utensili non indica il numero dei taglienti (CUT).
+        [large] Il sovrametallo { $value } (DR) è maggiore del raggio { $other } dell’utensile { $tool }.
        *[type] { $value } non è adatto all’utensile { $tool }, che nella tabella utensili è di tipo { $other } (TYP).
     }
 diag-translate-encoding = Il file viene scritto in { $encoding }: questa codifica conserva gli stessi byte e contiene tutte le lettere delle nuove etichette.
@@ -69,7 +72,11 @@ diag-translate-encoding-wrong = { $path } non è in { $encoding }: alcuni byte n
 diag-translate-unread = { $cycle } ha una riga che non può essere letta, perciò il nome e le etichette restano come sono.
 related-preset-written-here = scritto qui
 diag-character-unknown = Il testo contiene «{ $character }», che il carattere di incisione non possiede.
-diag-allowance-left = Il profilo del label { $label } viene lavorato anche con questo utensile con il sovrametallo { $value }: il sovrametallo rimane sul pezzo.
+diag-allowance-left =
+    { $what ->
+        [below] Il profilo del label { $label } viene lavorato prima con il sovrametallo negativo { $value }: all’utensile che lo lavora in seguito non resta nulla.
+       *[left] Il profilo del label { $label } viene lavorato anche con questo utensile con il sovrametallo { $value }: il sovrametallo rimane sul pezzo.
+    }
 diag-contour-crossed =
     { $what ->
         [back] Questo profilo chiuso torna da uno spigolo direttamente a quello precedente.
@@ -118,3 +125,5 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } legge { $parameter }, e nulla gli ha assegnato un valore prima di questa chiamata.
+diag-branch-runs-on = Il ramo termina qui senza salto: quello successivo assegna altri valori a { $parameter } prima che questi vengano letti.
+diag-finishing-tool-too-wide = Sovrametallo e raggio dell’utensile danno qui { $value }; la somma deve essere minore che nello svuotamento, { $other }.

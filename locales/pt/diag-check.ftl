@@ -81,7 +81,11 @@ diag-contour-wrong =
        *[open] não acaba onde começa
     }.
 diag-coordinate-out-of-place = { $path } não aceita estas coordenadas.
-diag-core-hole-too-large = O furo tem o diâmetro { $other }, a rosca { $value }: não fica material para a rosca.
+diag-core-hole-too-large =
+    { $what ->
+        [removed] A broca com o diâmetro { $other } remove a rosca { $value } que foi aberta aqui antes.
+       *[core] O furo tem o diâmetro { $other }, a rosca { $value }: não fica material para a rosca.
+    }
 diag-core-hole-too-small = Uma rosca de { $value } é aberta num furo de { $other }: o furo é demasiado estreito.
 diag-corner-wrong =
     Esta esquina não se pode maquinar: { $what ->
@@ -101,7 +105,11 @@ diag-cutting-speed-unusual =
 diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
 diag-cycle-line-zero-missing = A linha { $line } não é precedida da linha { $head }.
 diag-cycle-line-empty = Na linha { $line } de { $cycle } não há nada.
-diag-cycle-line-missing = Falta a linha { $missing } antes de { $line }.
+diag-cycle-line-missing =
+    { $line ->
+        [none] Falta a linha { $missing }: a definição tem apenas o nome.
+       *[other] Falta a linha { $missing } antes de { $line }.
+    }
 diag-cycle-line-twice = A linha { $line } está duas vezes nesta definição.
 diag-cycle-not-covered =
     { $other ->
@@ -179,7 +187,11 @@ diag-hole-outside-blank =
        *[through] O furo desce até { $value }, muito para além do bloco.
     }
 diag-incremental-left-on = As coordenadas deste contorno são incrementais; só como absolutas levam de volta ao seu início.
-diag-result-of-other-axis = { $parameter } é o resultado do eixo { $axis }, mas é usado aqui para { $other }.
+diag-result-of-other-axis =
+    { $what ->
+        [size] { $value } é o valor nominal de { $other }, mas é comparado aqui com { $parameter }.
+       *[axis] { $parameter } é o resultado do eixo { $axis }, mas é usado aqui para { $other }.
+    }
 diag-holes-overlap = Dois furos com o diâmetro { $other } estão aqui apenas a { $value } um do outro: sobrepõem-se.
 diag-insert-points-away = A pastilha não pode cortar para onde vai { $cycle }: a sua orientação (TO) é { $orientation }, pelo que a ponta está virada para o lado oposto à peça ou ao avanço.
 diag-iso-incomplete =
@@ -287,6 +299,7 @@ diag-plane-incomplete = Neste PLANE falta { $word }.
 diag-plane-not-positioned =
     { $what ->
         [cycle] Nenhuma frase posiciona os eixos rotativos depois desta inclinação; se o ciclo o faz depende da máquina.
+        [reset] PLANE RESET com STAY deixa os eixos rotativos rodados, e a maquinação continua antes de uma frase os fazer voltar.
        *[plane] STAY não move os eixos rotativos, e nenhuma frase do programa os leva para os ângulos deste plano.
     }
 diag-plane-not-reset =
@@ -297,6 +310,8 @@ diag-plane-not-reset =
 diag-plunge-too-fast =
     { $what ->
         [sideways] A ferramenta atravessa aqui material maciço com { $value } vezes o avanço da sua chamada.
+        [tenfold] A ferramenta atravessa aqui material maciço com { $value } vezes o avanço dos seus outros cortes.
+        [turn] A ferramenta fresa aqui { $value } por rotação, muito mais do que suporta uma ferramenta do seu diâmetro.
        *[plunge] A ferramenta penetra aqui no material { $value } por rotação.
     }
 diag-position-after-contour = Esta é a primeira posição depois de { $cycle }, mas não tem valores absolutos para ambas as coordenadas do plano.
@@ -425,6 +440,8 @@ diag-uncalculable-contour =
 diag-value-unlike-others =
     { $what ->
         [feed] O avanço é aqui { $value }, e { $other } na chamada da ferramenta.
+        [sign] A altura é aqui { $value }, entre outras mais baixas no mesmo percurso; { $other } seria coerente.
+        [depth] A profundidade é aqui { $value }; nos outros ciclos do programa as profundidades são negativas.
        *[others] O valor é aqui { $value }, e { $other } em todos os outros sítios deste tipo.
     }
 diag-wrong-tool-type =
@@ -559,6 +576,7 @@ diag-holes-differ =
         [gap] No círculo de furos falta o furo em { $value }; { $other }.
         [corner] Este furo não está no canto { $value }; { $other } do retângulo que os outros três formam.
         [passed] A ferramenta para em { $value }; { $other } e não faz lá nada; as frases antes e depois chamam o ciclo.
+        [rotation] A ferramenta maquina aqui em { $value } de { $other } ângulos iguais de uma volta completa: falta um.
        *[arc] O centro falha o furo em { $value }; { $other }; os outros arcos estão à volta de furos.
     }
 diag-probing-place-wrong =

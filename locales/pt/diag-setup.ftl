@@ -61,6 +61,9 @@ diag-tool-table-contradicts =
         [size] A ferramenta { $tool } tem na tabela de ferramentas o diâmetro { $other }, mas o nome diz { $value }.
         [oversize] A medida excedente { $value } (DR) não deixa nada do raio { $other } da ferramenta { $tool }.
         [left] O passo { $value } é o de uma rosca à esquerda, e nada diz que a ferramenta { $tool } seja um macho à esquerda.
+        [length] A ferramenta { $tool } não tem comprimento na tabela de ferramentas (L), ao contrário das outras.
+        [teeth] { $value } mede cada navalha, mas a ferramenta { $tool } não tem o número de navalhas na tabela de ferramentas (CUT).
+        [large] A medida excedente { $value } (DR) é maior do que o raio { $other } da ferramenta { $tool }.
        *[type] { $value } não serve para a ferramenta { $tool }, que na tabela de ferramentas é do tipo { $other } (TYP).
     }
 diag-translate-encoding = O ficheiro é escrito em { $encoding }: tem aí os mesmos bytes e existem todas as letras das novas designações.
@@ -69,7 +72,11 @@ diag-translate-encoding-wrong = { $path } não está em { $encoding }: alguns by
 diag-translate-unread = { $cycle } tem uma linha que não pode ser lida, por isso o nome e as designações ficam como estão.
 related-preset-written-here = escrito aqui
 diag-character-unknown = O texto contém «{ $character }», que o tipo de letra não tem.
-diag-allowance-left = O contorno do label { $label } também é maquinado com esta ferramenta com a medida excedente { $value }: a medida excedente fica na peça.
+diag-allowance-left =
+    { $what ->
+        [below] O contorno do label { $label } é maquinado primeiro com a medida excedente negativa { $value }: não fica nada para a ferramenta que o maquina depois.
+       *[left] O contorno do label { $label } também é maquinado com esta ferramenta com a medida excedente { $value }: a medida excedente fica na peça.
+    }
 diag-contour-crossed =
     { $what ->
         [back] Este contorno fechado volta de uma esquina diretamente à anterior.
@@ -118,3 +125,5 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } lê { $parameter }, e nada lhe atribuiu um valor antes desta chamada.
+diag-branch-runs-on = O ramo termina aqui sem salto: o seguinte dá outros valores a { $parameter } antes de alguma coisa ler estes.
+diag-finishing-tool-too-wide = A medida excedente e o raio da ferramenta somam aqui { $value }; a soma tem de ser menor do que no desbaste, { $other }.

@@ -81,7 +81,11 @@ diag-contour-wrong =
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.
-diag-core-hole-too-large = Premer vrtine je { $other }, premer navoja { $value }: za navoj ne ostane materiala.
+diag-core-hole-too-large =
+    { $what ->
+        [removed] Sveder s premerom { $other } odstrani navoj { $value }, ki je bil tu vrezan prej.
+       *[core] Premer vrtine je { $other }, premer navoja { $value }: za navoj ne ostane materiala.
+    }
 diag-core-hole-too-small = Navoj { $value } se vrta v vrtino { $other }: vrtina je preozka.
 diag-corner-wrong =
     Tega vogala ni mogoče obdelati: { $what ->
@@ -101,7 +105,11 @@ diag-cutting-speed-unusual =
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
 diag-cycle-line-zero-missing = Pred vrstico { $line } manjka vrstica { $head }.
 diag-cycle-line-empty = V vrstici { $line } cikla { $cycle } ni ničesar.
-diag-cycle-line-missing = Pred vrstico { $line } manjka vrstica { $missing }.
+diag-cycle-line-missing =
+    { $line ->
+        [none] Manjka vrstica { $missing }: definicija ima samo ime.
+       *[other] Pred vrstico { $line } manjka vrstica { $missing }.
+    }
 diag-cycle-line-twice = Vrstica { $line } je v tej definiciji dvakrat.
 diag-cycle-not-covered =
     { $other ->
@@ -179,7 +187,11 @@ diag-hole-outside-blank =
        *[through] Vrtina sega do { $value }, daleč skozi surovec.
     }
 diag-incremental-left-on = Koordinate te konture so inkrementalne; samo kot absolutne vodijo nazaj na njen začetek.
-diag-result-of-other-axis = { $parameter } je rezultat za os { $axis }, tu pa se uporabi za { $other }.
+diag-result-of-other-axis =
+    { $what ->
+        [size] { $value } je želena vrednost za { $other }, tu pa se z njo primerja { $parameter }.
+       *[axis] { $parameter } je rezultat za os { $axis }, tu pa se uporabi za { $other }.
+    }
 diag-holes-overlap = Dve vrtini s premerom { $other } sta tu narazen samo { $value }: prekrivata se.
 diag-insert-points-away = Rezalna ploščica ne more rezati v smeri, v katero gre { $cycle }: njena usmerjenost (TO) je { $orientation }, zato je konica obrnjena stran od obdelovanca ali od pomika.
 diag-iso-incomplete =
@@ -291,6 +303,7 @@ diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
 diag-plane-not-positioned =
     { $what ->
         [cycle] Po tem vrtenju ravnine noben stavek ne pozicionira rotacijskih osi; ali to stori cikel, je odvisno od stroja.
+        [reset] PLANE RESET s STAY pusti rotacijske osi zasukane, obdelava pa se nadaljuje, preden jih kak stavek premakne nazaj.
        *[plane] STAY rotacijskih osi ne premakne in tudi noben stavek programa jih ne premakne na kote te ravnine.
     }
 diag-plane-not-reset =
@@ -301,6 +314,8 @@ diag-plane-not-reset =
 diag-plunge-too-fast =
     { $what ->
         [sideways] Orodje gre tu skozi poln material s pomikom, ki je { $value }-kratnik pomika iz priklica orodja.
+        [tenfold] Orodje gre tu skozi poln material s pomikom, ki je { $value }-kratnik pomika njegovih drugih rezov.
+        [turn] Orodje tu rezka po { $value } na vrtljaj, kar je veliko več, kot prenese orodje s takim premerom.
        *[plunge] Orodje tu prodira v material po { $value } na vrtljaj.
     }
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle }, nima pa absolutnih vrednosti za obe koordinati ravnine.
@@ -428,6 +443,8 @@ diag-uncalculable-contour =
 diag-value-unlike-others =
     { $what ->
         [feed] Pomik je tu { $value }, v priklicu orodja pa { $other }.
+        [sign] Višina je tu { $value }, med nižjimi na isti poti; ustrezala bi { $other }.
+        [depth] Globina je tu { $value }; v drugih ciklih programa so globine negativne.
        *[others] Vrednost je tu { $value }, na vseh drugih takih mestih pa { $other }.
     }
 diag-wrong-tool-type =
@@ -562,6 +579,7 @@ diag-holes-differ =
         [gap] V krogu vrtin manjka vrtina pri { $value }; { $other }.
         [corner] Ta vrtina ne leži v oglišču { $value }; { $other } pravokotnika, ki ga tvorijo druge tri.
         [passed] Orodje se ustavi pri { $value }; { $other } in tam ne naredi ničesar; stavka pred njim in za njim prikličeta cikel.
+        [rotation] Orodje tu obdeluje pri { $value } od { $other } enakih kotov polnega kroga: eden manjka.
        *[arc] Središče zgreši vrtino pri { $value }; { $other }; drugi loki ležijo okrog vrtin.
     }
 diag-probing-place-wrong =

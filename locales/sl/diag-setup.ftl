@@ -63,6 +63,9 @@ diag-tool-table-contradicts =
         [size] Orodje { $tool } ima v preglednici orodij premer { $other }, njegovo ime pa navaja { $value }.
         [oversize] Negativna nadmera { $value } (DR) od polmera { $other } orodja { $tool } ne pusti ničesar.
         [left] Korak { $value } je korak levega navoja, nič pa ne pove, da je orodje { $tool } levi navojni sveder.
+        [length] Orodje { $tool } v preglednici orodij nima dolžine (L), druga orodja pa jo imajo.
+        [teeth] { $value } meri vsako rezilo, orodje { $tool } pa v preglednici orodij nima števila rezil (CUT).
+        [large] Nadmera { $value } (DR) je večja od polmera { $other } orodja { $tool }.
        *[type] { $value } ni za orodje { $tool }, ki je v preglednici orodij tipa { $other } (TYP).
     }
 diag-translate-encoding = Datoteka je zapisana v { $encoding }: v njem ima enake bajte in vse črke novih oznak.
@@ -71,7 +74,11 @@ diag-translate-encoding-wrong = { $path } ni v { $encoding }: nekateri bajti tam
 diag-translate-unread = { $cycle } ima vrstico, ki je ni mogoče prebrati, zato ime in oznake ostanejo, kot so.
 related-preset-written-here = zapisano tukaj
 diag-character-unknown = Besedilo vsebuje »{ $character }«, znak, ki ga pisava nima.
-diag-allowance-left = Kontura oznake { $label } se tudi s tem orodjem obdela z nadmero { $value }: nadmera ostane na obdelovancu.
+diag-allowance-left =
+    { $what ->
+        [below] Kontura oznake { $label } se najprej obdela z negativno nadmero { $value }: orodju, ki jo obdela za tem, ne ostane nič.
+       *[left] Kontura oznake { $label } se tudi s tem orodjem obdela z nadmero { $value }: nadmera ostane na obdelovancu.
+    }
 diag-contour-crossed =
     { $what ->
         [back] Ta sklenjena kontura se od vogala vrne naravnost k prejšnjemu.
@@ -120,3 +127,5 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } bere { $parameter }, ki mu pred tem priklicem nič ni dalo vrednosti.
+diag-branch-runs-on = Veja se tu konča brez skoka: naslednja določi druge vrednosti ({ $parameter }), preden kaj prebere te.
+diag-finishing-tool-too-wide = Nadmera in polmer orodja sta tu skupaj { $value }; to mora biti manj kot pri posnemanju, { $other }.

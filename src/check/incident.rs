@@ -37,6 +37,13 @@ pub enum Incident {
         /// That of the hole.
         hole: f64,
     },
+    /// A drill that goes through a thread which was cut before, at least as wide as its core.
+    ThreadRemoved {
+        /// The diameter of the thread.
+        thread: f64,
+        /// That of the drill.
+        hole: f64,
+    },
     /// A round pocket that is cut by the edge of the blank, or a rectangular one that covers all of it.
     CoversBlank([f64; 2]),
     /// A pocket, or a place of a contour, far from it.
@@ -107,14 +114,29 @@ pub enum Incident {
     FastPlunge(f64),
     /// A tool that goes sideways through solid material with so many times the feed of its call.
     FastCut(f64),
+    /// A tool that cuts sideways, and takes so much per revolution.
+    FastMilling(f64),
+    /// A tool that goes sideways through solid material with so many times the feed of its other cuts.
+    TenfoldFeed(f64),
     /// A hole in a tilted plane that does not meet the blank, at a place of that plane.
     MissesBlankInTiltedPlane,
     /// A tool that only cuts along its axis goes sideways through material.
     SidewaysWithDrill,
     /// The tool goes down to a height before it was positioned in the plane.
     DownBeforePositioned(f64),
+    /// A tool that has cut at all of so many equal angles of a turn but one.
+    RotationsLackOne(usize),
     /// A path that the same tool has gone under another transformation.
     PathTwice,
+    /// A tool call with an oversize that is greater than the radius of the tool.
+    Oversize {
+        /// The number of the tool.
+        tool: f64,
+        /// The oversize.
+        value: f64,
+        /// The radius in the table.
+        radius: f64,
+    },
     /// A tool whose name says that it is there for something else.
     Misused {
         /// Its number.

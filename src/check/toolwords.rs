@@ -156,19 +156,29 @@ pub fn is_reaming(cycle: &Cycle) -> bool {
 /// The diameter that the name of a tool gives, mm: `DRILL_6.8`, `EM_D12`, `REAMER_8H7`; nothing if there are several.
 pub fn diameter_of(name: &str) -> Option<f64> {
     let kind = ToolKind::named(name)?;
+    // Of a tool for centring the number is rather the angle of its point, and `#7` is none of millimetres.
+    if name.contains('#') || matches!(kind, ToolKind::Spot) && name.bytes().filter(u8::is_ascii_digit).count() > 1 {
+        return None;
+    }
     if matches!(kind, ToolKind::Tap | ToolKind::ThreadMill | ToolKind::Chamfer | ToolKind::Engraver | ToolKind::Probe) {
         return None;
     }
     let name = name.to_ascii_uppercase().replace(',', ".");
-    let parts = name.split(|sign: char| !(sign.is_ascii_alphanumeric() || sign == '.'));
+    let parts = || name.split(|sign: char| !(sign.is_ascii_alphanumeric() || sign == '.'));
+    // `DRILL_1_4IN` is a fraction of an inch.
+    let inches = |part: &str| matches!(part.trim_start_matches(|sign: char| sign.is_ascii_digit()), "IN" | "INCH");
+    if parts().any(inches) {
+        return None;
+    }
     let number = |part: &str| {
         let part = part.strip_prefix('D').unwrap_or(part);
         let end = part.find(|sign: char| !(sign.is_ascii_digit() || sign == '.')).unwrap_or(part.len());
         let (digits, rest) = part.split_at_checked(end)?;
         let fits = rest.is_empty() || rest == "MM" || rest.starts_with('H') && rest.len() <= 3;
-        digits.parse::<f64>().ok().filter(|own| fits && *own > 0.0)
+        // `EM_500` and `DR_3125` are thousandths of an inch.
+        digits.parse::<f64>().ok().filter(|own| fits && *own > 0.0 && *own < 200.0)
     };
-    let mut all = parts.filter_map(number);
+    let mut all = parts().filter_map(number);
     let first = all.next()?;
     all.next().is_none().then_some(first)
 }

@@ -23,7 +23,7 @@ use crate::language::locale::Locales;
 use crate::program::syntax::{Block, BlockKind, Program, StatementKind};
 use crate::program::table::TableKind;
 use crate::tools::conform::LogTexts;
-use crate::tools::rehearse::presets::{UNNAMED_PRESET, any_preset};
+use crate::tools::rehearse::presets::{UNNAMED_PRESET, any_preset, goes_on};
 use crate::tools::rehearse::{describing, without_obstacles};
 
 /// Less material than this is not reported, mm: columns of the stock end at its own walls.
@@ -103,6 +103,7 @@ impl DryRun<'_> {
         if !knows_presets {
             text.push_str(&any_preset());
         }
+        text.push_str(&goes_on());
         let mut scene = Scene::parse(&Source::new("scene", text), self.files).ok()?;
         for table in tables {
             match table.kind() {
@@ -114,7 +115,7 @@ impl DryRun<'_> {
         execution::selected(path, file.program.source().text(), &mut scene).ok()?;
         let texts = LogTexts::new(self.locales.source()?, on.id(), self.files);
         let engine = Engine::new(run, on, &scene, &texts).with_limits(LIMITS);
-        let engine = engine.with_catalogue(against.catalogue).with_programs(&neighbours);
+        let engine = engine.with_catalogue(against.catalogue).with_programs(&neighbours).touching_as_expected();
         let mut watch = Watch::new(Machining::new(run, &scene, None).ok()?);
         let mut sight = Sight::new(&file.program, knows_presets);
         let name = |tool: f64| tools.and_then(|table| table.text(tool, "NAME").ok()).and_then(ToolKind::named);
@@ -189,7 +190,9 @@ impl Sight {
             EventKind::Transform(now) => {
                 self.tilted = now.tilt.is_some_and(|tilt| tilt.length() > TURN);
                 let other = self.preset.is_some_and(|before| before != now.preset);
-                self.lost |= other && self.moved && !self.knows_presets;
+                // A datum that is probed is that of the workpiece, which is elsewhere then than it was thought to be.
+                let probed = now.origin.length() > TURN || now.basic_rotation.length() > TURN;
+                self.lost |= (other && self.moved || probed) && !self.knows_presets;
                 self.preset = Some(now.preset);
             }
             EventKind::Turn { axes, .. } => {

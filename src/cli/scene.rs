@@ -51,7 +51,7 @@ fn remark(line: Line<'_>, path: &str, ui: &Ui) -> String {
             Origin::Table => text("cli-scene-from-table"),
             Origin::Assumed => text("cli-scene-is-assumed"),
         },
-        Line::Probe => text("cli-scene-is-assumed"),
+        Line::Probe | Line::Setter => text("cli-scene-is-assumed"),
         Line::Blank => "BLK FORM".to_owned(),
     }
 }

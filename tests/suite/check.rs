@@ -93,7 +93,7 @@ fn found_in(data: &Data, path: &Path) -> Vec<Diagnostic> {
 }
 
 /// The programs of `tests/check/beside`, a tool table with the tools 1, MILL, TAP, PROBE, CENTRE, RECESSER for turned
-/// recesses, and WORN and TWIN, which are locked; tables with the rows 0 to 3.
+/// recesses, WORN and TWIN, which are locked, and UNMEASURED, which has no length; tables with the rows 0 to 3.
 struct Beside<'a> {
     against: &'a Against<'a>,
     own: String,
@@ -138,7 +138,16 @@ impl Project for Beside<'_> {
             tool,
             ToolName::Number(1.0)
                 | ToolName::Name(
-                    "MILL" | "TAP" | "PROBE" | "CENTRE" | "WORN" | "TWIN" | "RECESSER" | "INSIDE" | "OUTSIDE"
+                    "MILL"
+                        | "TAP"
+                        | "PROBE"
+                        | "CENTRE"
+                        | "WORN"
+                        | "TWIN"
+                        | "UNMEASURED"
+                        | "RECESSER"
+                        | "INSIDE"
+                        | "OUTSIDE"
                 )
         ))
     }
@@ -156,6 +165,9 @@ impl Project for Beside<'_> {
             (ToolName::Number(1.0), "NMAX") => Some(8000.0),
             (ToolName::Number(1.0), "LCUTS") => Some(20.0),
             (ToolName::Number(1.0), "R") => Some(5.0),
+            (ToolName::Number(1.0), "CUT") => Some(4.0),
+            (ToolName::Name("UNMEASURED"), "L") => None,
+            (_, "L") => Some(100.0),
             (ToolName::Name("TAP"), "R") => Some(3.0),
             (ToolName::Name("PROBE"), "R") => Some(2.0),
             (ToolName::Name("CENTRE"), "T-ANGLE") => Some(0.0),

@@ -120,11 +120,14 @@ impl Effect {
 
     /// What definitions of a described cycle do.
     pub(in crate::check) fn of_cycle(cycle: &Cycle) -> Self {
-        Self::of(Of::Described(cycle), cycle.key.keyword)
+        Self::of(Of::Described(cycle), cycle.key.keyword, false)
     }
 
     /// What definitions of a cycle do.
-    pub(in crate::check) fn of(known: Of<'_>, keyword: Keyword) -> Self {
+    ///
+    /// An unknown cycle with numbered lines (`old`) is one of the first controls: those machine when they are called, and
+    /// leave coordinates and modes alone.
+    pub(in crate::check) fn of(known: Of<'_>, keyword: Keyword, old: bool) -> Self {
         let mut effect = Self::default();
         match known {
             Of::Described(cycle) => effect.described(cycle),
@@ -143,6 +146,12 @@ impl Effect {
                             effect.aspects.push((aspect, Tri::Unknown.into()));
                         }
                     }
+                }
+            }
+            Of::Unknown if old && keyword == Keyword::CyclDef => {
+                effect.pends = Some(false);
+                for aspect in [Aspect::Feed, Aspect::Compensation] {
+                    effect.aspects.push((aspect, Tri::Unknown.into()));
                 }
             }
             Of::Builders | Of::Unknown => effect.anything = true,

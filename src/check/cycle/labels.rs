@@ -11,7 +11,7 @@ use super::effect::Effect;
 use super::guard::{Ready, guards_of};
 use crate::language::locale::{Language, Locales};
 use crate::language::text::{self, CycleText, Vocabulary};
-use crate::spec::{Catalogue, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape};
+use crate::spec::{Catalogue, Cycle, CycleKey, OnControl, Param, ParameterKind, Quantity, Shape};
 
 /// The labels of a control, put together when a cycle is first asked for.
 pub struct LabelBook<'a> {
@@ -280,7 +280,7 @@ impl Kept {
 
     /// What the definitions of the cycle do to the state of the control.
     pub(in crate::check) fn effect(&self, cycle: &Cycle) -> &Effect {
-        self.effect.get_or_init(|| Effect::of(Known::Described(cycle), cycle.key.keyword))
+        self.effect.get_or_init(|| Effect::of_cycle(cycle))
     }
 }
 

@@ -37,7 +37,9 @@ impl<'f, 'a> Effects<'f, 'a> {
         for (index, definition) in definitions.iter().enumerate() {
             if definition.kept.is_none() {
                 let known = definition.related_cycle().map_or(definition.known, Of::Described);
-                others.entry(definition.key).or_insert_with(|| Effect::of(known, definition.key.keyword));
+                others
+                    .entry(definition.key)
+                    .or_insert_with(|| Effect::of(known, definition.key.keyword, is_old(definition)));
             }
             let names = names(reading, definition);
             if !names.is_empty() {
@@ -269,4 +271,9 @@ fn is_incremental(program: &Program, view: &CycleView<'_>) -> bool {
     let CycleForm::Lines(lines) = &view.form else { return false };
     let words = lines.iter().flat_map(|line| &line.words);
     words.map(|word| program.slice(word.name)).any(|name| name.starts_with(['I', 'i']))
+}
+
+/// Whether a definition has numbered lines.
+const fn is_old(definition: &Defined<'_>) -> bool {
+    matches!(definition.view.form, CycleForm::Lines(_))
 }

@@ -1,5 +1,5 @@
 //! A contour that is machined with two tools and the same oversize DR both times: the allowance of roughing is still there
-//! after finishing.
+//! after finishing. Also one that a negative DR machines first, and another tool then with a greater one: it finds nothing.
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Diagnostic, Severity};
@@ -35,12 +35,25 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let (Some((first, left)), Some((last, end))) = (calls.first(), calls.last()) else { continue };
         let same = *left > 0.0 && calls.iter().all(|(_, own)| own == left);
         let milled = facts.run.graph.block_of(mark).is_some_and(|at| facts.shaped().any(|(own, _)| own > at));
+        let other = number(*first) != number(*last);
+        // What a smaller radius has cut away is no longer there for a greater one.
+        if *left < 0.0
+            && *end > *left
+            && other
+            && milled
+            && let Some(block) = blocks.get(*first as usize)
+        {
+            let finding = rule.at(facts, facts.content(block)).arg("what", "below");
+            let finding = finding.arg("value", crate::base::diag::Arg::Number(*left));
+            found.push(finding.arg("label", mark.to_string()));
+        }
         if same
-            && number(*first) != number(*last)
+            && other
             && milled
             && let Some(block) = blocks.get(*last as usize)
         {
-            let finding = rule.at(facts, facts.content(block)).arg("value", crate::base::diag::Arg::Number(*end));
+            let finding = rule.at(facts, facts.content(block)).arg("what", "left");
+            let finding = finding.arg("value", crate::base::diag::Arg::Number(*end));
             found.push(finding.arg("label", mark.to_string()));
         }
     }

@@ -44,6 +44,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for block in facts.program.blocks() {
         let motion = match &block.kind {
             _ if is_silent(block) || block.is_blend() => continue,
+            // The run comes from the blocks above it the first time.
+            BlockKind::Lbl(_) if !block.ends_subprogram() => continue,
             BlockKind::Motion(motion) if !block.skip => motion,
             _ => {
                 line.lose();
@@ -67,14 +69,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let flat = words.coords.iter().all(|own| matches!(own.axis, Axis::X | Axis::Y | Axis::Pr | Axis::Pa));
         // The way to a contour and the one away from it are no elements of it.
         let beside = words.compensation.map(|own| matches!(own, Compensation::Rl | Compensation::Rr));
-        let switches = beside.is_some_and(|own| !own || !std::mem::replace(&mut compensated, true));
-        compensated &= beside != Some(false) && !matches!(words.path, Path::Dep(_));
+        let after = beside.unwrap_or(compensated);
+        let switches = after != compensated;
+        compensated = after && !matches!(words.path, Path::Dep(_));
         let way = matches!(words.path, Path::Appr(_) | Path::Dep(_));
         let away = motion.outline().is_rapid() || !flat || way || switches;
         let piece = piece(&mut line, &words, facts.content(block));
         line.begin();
         if away || piece.is_none() {
             last.clear();
+        }
+        if words.functions.iter().any(|own| matches!(own.number, 2 | 30)) {
+            line.lose();
         }
         if away {
             end(rule, facts, &mut doubtful, found);

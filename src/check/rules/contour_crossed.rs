@@ -22,8 +22,8 @@ const OTHER_SIDE: &str = "compensation-other-side";
 /// A contour under way.
 struct Course {
     side: Compensation,
-    /// Where the tool was before it.
-    start: [f64; 2],
+    /// Where the tool was before it, if that is known.
+    start: Option<[f64; 2]>,
     place: Span,
 }
 
@@ -63,7 +63,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 Some(("back", own.place))
             } else {
                 let ring = closed(&line.points).unwrap_or_default();
-                let begins = is_across(own.side, own.start, &ring).then_some(("side", own.place));
+                let begins =
+                    own.start.is_some_and(|start| is_across(own.side, start, &ring)).then_some(("side", own.place));
                 let ends = || left_for(&line, &words).is_some_and(|end| is_across(own.side, end, &ring));
                 begins.or_else(|| ends().then(|| ("away", facts.content(block))))
             };
@@ -77,7 +78,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             line.begin();
         }
         if let (Some(side), None) = (beside, &course) {
-            course = line.end().map(|start| Course { side, start, place: facts.content(block) });
+            course = Some(Course { side, start: line.end(), place: facts.content(block) });
             line.begin();
         }
         let lifts = words.coords.iter().any(|coord| !matches!(coord.axis, Axis::X | Axis::Y | Axis::Pr | Axis::Pa));

@@ -1,4 +1,5 @@
-//! A thread that is cut in a hole as wide as the thread: nothing is left for it.
+//! A thread that is cut in a hole as wide as the thread: nothing is left for it. Also a drill about as wide as a thread that
+//! was tapped there before: it removes the thread.
 //!
 //! The hole is a round pocket or a milled bore, or one of a drill that a table or TOOL DEF describes. Only at places that
 //! are known, in programs with a box as their blank and without transformations. Said once a program.
@@ -15,6 +16,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some((span, (thread, hole))) = first {
-        found.push(rule.at(facts, span).arg("value", Arg::Number(thread)).arg("other", Arg::Number(hole)));
+        let finding = rule.at(facts, span).arg("what", "core").arg("value", Arg::Number(thread));
+        found.push(finding.arg("other", Arg::Number(hole)));
+    }
+    let removed = first_incident(facts, |own| match own {
+        Incident::ThreadRemoved { thread, hole } => Some((thread, hole)),
+        _ => None,
+    });
+    if let Some((span, (thread, hole))) = removed {
+        let finding = rule.at(facts, span).arg("what", "removed").arg("value", Arg::Number(thread));
+        found.push(finding.arg("other", Arg::Number(hole)));
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! Only where a tool table or a TOOL DEF gives the diameter. The limits are far beyond what is usual: 400 m/min for
 //! drills, 80 for taps, 120 for reamers, 2500 for anything else; 2.5 m/min for drills and mills, 0.8 for taps. What a tool
-//! is, its name or a comment beside its call says. Also a mill that cuts many times as fast as the fastest of the others.
+//! is, its name or a comment beside its call says. Also a mill that cuts many times as fast as the fastest of the others, and a fast
+//! tap that turns faster than the drill of its core hole.
 use std::f64::consts::PI;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
@@ -19,10 +20,19 @@ const NARROW: f64 = 1.0;
 const MANY: f64 = 6.0;
 const FAST: f64 = 600.0;
 
+/// A tap that is faster, m/min, does not turn faster than the drill of its core hole, which is so wide at least.
+const QUICK: f64 = 40.0;
+const CORE: f64 = 0.75;
+/// So many taps and drills are compared.
+const SEVERAL: usize = 64;
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(tools) = Tools::of(facts) else { return };
     // The mills: their speeds, and what a finding says.
     let mut mills: Vec<(f64, f64, Span)> = Vec::new();
+    // The taps also with their turns, and the drills by diameter.
+    let mut taps: Vec<(f64, f64, f64, Span)> = Vec::new();
+    let mut drills: Vec<(f64, f64)> = Vec::new();
     for (index, block) in facts.marked() {
         let BlockKind::ToolCall(call) = &block.kind else { continue };
         let (Some(_), Some(speed), None) = (call.tool, call.speed, call.cutting_speed) else { continue };
@@ -46,9 +56,24 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if mills_kind && metres >= least && metres <= most {
             mills.push((metres, diameter, speed.span));
         }
+        match kind_of_call(facts, index) {
+            Some(ToolKind::Tap) if metres <= most && taps.len() < SEVERAL => {
+                taps.push((metres, diameter, turns, speed.span))
+            }
+            Some(ToolKind::Drill) if drills.len() < SEVERAL => drills.push((diameter, turns)),
+            _ => {}
+        }
         if metres < least || metres > most {
             let side = if metres < least { "below" } else { "above" };
             let finding = rule.at(facts, speed.span).arg("side", side);
+            let finding = finding.arg("value", Arg::Number((metres * 10.0).round() / 10.0));
+            found.push(finding.arg("other", Arg::Number(diameter)));
+        }
+    }
+    for (metres, diameter, turns, span) in taps {
+        let core = |own: &&(f64, f64)| (CORE * diameter..diameter).contains(&own.0);
+        if metres > QUICK && drills.iter().filter(core).any(|(_, own)| turns > *own) {
+            let finding = rule.at(facts, span).arg("side", "above");
             let finding = finding.arg("value", Arg::Number((metres * 10.0).round() / 10.0));
             found.push(finding.arg("other", Arg::Number(diameter)));
         }

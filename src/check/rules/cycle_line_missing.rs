@@ -1,4 +1,4 @@
-//! A definition of the old form in which a line is left out: after line 3 comes line 5.
+//! A definition of the old form in which a line is left out: after line 3 comes line 5, or nothing comes after line 0.
 //!
 //! Of cycles that are described the parameter that is missing is reported instead.
 use crate::base::diag::{Diagnostic, Severity};
@@ -13,6 +13,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     for definition in facts.definitions.iter().filter(|own| own.cycle().is_none()) {
         let CycleForm::Lines(lines) = &definition.view.form else { continue };
+        if let [only] = lines.as_slice()
+            && only.line == 0
+            && !definition.torn
+        {
+            let name = |line: u32| format!("{}.{line}", only.number);
+            found.push(rule.at(facts, only.head).arg("line", "none").arg("missing", name(1)));
+        }
         for pair in lines.windows(2) {
             let [before, own] = pair else { continue };
             if own.line > before.line + 1 {

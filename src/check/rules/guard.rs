@@ -34,9 +34,11 @@ fn executed(facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if found.iter().any(|other| other.code == *code) {
             continue;
         }
-        let on = facts.against.on;
-        let Some(cycle) = on.cycles.get(key) else { continue };
-        let rule = Rule { code, severity: Severity::Error, run: together };
+        let own = facts.against.on.cycles.get(key).map(|cycle| (facts.against.on, cycle, Severity::Error));
+        // What another control says is hardly different on this one.
+        let other = || facts.against.catalogue.describing(*key).map(|(on, cycle)| (on, cycle, Severity::Warning));
+        let Some((on, cycle, severity)) = own.or_else(other) else { continue };
+        let rule = Rule { code, severity, run: together };
         let sentence = text::guard_sentence(on, cycle, code, facts.against.readers);
         found.push(rule.at(facts, *span).arg("message", sentence.unwrap_or_else(|| (*code).to_owned())));
     }

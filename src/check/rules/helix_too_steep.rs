@@ -1,4 +1,4 @@
-//! A helix in material that goes down by more in one turn than the tool is wide: a digit of the angle is missing, or the
+//! A helix in material that goes down in one turn by more than four fifths of the width of the tool: a digit of the angle is missing, or the
 //! angle is that of a part of the turns.
 //!
 //! Only polar helices with incremental numbers; in inch programs, and where the tool is not known, 20 mm in one turn are too
@@ -12,6 +12,8 @@ pub(super) const RULE: Rule = Rule { code: "helix-too-steep", severity: Severity
 
 /// So much in a turn is too much for any tool, mm.
 const MOST: f64 = 20.0;
+/// And this part of the diameter.
+const STEEPEST: f64 = 0.8;
 /// Less than this is a way into a floor, mm.
 const SHALLOW: f64 = 3.0;
 
@@ -28,7 +30,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let (Some(angle), Some(depth)) = (incremental(Axis::Pa), incremental(Axis::Z)) else { continue };
         let Some(modal) = facts.run.before(index) else { continue };
         let width = tools.as_ref().and_then(|tools| tools.get(modal.loaded)).map(|tool| 2.0 * tool.radius);
-        let most = width.unwrap_or(MOST * unit).min(MOST * unit);
+        let most = width.map_or(MOST * unit, |width| STEEPEST * width).min(MOST * unit);
         let each = -depth * 360.0 / angle.abs();
         if depth < -SHALLOW * unit && angle != 0.0 && each > most + unit / 1e3 {
             let finding = rule.at(facts, facts.content(block)).arg("value", Arg::Number((each * 1e3).round() / 1e3));

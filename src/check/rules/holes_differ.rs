@@ -1,9 +1,10 @@
 //! Holes that do not go together: one of a row is not centred while a centred place stays without a hole, or the others
 //! of the row are, or the other centred places of it have holes; core holes of which only some are tapped, or holes of
 //! which only some are reamed; a circle of holes that lacks one; a place between two calls that is only passed over; an
-//! arc of a contour whose centre misses the hole that belongs to it.
+//! arc of a contour whose centre misses the hole that belongs to it; what a tool makes at all of at least five equal angles
+//! but one.
 //!
-//! The first three need an execution of the whole program. Of arcs at least two others must lie about holes, and the one
+//! The first three and the last one need an execution of the whole program. Of arcs at least two others must lie about holes, and the one
 //! coordinate that differs must look like a slip of the keyboard. Each is said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::incident::Incident;
@@ -27,7 +28,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = rule.at(facts, span).arg("what", what.to_owned()).arg("value", Arg::Number(x));
         found.push(finding.arg("other", Arg::Number(y)));
     };
-    let mut reported = [false; 7];
+    let mut reported = [false; 8];
     for (span, own) in incidents(facts) {
         let (what, place, at) = match own {
             Incident::NotCentred(place) => ("stray", *place, 0),
@@ -37,6 +38,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             Incident::Unreamed(place) => ("unreamed", *place, 4),
             Incident::GapInCircle(place) => ("gap", *place, 2),
             Incident::CornerOfRectangleOff(place) => ("corner", *place, 3),
+            Incident::RotationsLackOne(count) => ("rotation", [(count - 1) as f64, *count as f64], 7),
             _ => continue,
         };
         if !std::mem::replace(&mut reported[at], true) {

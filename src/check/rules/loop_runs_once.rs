@@ -3,7 +3,7 @@
 //! loop is executed once.
 //!
 //! Only where the counter has a number before the loop, is changed by a known step, and is compared with a number that is
-//! written in the jump: what a parameter limits may be one pass by intention. Silent where anything else may lead into the
+//! written in the jump, or with a parameter that it moves towards: what a parameter limits may be one pass by intention. Silent where anything else may lead into the
 //! loop or write the counter.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::base::expr::{QKind, QRef};
@@ -55,23 +55,32 @@ fn once<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut usize
     if graph.uses.iter().any(others) {
         return false;
     }
-    let (q, end, left) = match (jump.a.amount, jump.b.amount) {
-        (Amount::Q { q, negative: false }, Amount::Number(end)) => (q, end, true),
-        (Amount::Number(end), Amount::Q { q, negative: false }) => (q, end, false),
-        _ => return false,
-    };
-    if !is_free(q) {
-        return false;
-    }
     let mut body = Loop::new(patience);
     body.add(facts, from, own.block);
     if body.open || !body.exits.is_empty() {
+        return false;
+    }
+    let of = |q: QRef| set_once(facts, q, &blocks).filter(|_| is_free(q) && !body.written.contains(&q));
+    let (q, end, left, written) = match (jump.a.amount, jump.b.amount) {
+        (Amount::Q { q, negative: false }, Amount::Number(end)) => (q, end, true, true),
+        (Amount::Number(end), Amount::Q { q, negative: false }) => (q, end, false, true),
+        (Amount::Q { q: a, negative: false }, Amount::Q { q: b, negative: false }) => match (of(a), of(b)) {
+            (None, Some(end)) => (a, end, true, false),
+            (Some(end), None) => (b, end, false, false),
+            _ => return false,
+        },
+        _ => return false,
+    };
+    if !is_free(q) {
         return false;
     }
     let (Some(by), Some(start)) = (body.step_of(facts, q, &blocks), set_once(facts, q, &blocks)) else { return false };
     let first = start + by;
     // The condition as one on the counter.
     match (jump.relation, left) {
+        // What a parameter limits may be one pass by intention, unless the counter has not come to it.
+        (Relation::Less, true) | (Relation::Greater, false) if !written => by < 0.0 && first > end,
+        (Relation::Greater, true) | (Relation::Less, false) if !written => by > 0.0 && first < end,
         (Relation::Less, true) | (Relation::Greater, false) => by != 0.0 && first >= end,
         (Relation::Greater, true) | (Relation::Less, false) => by != 0.0 && first <= end,
         _ => false,

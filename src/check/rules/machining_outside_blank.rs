@@ -9,8 +9,8 @@ use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank::Blank;
 use crate::check::incident::Incident;
 use crate::check::travel::incidents;
-use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::program::syntax::{Axis, Block, BlockKind, CycleForm, Path};
+use crate::check::{Aspect, Defined, Facts, Rule, Tri};
+use crate::program::syntax::{Axis, Block, BlockKind, CycleForm, Path, ValueKind};
 use crate::spec::{Keyword, Known};
 
 pub(super) const RULE: Rule = Rule { code: "machining-outside-blank", severity: Severity::Warning, run };
@@ -45,7 +45,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// The first call of a cycle of the old form far above the blank, with its height.
 fn old_cycle(facts: &Facts<'_>) -> Option<(Span, f64)> {
-    let top = Blank::of(facts.program)?.high[2] + HIGH * facts.millimetre();
+    let surface = Blank::of(facts.program)?.high[2];
+    let top = surface + HIGH * facts.millimetre();
     let blocks = facts.program.blocks();
     facts.run.calls.iter().find_map(|call| {
         let own = facts.definition_before(call.block)?;
@@ -63,9 +64,28 @@ fn old_cycle(facts: &Facts<'_>) -> Option<(Span, f64)> {
         if !(lines && named && own.related_cycle().is_none() && straight && flat) {
             return None;
         }
-        let height = height(facts, call.block).filter(|height| *height > top)?;
-        Some((call.span, height))
+        let height = height(facts, call.block)?;
+        let reach = reach(own).map_or(0.0, |reach| height + reach - surface);
+        (height > top || reach > 0.0).then_some((call.span, height))
     })
+}
+
+/// How far below where the tool is the cycle of such a definition goes, a negative number: its first value is the clearance
+/// above the surface and its second one the depth.
+fn reach(own: &Defined<'_>) -> Option<f64> {
+    let CycleForm::Lines(lines) = &own.view.form else { return None };
+    let value = |line: u32| {
+        let words = lines.iter().find(|own| own.line == line)?.words.as_slice();
+        match words {
+            [only] => match only.value.kind {
+                ValueKind::Number(number) => Some(number),
+                _ => None,
+            },
+            _ => None,
+        }
+    };
+    let (clearance, depth) = (value(1)?, value(2)?);
+    (clearance > 0.0 && depth < 0.0).then_some(depth - clearance)
 }
 
 /// Whether another way may lead to a block, or away from it.

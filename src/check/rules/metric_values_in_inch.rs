@@ -1,7 +1,7 @@
 //! Values in a program in inches that look like millimetres: feeds above 10 m/min, feeds of contours with RL or RR, and
 //! of cycles that plunge, of more than a millimetre a revolution, feeds with which a tool mills fifty times as fast as
 //! it cuts elsewhere, or 25.4 times as fast as its tool call says with RL or RR, a blank of more than 3 m, a depth of
-//! several times the height of the blank, a thread with less than two turns an inch.
+//! several times the height of the blank, a thread with less than two turns an inch, a height above 40 inches.
 //!
 //! Every block with such a feed is reported, and once there is one also those whose feed is too great for a movement
 //! that cuts, of which no one can say whether it does. Feeds that stand for rapid traverse (9998 and more) are passed
@@ -38,6 +38,11 @@ const DEEPEST: f64 = 4.0;
 const PITCH: &str = "thread-pitch";
 const STEEPEST: f64 = 0.5;
 
+/// So far away no machine takes a tool, inches.
+const AWAY: f64 = 40.0;
+/// So many blocks are looked at for that.
+const MOST: usize = 10_000;
+
 /// The feeds of one tool, as far as the program has been read.
 #[derive(Default)]
 struct Feeds {
@@ -57,6 +62,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.inch {
         return;
     }
+    far(rule, facts, found);
     let related = |index: usize| facts.definition_at(index).and_then(Defined::related_cycle);
     let mut feeds = Feeds::default();
     let mut corner: Option<(Span, f64)> = None;
@@ -220,4 +226,25 @@ fn too_deep(cycle: &Cycle, written: &CycleDef, height: f64) -> Option<(Span, f64
         }
         _ => None,
     })
+}
+
+/// The only movement along the tool axis to a height that is one in millimetres, among others that are none.
+fn far(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let (mut high, mut usual) = (Vec::new(), false);
+    for block in facts.program.blocks().iter().take(MOST) {
+        let BlockKind::Motion(motion) = &block.kind else { continue };
+        let words = motion.words();
+        if words.functions.iter().any(|own| matches!(own.number, 91 | 92)) {
+            continue;
+        }
+        let Some(height) = words.coord(Axis::Z).filter(|own| !own.incremental) else { continue };
+        let Amount::Number(value) = height.value.amount else { continue };
+        usual |= value > 0.0 && value <= AWAY;
+        if value > AWAY {
+            high.push((value, height.value.span));
+        }
+    }
+    if let ([(value, span)], true) = (high.as_slice(), usual) {
+        found.push(rule.at(facts, *span).arg("value", Arg::Number(*value)));
+    }
 }

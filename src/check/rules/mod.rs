@@ -15,6 +15,7 @@ mod begin_end_mismatch;
 mod blank_wrong;
 mod block_numbers;
 mod blocks_after_end;
+mod branch_runs_on;
 mod call_of_def_active_cycle;
 mod called_but_not_defined;
 mod called_program_in_other_unit;
@@ -73,6 +74,7 @@ mod feed_unit;
 mod feed_zero;
 mod field_word_missing;
 mod finishing_before_roughing;
+mod finishing_tool_too_wide;
 mod free_contour_wrong;
 mod function_misspelled;
 mod function_not_on_control;
@@ -240,6 +242,7 @@ pub const RULES: &[&Rule] = &[
     &blank_wrong::RULE,
     &block_numbers::RULE,
     &blocks_after_end::RULE,
+    &branch_runs_on::RULE,
     &call_of_def_active_cycle::RULE,
     &called_but_not_defined::RULE,
     &called_program_in_other_unit::RULE,
@@ -298,6 +301,7 @@ pub const RULES: &[&Rule] = &[
     &feed_zero::RULE,
     &field_word_missing::RULE,
     &finishing_before_roughing::RULE,
+    &finishing_tool_too_wide::RULE,
     &free_contour_wrong::RULE,
     &function_misspelled::RULE,
     &function_not_on_control::RULE,

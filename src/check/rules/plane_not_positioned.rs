@@ -4,17 +4,24 @@
 //! reported of whole programs that call no others, where material is removed later, and once a program. Whether a cycle
 //! that tilts the plane positions them is up to the machine: it is reported where the program positions them after
 //! another one, or, as a note, where it never does so and states no feed for it.
+use std::collections::BTreeSet;
+use std::ops::Range;
+
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::{Effect, Then, removes_material};
 use crate::check::{Aspect, Defined, Facts, Pending, Rule};
 use crate::program::syntax::{
-    Axis, Block, BlockKind, CycleForm, MFunction, Motion, NamedWord, Path, StatementKind, ValueKind,
+    Axis, Block, BlockKind, Coord, CycleForm, MFunction, Motion, NamedWord, Path, StatementKind, ValueKind,
 };
 
 pub(super) const RULE: Rule = Rule { code: "plane-not-positioned", severity: Severity::Warning, run };
 
+/// Longer subprograms are not looked at: each call looks at its own.
+const LONGEST: usize = 1 << 8;
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     after_plane(rule, facts, found);
+    after_reset(rule, facts, found);
     after_cycle(rule, facts, found);
 }
 
@@ -43,6 +50,61 @@ fn after_plane(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     found.extend(forgotten.map(|(_, block)| rule.at(facts, facts.content(block)).arg("what", "plane")));
 }
 
+/// A reset that leaves the rotary axes where a plane has positioned them, before a cycle or a subprogram that calls one.
+fn after_reset(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if !facts.begins() || facts.flow.programs || facts.flow.unread.may_move() {
+        return;
+    }
+    let cycles: BTreeSet<usize> = facts.run.calls.iter().map(|call| call.block).collect();
+    // The last reset that left the axes turned.
+    let (mut turned, mut left) = (false, None);
+    for (index, block) in facts.program.blocks().iter().enumerate() {
+        match &block.kind {
+            BlockKind::Statement(own) if own.kind == StatementKind::Plane => {
+                let (resets, stays) = (has(facts, block, "RESET"), has(facts, block, "STAY"));
+                left = (resets && stays && turned).then_some(block);
+                turned = !stays && !resets || turned && stays;
+            }
+            BlockKind::Motion(motion) if motion.outline().has_coords() && turns(&motion.words()) => {
+                (turned, left) = (false, None);
+            }
+            BlockKind::Motion(motion) if motion.functions().iter().any(is_unusual) => left = None,
+            BlockKind::Functions(list) if list.iter().any(is_unusual) => left = None,
+            // Up to there the order of the text is that of the run.
+            BlockKind::Lbl(_) | BlockKind::FnJump(_) => return,
+            BlockKind::CallLbl(call) if call.repeat.is_some() => return,
+            _ => {}
+        }
+        let calls = |part: Range<usize>| cycles.range(part).next().is_some();
+        let mut works = calls(index..index + 1);
+        if matches!(block.kind, BlockKind::CallLbl(_)) && turned {
+            match still(facts, index) {
+                Some(part) => works |= calls(part),
+                // It may position the axes by itself.
+                None => (turned, left) = (false, None),
+            }
+        }
+        if let Some(reset) = left.filter(|_| works) {
+            found.push(rule.at(facts, facts.content(reset)).arg("what", "reset"));
+            return;
+        }
+    }
+}
+
+/// The blocks of the subprogram that a block calls, if they certainly move no rotary axis.
+fn still(facts: &Facts<'_>, index: usize) -> Option<Range<usize>> {
+    let uses = facts.run.graph.uses_in(index).first()?;
+    let start = facts.run.graph.block_of(uses.mark.as_ref()?)?;
+    let body = facts.program.blocks().get(start + 1..)?;
+    let end = body.iter().take(LONGEST).position(Block::ends_subprogram)?;
+    let moves = |block: &Block| match &block.kind {
+        BlockKind::Motion(motion) => turns(&motion.words()),
+        BlockKind::Statement(_) | BlockKind::CallLbl(_) => true,
+        _ => false,
+    };
+    (!body.iter().take(end).any(moves)).then_some(start + 1..start + 1 + end)
+}
+
 /// Whether a cycle machines in a plane before an axis turns, though the program turns them after other planes; the axes may
 /// already be there for the same plane.
 fn is_forgotten(facts: &Facts<'_>, index: usize, block: &Block) -> bool {
@@ -62,7 +124,16 @@ fn is_forgotten(facts: &Facts<'_>, index: usize, block: &Block) -> bool {
             BlockKind::Functions(list) if list.iter().any(is_unusual) => return false,
             _ => {}
         }
-        if facts.run.calls.iter().any(|call| call.block == at) {
+        let cuts = match &next.kind {
+            // Across the plane at a feed: what goes along the tool axis may be lifted.
+            BlockKind::Motion(motion) => {
+                let outline = motion.outline();
+                let across = |own: &Coord| matches!(own.axis, Axis::X | Axis::Y);
+                outline.has_coords() && outline.has_feed() && motion.words().coords.iter().any(across)
+            }
+            _ => false,
+        };
+        if cuts || facts.run.calls.iter().any(|call| call.block == at) {
             return true;
         }
     }

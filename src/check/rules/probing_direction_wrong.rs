@@ -5,8 +5,10 @@
 //! Where the part is say the tops that the program drills or probes: all of them on the side from which the probe comes,
 //! none on the other, and none below the measuring height. Only of edges at the datum: walls of pockets are elsewhere.
 //! Silent where coordinates are moved.
+use std::borrow::Cow;
+
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::blank::is_unmoved;
+use crate::check::blank::{Blank, is_unmoved};
 use crate::check::program::{number, with_meaning};
 use crate::check::{Aspect, Defined, Definition, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{Amount, Axis, BlockKind};
@@ -23,17 +25,20 @@ const PLAIN: &str = "probing-direction";
 const POINT: [&str; 3] = ["first-point-main", "first-point-minor", "first-point-tool"];
 /// The meaning of the surface on which a cycle begins.
 const SURFACE: &str = "surface-coordinate";
+/// A wider blank is not probed on the other side with such a stylus by going over it, mm.
+const WIDE: f64 = 10.0;
 /// How far a place is from an edge that is not at it, mm or inch.
 const APART: f64 = 1.0;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     upwards(rule, facts, found);
-    let edges: Vec<Definition<'_>> = facts
+    let related: Vec<Cow<'_, Defined<'_>>> = facts
         .definitions
         .iter()
-        .filter(|own| own.cycle().is_some_and(|cycle| with_meaning(cycle, DIRECTION).is_some()))
-        .map(|own| facts.read(own))
+        .filter(|own| own.related_cycle().is_some_and(|cycle| with_meaning(cycle, DIRECTION).is_some()))
+        .map(Defined::as_related_cycle)
         .collect();
+    let edges: Vec<Definition<'_>> = related.iter().map(|own| facts.read(own)).collect();
     if edges.is_empty() || facts.flow.unread.any() {
         return;
     }
@@ -54,9 +59,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let away = |side: f64| places().any(|own| (own - place) * side > APART);
         // Two places at least: a single one may be on another part.
         let many = places().filter(|own| (own - place).abs() > APART).count() > 1;
-        if many
-            && away(-direction)
-            && !away(direction)
+        // A face of the blank is touched from outside, unless the blank is narrow there.
+        let body = Blank::of(facts.program).filter(|blank| height < blank.high[2] && height > blank.low[2]);
+        let through = body.is_some_and(|blank| {
+            let face = if direction < 0.0 { blank.low[axis] } else { blank.high[axis] };
+            let wide = blank.high[axis] - blank.low[axis] > WIDE * facts.millimetre();
+            (place - face).abs() <= APART && direction.abs() == 1.0 && wide
+        });
+        if (through || many && away(-direction) && !away(direction))
             && let Some(item) = edge.item(DIRECTION)
         {
             let finding = rule.at(facts, item.value_span).arg("what", "edge").arg("value", item.printed.as_ref());

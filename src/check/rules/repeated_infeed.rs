@@ -62,7 +62,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let uses = facts.run.graph.uses_in(index);
         let start = uses.first().and_then(|own| facts.run.graph.block_of(own.mark.as_ref()?));
         let Some(start) = start.filter(|start| *start < index) else { continue };
-        if times >= LEAST && is_absolute(facts, start + 1..index, &mut known) {
+        if is_absolute(facts, start + 1..index, &mut known) {
             let finding = rule.at(facts, facts.content(block)).arg("what", "absolute");
             found.push(finding.arg("value", Arg::Number(times)));
             continue;
@@ -177,8 +177,9 @@ fn pass(facts: &Facts<'_>, part: &[Block]) -> Option<Pass> {
     for block in part.iter().filter(|block| !is_silent(block)) {
         let BlockKind::Motion(motion) = &block.kind else { return None };
         let words = motion.words();
-        let plain = matches!(words.path, Path::L | Path::C | Path::Cr | Path::Cc | Path::Ct | Path::Rnd | Path::Chf)
-            || matches!(words.path, Path::Appr(_) | Path::Dep(_));
+        let plain =
+            matches!(words.path, Path::L | Path::C | Path::Cr | Path::Cc | Path::Cp | Path::Ct | Path::Rnd | Path::Chf)
+                || matches!(words.path, Path::Appr(_) | Path::Dep(_));
         if block.skip || !plain || words.functions.iter().any(|own| !matches!(own.number, 3 | 4 | 8 | 9 | 13 | 14)) {
             return None;
         }
@@ -198,6 +199,11 @@ fn pass(facts: &Facts<'_>, part: &[Block]) -> Option<Pass> {
 fn note(facts: &Facts<'_>, words: &Motion, pass: &mut Pass) -> Option<()> {
     for own in &words.coords {
         let number = matches!(own.value.amount, Amount::Number(_));
+        // A whole turn leads to where it begins.
+        let turn = |value: f64| value != 0.0 && value % 360.0 == 0.0;
+        if own.axis == Axis::Pa && own.incremental && facts.number(&own.value).is_some_and(turn) {
+            continue;
+        }
         pass.changes |= own.incremental || !number;
         if own.axis == Axis::Z && words.path != Path::Cc {
             let value = facts.number(&own.value).filter(|_| number)?;

@@ -1,19 +1,28 @@
 //! A coordinate that is the result of another axis: cycles and functions write the angles of A, B and C, and the places in X,
 //! Y and Z that a probe has touched, into parameters of their own, one for each axis.
 //!
+//! Also a measured value less the nominal value that the same measurement has for another one: the centre less the diameter.
+//!
 //! Only movements that name the parameter alone, in programs that do not write these parameters themselves.
-use crate::base::diag::{Diagnostic, Severity};
-use crate::base::expr::{QKind, QRef};
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::base::expr::{Node, Op, QKind, QRef};
+use crate::check::cycle::probes;
+use crate::check::program::number;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, BlockKind};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, FnOp};
 
 pub(super) const RULE: Rule = Rule { code: "result-of-other-axis", severity: Severity::Warning, run };
 
+/// How the meanings of measured values end.
+const ACTUAL: &str = "-actual";
+/// Nominal values that differ by less are the same.
+const SAME: f64 = 1e-6;
 /// The parameters with the results of axes: the touched place, then the angles that tilt the working plane.
 const RESULTS: [(u16, Axis); 6] =
     [(115, Axis::X), (116, Axis::Y), (117, Axis::Z), (120, Axis::A), (121, Axis::B), (122, Axis::C)];
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    sizes(rule, facts, found);
     // Most programs have none of them.
     let text = facts.program.source().text();
     if !RESULTS.iter().any(|(number, _)| text.contains(&format!("Q{number}"))) {
@@ -38,7 +47,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let Some((number, axis)) = of(q) else { continue };
             let alike = RESULTS.iter().filter(|(_, own)| is_linear(*own) == is_linear(*axis));
             if coord.axis != *axis && alike.into_iter().any(|(_, own)| *own == coord.axis) {
-                let finding = rule.at(facts, coord.value.span).arg("parameter", format!("Q{number}"));
+                let finding = rule.at(facts, coord.value.span).arg("what", "axis");
+                let finding = finding.arg("parameter", format!("Q{number}"));
                 found.push(finding.arg("axis", format!("{axis:?}")).arg("other", format!("{:?}", coord.axis)));
             }
         }
@@ -47,4 +57,53 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 const fn is_linear(axis: Axis) -> bool {
     matches!(axis, Axis::X | Axis::Y | Axis::Z)
+}
+
+/// Measured values less the nominal value of another one of the same measurement: the centre less the nominal diameter.
+fn sizes(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    // The results of the last measurement with their nominal values.
+    let mut nominal: Vec<(QRef, f64)> = Vec::new();
+    let mut definitions = facts.definitions.iter().peekable();
+    for (index, block) in facts.marked() {
+        while let Some(own) = definitions.next_if(|own| own.view.first < index) {
+            let Some(cycle) = own.related_cycle().filter(|cycle| probes(cycle)) else { continue };
+            let related = own.as_related_cycle();
+            let read = facts.read(&related);
+            let value = |q: QRef| read.items.iter().find(|item| item.param.is_some_and(|own| own.q == Some(q)));
+            let actual = cycle.file.results.iter().filter(|own| own.is.as_str().ends_with(ACTUAL));
+            let known = actual.filter_map(|own| Some((own.q?, value(own.of?).and_then(number)?)));
+            nominal = known.collect();
+        }
+        let Some((q, value, span)) = difference(block) else { continue };
+        let Some((_, own)) = nominal.iter().find(|(known, _)| *known == q) else { continue };
+        let other = nominal.iter().find(|(known, own)| *known != q && (own - value).abs() < SAME);
+        if let Some((other, _)) = other.filter(|_| (own - value).abs() > SAME) {
+            let finding = rule.at(facts, span).arg("what", "size").arg("parameter", q.to_string());
+            found.push(finding.arg("value", Arg::Number(value)).arg("other", other.to_string()));
+        }
+    }
+}
+
+/// A parameter and a number of which the difference is calculated.
+fn difference(block: &Block) -> Option<(QRef, f64, Span)> {
+    let of = |a: Amount, b: Amount| match (a, b) {
+        (Amount::Q { q, negative: false }, Amount::Number(own))
+        | (Amount::Number(own), Amount::Q { q, negative: false }) => Some((q, own)),
+        _ => None,
+    };
+    match &block.kind {
+        BlockKind::FnAssign(own) if own.op == FnOp::Sub => {
+            let (q, value) = of(own.a.amount, own.b.as_ref()?.amount)?;
+            Some((q, value, own.target_span))
+        }
+        BlockKind::Formula(own) => {
+            let Node::Binary(Op::Sub, left, right) = &own.expr.node else { return None };
+            let (q, value) = match (&left.node, &right.node) {
+                (Node::Q(q), Node::Number(value)) | (Node::Number(value), Node::Q(q)) => (*q, *value),
+                _ => return None,
+            };
+            Some((q, value, own.target_span))
+        }
+        _ => None,
+    }
 }

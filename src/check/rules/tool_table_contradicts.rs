@@ -1,6 +1,6 @@
 //! A tool that is used otherwise than the tool table says: faster than its greatest speed (NMAX), although it is locked
 //! (TL) and no replacement tool is named (RT), for something that a tool of its type (TYP, of turning tools TYPE) is not
-//! there for, for centring to a diameter without a point angle (T-ANGLE), or for a left-hand thread although nothing says that
+//! there for, without a length among tools that have one, to be measured tooth by tooth without a number of teeth, for centring to a diameter without a point angle (T-ANGLE), or for a left-hand thread although nothing says that
 //! the tap is a left-hand one.
 //!
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`) and has the columns. Of the types those are judged
@@ -36,6 +36,8 @@ const THREADED: &str = "turned-thread-pitch";
 /// The meaning of the set-up clearance that only recesses have.
 const RECESSED: &str = "recess-clearance";
 
+/// The meaning of the choice to measure each tooth.
+const TEETH: &str = "tooth-measurement";
 /// The meaning of the tool for which a contour cycle only drills.
 const PILOT: &str = "rough-out-tool";
 
@@ -96,6 +98,8 @@ fn by_table(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.arg("value", Arg::Number(speed)).arg("other", Arg::Number(most)));
         }
     }
+    lengths(rule, facts, project, found);
+    teeth(rule, facts, project, found);
     to_diameter(rule, facts, project, found);
     left_hand(rule, facts, project, found);
     let mut uses = uses(facts);
@@ -115,6 +119,14 @@ fn by_table(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 fn observed(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if found.iter().any(|own| own.code == rule.code) {
         return;
+    }
+    let oversize = first_incident(facts, |own| match own {
+        Incident::Oversize { tool, value, radius } => Some((tool, value, radius)),
+        _ => None,
+    });
+    if let Some((span, (tool, value, radius))) = oversize {
+        let finding = rule.at(facts, span).arg("what", "large").arg("tool", tool.to_string());
+        found.push(finding.arg("value", Arg::Number(value)).arg("other", Arg::Number(radius)));
     }
     let first = first_incident(facts, |own| match own {
         Incident::Misused { tool, kind, cycle } => Some((tool, kind, cycle)),
@@ -142,6 +154,54 @@ fn sizes(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<
         if !near(said) && !near(said * MM_PER_INCH) && reported.insert(shown(facts, tool)) {
             let finding = rule.at(facts, facts.content(block)).arg("what", "size").arg("tool", shown(facts, tool));
             found.push(finding.arg("value", Arg::Number(said)).arg("other", Arg::Number(own)));
+        }
+    }
+}
+
+/// Tools without a length among others that have one: the control moves the spindle nose to where the tip is to go.
+fn lengths(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<Diagnostic>) {
+    let (mut with, mut without) = (0, Vec::new());
+    let mut seen = HashSet::new();
+    for (_, block) in facts.marked() {
+        let BlockKind::ToolCall(call) = &block.kind else { continue };
+        let Some((tool, name)) = call.tool.and_then(|tool| Some((tool, named(facts, tool)?))) else { continue };
+        // Tool 0 is no tool, and turning tools have their lengths elsewhere.
+        if name == ToolName::Number(0.0) || project.turning_type(name).is_some() || !seen.insert(shown(facts, tool)) {
+            continue;
+        }
+        let turns = project.tool_word(name, "TYP") == Some("TURN");
+        match project.tool_value(name, "L") {
+            _ if project.has_tool(name) != Some(true) || turns => {}
+            Some(length) if length > 0.0 => with += 1,
+            Some(length) if length < 0.0 => return,
+            _ => without.push((facts.content(block), tool)),
+        }
+    }
+    if let ([(span, tool)], true) = (without.as_slice(), with > 0) {
+        let finding = rule.at(facts, *span).arg("what", "length").arg("tool", shown(facts, *tool));
+        found.push(finding.arg("value", "").arg("other", ""));
+    }
+}
+
+/// Teeth that are to be measured one by one of a tool without a number of teeth.
+fn teeth(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<Diagnostic>) {
+    for own in &facts.definitions {
+        if own.related_cycle().is_none_or(|cycle| with_meaning(cycle, TEETH).is_none()) {
+            continue;
+        }
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let Some(item) = read.item(TEETH).filter(|item| number(item) == Some(1.0)) else { continue };
+        let loaded = facts.run.before(own.view.first).map(|modal| modal.loaded);
+        let Some(Loaded::By(block)) = loaded else { continue };
+        let Some(BlockKind::ToolCall(call)) = facts.program.blocks().get(block as usize).map(|own| &own.kind) else {
+            continue;
+        };
+        let Some((tool, name)) = call.tool.and_then(|tool| Some((tool, named(facts, tool)?))) else { continue };
+        let known = project.has_tool(name) == Some(true);
+        if known && project.tool_value(name, "CUT").is_none_or(|teeth| teeth <= 0.0) {
+            let finding = rule.at(facts, item.span).arg("what", "teeth").arg("tool", shown(facts, tool));
+            found.push(finding.arg("value", own.key.to_string()).arg("other", ""));
         }
     }
 }

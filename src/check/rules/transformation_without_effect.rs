@@ -20,7 +20,8 @@ const RESET: [Aspect; 5] =
     [Aspect::DatumShift, Aspect::Mirroring, Aspect::Rotation, Aspect::Scaling, Aspect::AxisScaling];
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    for (at, own) in facts.definitions.iter().enumerate().filter(|(_, own)| own.cycle().is_some_and(transforms)) {
+    for (at, own) in facts.definitions.iter().enumerate().filter(|(_, own)| own.related_cycle().is_some_and(transforms))
+    {
         let Some(modal) = facts.run.before(own.view.first) else { continue };
         for aspect in RESET {
             let ends = does(own, aspect, |then| matches!(then, Then::Certain(Tri::No)));
@@ -90,7 +91,7 @@ fn again(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         let between: Vec<_> = calls(before.view.last + 1, own.view.first).collect();
         let after = calls(own.view.last + 1, blocks.len()).next().flatten();
-        if let [Some(call)] = between.as_slice()
+        if let [.., Some(call)] = between.as_slice()
             && after == Some(*call)
         {
             let finding = rule.at(facts, own.view.head).arg("what", "again").arg("cycle", own.key.to_string());
@@ -105,7 +106,7 @@ fn transforms(cycle: &crate::spec::Cycle) -> bool {
 
 /// Whether a definition does something to an aspect.
 fn does(own: &Defined<'_>, aspect: Aspect, what: impl Fn(&Then) -> bool) -> bool {
-    own.cycle()
+    own.related_cycle()
         .is_some_and(|cycle| Effect::of_cycle(cycle).aspects.iter().any(|(own, then)| *own == aspect && what(then)))
 }
 

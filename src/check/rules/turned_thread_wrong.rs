@@ -4,12 +4,14 @@
 //! one that is cut with a constant cutting speed: the spindle speed changes with the depth of each pass, and the flanks
 //! with it.
 //!
-//! Cylinders are those of the simple cycles for shoulders, where their end is written as a number. Nothing is said of
-//! threads on contours that cycles read from subprograms.
+//! Cylinders are those of the simple cycles for shoulders, where their end is written as a number. Of contours that cycles
+//! read from subprograms it is only said that a thread goes on into a wider part of them.
 use super::cutting_speed_unlimited::switches;
 use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::contours::{listed, moved};
 use crate::check::program::{number, with_meaning};
 use crate::check::{Defined, Facts, Pending, Rule};
+use crate::program::syntax::{Axis, BlockKind};
 use crate::spec::{Cycle, Group, MM_PER_INCH};
 
 pub(super) const RULE: Rule = Rule { code: "turned-thread-wrong", severity: Severity::Warning, run };
@@ -54,6 +56,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut grooves: Vec<Groove> = Vec::new();
     // Whether something turns what is not known, or inside.
     let (mut open, mut inside) = (false, false);
+    let profiles = profiles(facts, unit);
     let mut seen = std::collections::HashSet::new();
     let switches = switches(facts);
     for call in &facts.run.calls {
@@ -79,7 +82,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let finding = rule.at(facts, own.view.head).arg("what", "speed").arg("value", "");
                 found.push(finding.arg("other", ""));
             }
-            thread(rule, facts, own, (&cylinders, &grooves, open, inside), unit, found);
+            if !shoulder(rule, facts, own, &profiles, unit, found) {
+                thread(rule, facts, own, (&cylinders, &grooves, open, inside), unit, found);
+            }
         } else if is_shoulder(cycle) {
             match END.map(value) {
                 [Some(diameter), Some(end)] => cylinders.push(Cylinder { diameter, end }),
@@ -107,6 +112,58 @@ fn is_shoulder(cycle: &Cycle) -> bool {
 /// Whether a cycle turns a face.
 fn is_face(cycle: &Cycle) -> bool {
     cycle.file.name.as_str().contains("face") || with_meaning(cycle, "turning-clearance").is_none()
+}
+
+/// The corners of the contours that turning cycles read from subprograms, by the cycle that reads them: diameter and Z, mm.
+fn profiles(facts: &Facts<'_>, unit: f64) -> Vec<(usize, Vec<[f64; 2]>)> {
+    let mut all = Vec::new();
+    for list in listed(facts) {
+        let turns = |own: &&&Defined<'_>| own.related_cycle().is_some_and(|cycle| cycle.file.group == Group::Turning);
+        let Some(reader) = list.readers.iter().filter(turns).map(|own| own.view.first).min() else { continue };
+        for contour in &list.contours {
+            let (mut at, mut corners) = ([None; 2], Vec::new());
+            for block in contour.iter() {
+                let BlockKind::Motion(motion) = &block.kind else { continue };
+                at = moved(&motion.words(), [Axis::X, Axis::Z], at).unwrap_or_default();
+                if let [Some(x), Some(z)] = at {
+                    corners.push([x * unit, z * unit]);
+                }
+            }
+            all.push((reader, corners));
+        }
+    }
+    all
+}
+
+/// An outside thread on a contour that has a wider part before its end.
+fn shoulder(
+    rule: &Rule,
+    facts: &Facts<'_>,
+    own: &Defined<'_>,
+    profiles: &[(usize, Vec<[f64; 2]>)],
+    unit: f64,
+    found: &mut Vec<Diagnostic>,
+) -> bool {
+    let related = own.as_related_cycle();
+    let read = facts.read(&related);
+    let item = |meaning: &str| read.item(meaning).and_then(|item| Some((number(item)?, item.value_span)));
+    if item(POSITION).is_none_or(|(position, _)| position == INSIDE) {
+        return false;
+    }
+    let (Some((diameter, _)), Some((end, span))) = (DIAMETER.into_iter().find_map(item), item(END[1])) else {
+        return false;
+    };
+    let begin = item(BEGIN).map_or(0.0, |(own, _)| own * unit);
+    let wider = |[x, z]: &&[f64; 2]| {
+        *x > diameter * unit * (1.0 + NEAR.0) + NEAR.1 && *z < begin - RUNOUT && *z > end * unit + RUNOUT
+    };
+    let before = profiles.iter().filter(|(reader, _)| *reader < own.view.first);
+    let first = before.flat_map(|(_, corners)| corners).filter(wider).max_by(|a, b| a[1].total_cmp(&b[1]));
+    if let Some([_, z]) = first {
+        let finding = rule.at(facts, span).arg("what", "end").arg("value", Arg::Number(end));
+        found.push(finding.arg("other", Arg::Number(z / unit)));
+    }
+    first.is_some()
 }
 
 fn thread(

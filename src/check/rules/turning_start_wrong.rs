@@ -43,7 +43,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             (_, Some((at, (start, _), (end, span)))) if beyond(at, start, end) => Some(("z", span)),
             _ => z
                 .zip(item(LENGTHS[1]))
-                .filter(|(at, (end, _))| item(LENGTHS[0]).is_none() && *end > at.max(0.0))
+                .filter(|(at, (end, _))| item(LENGTHS[0]).is_none_or(|(start, _)| start <= 0.0) && *end > at.max(0.0))
                 .map(|(_, (_, span))| ("positive", span)),
         };
         // A contour that is wrong by itself is not reported again for where it begins.

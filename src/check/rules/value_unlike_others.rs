@@ -11,7 +11,7 @@ use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::program::{is_silent, number, with_meaning};
 use crate::check::slip::is_slip;
 use crate::check::{Facts, Loaded, Pending, Rule};
-use crate::program::syntax::{Amount, Axis, BlockKind, Compensates, FeedKind, Path, ValueKind};
+use crate::program::syntax::{Amount, Axis, BlockKind, Compensates, CycleForm, FeedKind, Path, ValueKind};
 use crate::spec::{CycleKey, Group, Quantity, Reference};
 
 pub(super) const RULE: Rule = Rule { code: "value-unlike-others", severity: Severity::Warning, run };
@@ -54,8 +54,23 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             tell(rule, facts, own, found);
         }
     }
+    for own in contour_feeds(facts).into_iter().filter_map(odd) {
+        tell(rule, facts, own, found);
+    }
     for own in polar(facts) {
         tell(rule, facts, own, found);
+    }
+    let depths = old_depths(facts);
+    if let ([(depth, span)], true) = (
+        depths.iter().filter(|own| own.0 > 0.0).copied().collect::<Vec<_>>().as_slice(),
+        depths.iter().any(|own| own.0 < 0.0),
+    ) {
+        let finding = rule.at(facts, *span).arg("what", "depth").arg("value", Arg::Number(*depth));
+        found.push(finding.arg("other", Arg::Number(-depth)));
+    }
+    for (span, value) in lost_signs(facts) {
+        let finding = rule.at(facts, span).arg("what", "sign").arg("value", Arg::Number(value));
+        found.push(finding.arg("other", Arg::Number(-value)));
     }
     let told: BTreeSet<usize> = found
         .iter()
@@ -66,6 +81,66 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = rule.at(facts, span).arg("what", "feed").arg("value", Arg::Number(value));
         found.push(finding.arg("other", Arg::Number(other)));
     }
+}
+
+/// The depths of cycles of the old form that no manual describes: the second value, after the clearance.
+fn old_depths(facts: &Facts<'_>) -> Vec<(f64, Span)> {
+    /// So many lines a cycle has that machines.
+    const LINES: usize = 4;
+    let mut depths = Vec::new();
+    for own in facts.definitions.iter().filter(|own| own.related_cycle().is_none()) {
+        let CycleForm::Lines(lines) = &own.view.form else { continue };
+        let line = lines.iter().find(|own| own.line == 2).filter(|_| lines.len() >= LINES);
+        if let Some([only]) = line.map(|own| own.words.as_slice())
+            && let ValueKind::Number(depth) = only.value.kind
+            && depth != 0.0
+        {
+            depths.push((depth, only.value.span));
+        }
+    }
+    depths
+}
+
+/// Heights between two lower ones on one way at a feed that have lost their sign: with it they lie between those beside
+/// them, or go on as they do.
+fn lost_signs(facts: &Facts<'_>) -> Vec<(Span, f64)> {
+    let mut found = Vec::new();
+    // The last two heights of the way with their places.
+    let mut last: Vec<(f64, Span)> = Vec::new();
+    for block in facts.program.blocks().iter().filter(|_| facts.program.blocks().len() <= MOST) {
+        let BlockKind::Motion(motion) = &block.kind else {
+            if !is_silent(block) {
+                last.clear();
+            }
+            continue;
+        };
+        let words = motion.words();
+        let height = words.coord(Axis::Z).filter(|own| !own.incremental && words.path == Path::L);
+        let across = words.coords.iter().any(|own| matches!(own.axis, Axis::X | Axis::Y));
+        let value = height.and_then(|own| match own.value.amount {
+            Amount::Number(number) => Some((number, own.value.span)),
+            _ => None,
+        });
+        let Some(own) = value.filter(|_| across && !motion.outline().is_rapid()) else {
+            last.clear();
+            continue;
+        };
+        if let [before, middle] = last.as_slice()
+            && before.0 < 0.0
+            && middle.0 > 0.0
+            && own.0 < 0.0
+        {
+            let mean = f64::midpoint(before.0, own.0);
+            if (-middle.0 - mean).abs() <= 0.25 * mean.abs() {
+                found.push((middle.1, middle.0));
+            }
+        }
+        last.push(own);
+        if last.len() > 2 {
+            last.remove(0);
+        }
+    }
+    found
 }
 
 /// The feed of milling, and that of drilling.
@@ -225,6 +300,35 @@ fn plunges(facts: &Facts<'_>) -> Vec<(f64, Span)> {
         }
     }
     heights
+}
+
+/// The feeds that the elements of each contour with RL or RR have, in programs that a person wrote.
+fn contour_feeds(facts: &Facts<'_>) -> Vec<Vec<(f64, Span)>> {
+    let blocks = facts.program.blocks();
+    let (mut all, mut own, mut within) = (Vec::new(), Vec::new(), false);
+    for block in blocks.iter().filter(|block| blocks.len() <= MOST && !is_silent(block)) {
+        let BlockKind::Motion(motion) = &block.kind else {
+            (within, own) = (false, Vec::new());
+            continue;
+        };
+        match motion.outline().compensates() {
+            Compensates::Beside => within = true,
+            Compensates::Off => {
+                within = false;
+                all.push(std::mem::take(&mut own));
+            }
+            Compensates::Unsaid | Compensates::Along => {}
+        }
+        // The way to the contour and the one into a corner have feeds of their own.
+        if within
+            && matches!(motion.path(), Path::L | Path::C | Path::Cr | Path::Ct)
+            && let Some(FeedKind::Value(value)) = motion.words().feed.map(|own| own.kind)
+            && let Amount::Number(feed) = value.amount
+        {
+            own.push((feed, value.span));
+        }
+    }
+    all
 }
 
 /// The one value that differs so from all others, with the others.

@@ -154,7 +154,7 @@ fn found(facts: &Facts<'_>) -> Vec<(Span, Incident)> {
                     walk.block(index, block, &modal);
                     walk.end(block, &modal);
                 }
-                _ => walk.lose(),
+                _ => walk.pass(block),
             }
             // Cycles for patterns are carried out as definitions.
             let pattern = matches!(block.kind, BlockKind::CycleDef(_));
@@ -174,6 +174,19 @@ impl Walk<'_, '_> {
     /// Forgets where the tool is; what moves unseen may also cut.
     fn lose(&mut self) {
         self.at = [None; 3];
+    }
+
+    /// Passes over a block under a transformation: what it moves or calls may cut anywhere.
+    fn pass(&mut self, block: &Block) {
+        self.lose();
+        match &block.kind {
+            BlockKind::Motion(motion) => self.open |= !motion.outline().is_rapid() && motion.outline().has_coords(),
+            BlockKind::CallLbl(_) | BlockKind::CallPgm(_) => {
+                self.open = true;
+                self.holes.lose();
+            }
+            _ => {}
+        }
     }
 
     fn tell(&mut self, block: &Block, incident: Incident) {

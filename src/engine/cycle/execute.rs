@@ -24,11 +24,16 @@ use crate::spec::{Group, Moment, Outcome, TakesEffect, Transformation};
 
 /// Cycles that call cycles go no deeper than this.
 const MAX_NESTED: usize = 8;
+/// The meaning of the parameter that a probing cycle adds to the clearance of the probe.
+const PROBING_CLEARANCE: &str = "probing-clearance";
 
 impl<'e> Run<'_, 'e> {
     /// Calls the last call-active cycle.
     pub(crate) fn call_last_cycle(&mut self) -> Done {
         self.drives.not_compensated("CYCL CALL")?;
+        if self.cycles.last.is_none() && self.cycles.passed_over {
+            return Ok(());
+        }
         let Some(definition) = self.cycles.last.clone() else { return Err(Fault::program("no-cycle-to-call").into()) };
         self.execute(&definition)
     }
@@ -81,6 +86,7 @@ impl<'e> Run<'_, 'e> {
         }
         if plan.probes {
             self.drives.world.probe()?;
+            self.drives.clearance = self.probing_clearance(definition);
         }
         let cycle = &definition.cycle.file;
         let mills = cycle.group != Group::Turning && (plan.probes || cycle.takes_effect == TakesEffect::OnCall);
@@ -105,6 +111,13 @@ impl<'e> Run<'_, 'e> {
         self.drives.probing = outer_probing;
         self.drives.report.at_mut().cycle = outer_at;
         Ok(())
+    }
+
+    /// The clearance that a probing cycle adds to that of the probe, mm.
+    fn probing_clearance(&self, definition: &Definition<'e>) -> f64 {
+        let own = definition.cycle.params.iter().find(|param| param.is.as_str() == PROBING_CLEARANCE);
+        let value = own.and_then(|param| self.params.number(param.q?).ok());
+        value.unwrap_or_default() * self.drives.cycle_unit
     }
 
     /// Tables keep what a cycle wrote if it came to its end, or to one that its specification names; otherwise they

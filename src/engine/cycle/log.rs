@@ -12,6 +12,7 @@ use crate::engine::cycle::kinematics_log;
 use crate::engine::flow::exec::Exec;
 use crate::engine::flow::state::Run;
 use crate::engine::report::ending::Done;
+use crate::engine::report::envelope::Touching;
 use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::{Class, Fault};
 
@@ -33,6 +34,10 @@ type Templates = Vec<(String, String)>;
 impl<'e> Run<'_, 'e> {
     /// Writes a log: into the file of the cycle, after what is there, or on the screen.
     pub(crate) fn log(&mut self, name: &str, screen: bool, values: &[(Arc<str>, Value)], exec: &Exec<'_, 'e>) -> Done {
+        // What is only assumed is worth no log.
+        if self.settings.touching == Touching::AsExpected {
+            return Ok(());
+        }
         let cycle = exec.definition.cycle;
         let name = if name == OF_CYCLE { cycle.name() } else { name };
         let (extension, templates) = self.templates(name)?;

@@ -3,6 +3,7 @@ use std::collections::BTreeMap;
 
 use crate::base::diag::{Arg, Diagnostic};
 use crate::engine::plan::Compiled;
+use crate::engine::report::envelope::Touching;
 use crate::program::syntax::Program;
 use crate::spec::{CycleKey, OnControl};
 
@@ -73,6 +74,8 @@ pub(crate) struct Settings<'e> {
     pub(crate) skip_blocks: bool,
     /// Whether the envelopes of probing cycles are asked for.
     pub(crate) envelope: bool,
+    /// What stops the probe.
+    pub(crate) touching: Touching,
     /// Other controls, for cycles that the manual of this one only names.
     pub(crate) others_on: Vec<&'e OnControl>,
     /// A cycle of which values are noted.

@@ -95,6 +95,8 @@ pub(crate) struct Patterns {
 pub(crate) struct Cycles<'e> {
     /// The cycle that a call executes.
     pub(crate) last: Option<Arc<Definition<'e>>>,
+    /// Whether a cycle was passed over that no description says how to execute: a call without a later one does nothing.
+    pub(crate) passed_over: bool,
     /// How many cycles were defined.
     pub(crate) definitions: u64,
     /// Values of GLOBAL DEF by the parameter that takes them, with mm in the unit of their program.

@@ -73,6 +73,8 @@ pub(crate) struct Drives<'r, 'e> {
     pub(crate) beside_contour: bool,
     /// What stops the probe.
     touching: Touching,
+    /// The clearance that the cycle being executed adds to that of the probe, mm.
+    pub(crate) clearance: f64,
     /// The ways of the cycle whose envelope is looked for.
     pub(crate) recorder: Option<Recorder>,
     /// The moves of a contour that is only read, in machine coordinates: nothing moves and nothing is reported.
@@ -94,6 +96,7 @@ impl<'r, 'e> Drives<'r, 'e> {
             probing: false,
             beside_contour: false,
             touching: Touching::AsScene,
+            clearance: 0.0,
             recorder: None,
             traced: None,
         }
@@ -104,10 +107,10 @@ impl<'r, 'e> Drives<'r, 'e> {
         self.touching
     }
 
-    /// What stops the probe from now on. Unless that are the parts of the scene, all is only rehearsed.
+    /// What stops the probe from now on. Where that is not certain, all is only rehearsed.
     pub(crate) fn touch(&mut self, touching: Touching) {
         self.touching = touching;
-        self.report.rehearse(touching != Touching::AsScene);
+        self.report.rehearse(matches!(touching, Touching::AtOnce | Touching::AtEnd));
     }
 
     /// A fault if something that cannot be executed next to a contour comes while compensation is in effect.

@@ -127,8 +127,9 @@ impl Drives<'_, '_> {
         let found = match self.touching() {
             Touching::AsScene => self.found(probe, approach.path, start, way)?,
             Touching::AtOnce => Some((self.world.machine, start + way * probe.ball_radius, 0.0)),
-            Touching::AtEnd => {
-                let gone = way * approach.path;
+            Touching::AtEnd | Touching::AsExpected => {
+                let expected = if self.touching() == Touching::AtEnd { f64::INFINITY } else { self.expected(probe) };
+                let gone = way * approach.path.min(expected);
                 Some((self.world.machine + gone, start + gone + way * probe.ball_radius, 0.0))
             }
         };
@@ -143,6 +144,11 @@ impl Drives<'_, '_> {
         let pressed = |(_, _, depth)| Pressed { from: self.world.machine, direction: way, depth };
         self.world.pressed = found.map(pressed);
         Ok(Stop { tip, centre, touched: found.is_some() })
+    }
+
+    /// How far from the beginning of a probing path the cycle expects the workpiece, mm.
+    fn expected(&self, probe: &ProbeData) -> f64 {
+        (probe.set_up + self.clearance).max(0.0)
     }
 
     /// Where the probe triggers on a path of the ball from its centre at the start, if it does: the tool tip then, the

@@ -30,6 +30,8 @@ pub enum Touching {
     AtOnce,
     /// Everything is touched where the probing path ends.
     AtEnd,
+    /// Everything is touched where the cycle expects it, at its clearance from where the probing begins.
+    AsExpected,
 }
 
 /// What is in the scene.

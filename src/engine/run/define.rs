@@ -15,6 +15,7 @@ use crate::engine::motion::axis::rotary;
 use crate::engine::motion::moves::RAPID_FEED;
 use crate::engine::params::Content;
 use crate::engine::report::ending::Done;
+use crate::engine::report::envelope::Touching;
 use crate::engine::report::fault::{Class, Fault};
 use crate::program::fields::{self, first, stands_on};
 use crate::program::syntax::{
@@ -49,6 +50,12 @@ impl<'e> Run<'_, 'e> {
         let known = self.known(key);
         if known.is_err() && self.transformation(key).is_some() {
             return self.activate(key, &view);
+        }
+        let assumed = self.settings.touching == Touching::AsExpected;
+        if assumed && matches!(view.form, CycleForm::Lines(_)) && known.as_ref().is_err_and(is_undescribed) {
+            // It would machine when it is called: what, no one knows.
+            (self.cycles.last, self.cycles.passed_over, self.modal.call_always) = (None, true, false);
+            return Ok(());
         }
         let (cycle, on) = known?;
         let plan = self.cycles.plan(cycle, on, &self.settings.watching)?;
@@ -461,4 +468,9 @@ fn axis_of(name: &str) -> Option<(Axis, bool)> {
     };
     let axis = Axis::by_name(letters.as_bytes()).filter(|axis| !matches!(axis, Axis::Pr | Axis::Pa))?;
     Some((axis, incremental))
+}
+
+/// Whether a fault is that of a cycle that no description says how to execute.
+fn is_undescribed(fault: &Fault) -> bool {
+    matches!(&*fault.code, "cycle-unknown" | "unsupported-cycle")
 }

@@ -11,6 +11,7 @@ use crate::engine::motion::drives::Drives;
 use crate::engine::params::Params;
 use crate::engine::plan::Compiled;
 use crate::engine::report::ending::{Done, Leave};
+use crate::engine::report::envelope::Touching;
 use crate::engine::report::event::{At, Event, EventKind, Status};
 use crate::engine::report::fault::Fault;
 use crate::engine::report::outcome::{Outcome, Shown};
@@ -39,6 +40,7 @@ impl<'e> Engine<'e> {
             limits: Limits::default(),
             skip_blocks: false,
             envelope: false,
+            touching: Touching::AsScene,
             others_on: Vec::new(),
             watching: None,
         };
@@ -90,6 +92,14 @@ impl<'e> Engine<'e> {
         self
     }
 
+    /// The same with a part that lies, and a tool that is, exactly as the cycles that probe them are entered, whatever the
+    /// scene has: each probing finds its touch point at the clearance of the cycle, and nothing collides.
+    #[must_use]
+    pub const fn touching_as_expected(mut self) -> Self {
+        self.settings.touching = Touching::AsExpected;
+        self
+    }
+
     /// The same with a run of a cycle that notes values each time that a step of it has been executed.
     #[must_use]
     pub const fn watching(mut self, cycle: CycleKey, watched: &'e Compiled) -> Self {
@@ -109,7 +119,8 @@ impl<'e> Engine<'e> {
             Err(error) => return self.not_started(error.into(), emit),
         };
         let report = Reporter::new(self.program.source().name().into(), emit);
-        let drives = Drives::new(world, report, self.settings.limits.moves);
+        let mut drives = Drives::new(world, report, self.settings.limits.moves);
+        drives.touch(self.settings.touching);
         let mut run = Run::new(&self.settings, Prepared::new(self.program), drives, Run::blocks);
         let end = run.program();
         finish(run, end)

@@ -6,7 +6,7 @@
 use std::fmt::Write as _;
 
 use super::super::geometry::INCH;
-use crate::base::expr::QRef;
+use crate::base::expr::{QKind, QRef};
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, CycleDef, CycleKeyword, Program, ToolRef, ValueKind};
 use crate::program::table::{Cell, Quantity, Table};
 use crate::spec::{CycleKey, Group, Keyword, OnControl};
@@ -30,10 +30,20 @@ const TURNING_MACHINES: [&str; 2] = ["mill-turn", "mill-table-c"];
 const TILTING_ABOUT_Y: &str = "mill-table-bc";
 /// Where a tool setter is assumed, in machine coordinates, and its width: in a corner of the machine, mm.
 const SETTER: [f64; 4] = [900.0, 900.0, -900.0, 40.0];
+/// What machine parameters of tool measurement are assumed to be, by their neutral names: mm, mm/min, m/min.
+const MEASURING: [(&str, f64); 5] = [
+    ("setter-safety-distance", 5.0),
+    ("setter-axis-offset", 3.0),
+    ("stationary-probing-feed", 100.0),
+    ("max-peripheral-speed", 31.5),
+    ("measuring-tolerance", 0.01),
+];
 /// The meaning of the parameter that only recessing cycles have.
 const RECESS: &str = "recess-clearance";
 /// How far above the blank the tool starts, mm.
 const ABOVE: f64 = 100.0;
+/// The type of a touch probe in the tool table.
+const PROBE: &str = "TCHP";
 /// The meaning of the parameter that says how a cycle plunges; 0 is vertically.
 const PLUNGING: &str = "plunging-strategy";
 
@@ -93,6 +103,8 @@ pub struct Guess {
     positioned: bool,
     /// Whether tools are measured.
     measures: bool,
+    /// The machine parameters that measuring them needs, as the control calls them.
+    parameters: Vec<(String, f64)>,
     /// The machine for programs that move B and not A.
     tilting_machine: &'static str,
     /// The machine for programs that turn.
@@ -110,6 +122,8 @@ pub enum Line<'g> {
     Tool(&'g GuessedTool),
     /// The touch probe.
     Probe,
+    /// What measures tools.
+    Setter,
     /// The blank.
     Blank,
 }
@@ -127,7 +141,9 @@ impl Guess {
         let is_there = |name: &&str| machines.iter().any(|(path, _)| path.ends_with(&format!("/{name}.yaml")));
         let turning_machine = TURNING_MACHINES.into_iter().find(is_there).unwrap_or_default();
         let tilting_machine = Some(TILTING_ABOUT_Y).filter(is_there).unwrap_or_default();
-        let mut guess = Self { blank, turning_machine, tilting_machine, ..Self::default() };
+        let printed = |(name, value): (&str, f64)| Some((on.datum(name)?.to_owned(), value));
+        let parameters = MEASURING.into_iter().filter_map(printed).collect();
+        let mut guess = Self { blank, turning_machine, tilting_machine, parameters, ..Self::default() };
         for program in programs {
             guess.read(on, program, table);
         }
@@ -149,7 +165,7 @@ impl Guess {
         guess
     }
 
-    /// Whether blocks name positions of rotary axes: where these lead to depends on the machine, which is assumed.
+    /// Whether blocks name positions of rotary axes other than those of a tilted plane: where these lead to depends on the machine, which is assumed.
     pub const fn positions_rotary_axes(&self) -> bool {
         self.positioned
     }
@@ -184,7 +200,7 @@ impl Guess {
                     self.measures |= is_of(on, definition.keyword, definition.number, Group::ToolMeasurement);
                     if let Some(tool) = loaded.and_then(|index| self.tools.get_mut(index)) {
                         tool.plunges |= plunges(on, definition);
-                        tool.probes |= probes(on, definition.keyword, definition.number);
+                        tool.probes |= probes(on, definition.keyword, definition.number, &is_probe(table, tool));
                         tool.turns |= is_of(on, definition.keyword, definition.number, Group::Turning);
                         tool.recesses |= has(on, definition, RECESS);
                     }
@@ -192,7 +208,7 @@ impl Guess {
                 BlockKind::OldCycleLine(line) => {
                     self.measures |= is_of(on, line.keyword, line.number, Group::ToolMeasurement);
                     if let Some(tool) = loaded.and_then(|index| self.tools.get_mut(index)) {
-                        tool.probes |= probes(on, line.keyword, line.number);
+                        tool.probes |= probes(on, line.keyword, line.number, &is_probe(table, tool));
                     }
                 }
                 _ => self.turns(block),
@@ -244,7 +260,8 @@ impl Guess {
                     *a |= coord.axis == Axis::A;
                     *b |= coord.axis == Axis::B;
                     *c |= coord.axis == Axis::C;
-                    self.positioned |= matches!(coord.axis, Axis::A | Axis::B | Axis::C);
+                    let rotary = matches!(coord.axis, Axis::A | Axis::B | Axis::C);
+                    self.positioned |= rotary && !leads_to_plane(coord.value.amount);
                 }
             }
             BlockKind::Statement(statement) => {
@@ -297,7 +314,10 @@ impl Guess {
         }
         if self.measures {
             let [x, y, z, wide] = SETTER;
-            let _ = writeln!(text, "tool_setter: {{at: [{x}, {y}, {z}], diameter: {wide}}}");
+            let _ = writeln!(text, "tool_setter: {{at: [{x}, {y}, {z}], diameter: {wide}}}{}", comment(Line::Setter));
+            let parameters: Vec<String> =
+                self.parameters.iter().map(|(name, value)| format!("{name}: {value}")).collect();
+            let _ = writeln!(text, "machine_parameters: {{{}}}{}", parameters.join(", "), comment(Line::Setter));
         }
         let top = self.blank.as_ref().map_or(0.0, |blank| blank.top);
         let _ = writeln!(text, "start: {{X: 0, Y: 0, Z: {}}}", top + ABOVE);
@@ -330,6 +350,16 @@ impl GuessedTool {
         let angle = if self.plunges { format!(", ANGLE: {ANGLE}") } else { String::new() };
         let probe = if self.probes { ", TP_NO: 1" } else { "" };
         format!("T: {}{name}, L: {length}, R: {radius}{angle}{probe}", self.number)
+    }
+}
+
+/// Whether a position of a rotary axis is 0, or the one that the control has calculated for the tilted plane (Q120 to Q122):
+/// these lead to the same place of the part on any machine.
+fn leads_to_plane(amount: Amount) -> bool {
+    match amount {
+        Amount::Number(number) => number == 0.0,
+        Amount::Q { q, negative } => !negative && q.kind == QKind::Q && (120..=122).contains(&q.number),
+        Amount::Text(_) => false,
     }
 }
 
@@ -380,10 +410,17 @@ fn has(on: &OnControl, definition: &CycleDef, meaning: &str) -> bool {
     cycle.is_some_and(|cycle| cycle.params.iter().any(|param| param.is.as_str() == meaning))
 }
 
-/// Whether a cycle needs a touch probe for workpieces.
-fn probes(on: &OnControl, keyword: CycleKeyword, number: u32) -> bool {
+/// Whether a cycle needs a touch probe for workpieces. Of one that no manual of the control describes the tool decides: it
+/// may measure the tool as well.
+fn probes(on: &OnControl, keyword: CycleKeyword, number: u32, is_probe: &dyn Fn() -> bool) -> bool {
     let cycle = key(keyword, number).and_then(|key| on.cycles.get(&key));
-    keyword == CycleKeyword::TchProbe && cycle.is_some_and(|cycle| cycle.file.group != Group::ToolMeasurement)
+    keyword == CycleKeyword::TchProbe && cycle.map_or_else(is_probe, |cycle| cycle.file.group != Group::ToolMeasurement)
+}
+
+/// Whether the table says that a tool is a touch probe.
+fn is_probe<'t>(table: Option<&'t Table>, tool: &GuessedTool) -> impl Fn() -> bool + 't {
+    let number = tool.number;
+    move || table.and_then(|table| table.text(number, "TYP").ok()).is_some_and(|kind| kind.eq_ignore_ascii_case(PROBE))
 }
 
 fn key(keyword: CycleKeyword, number: u32) -> Option<CycleKey> {

@@ -5,6 +5,11 @@ use crate::engine::geometry::{Axis, WorkingPlane};
 use crate::engine::solid::Shape;
 use crate::engine::stock::Blank;
 
+/// What lies so little inside of the blank is at its faces, mm.
+pub(super) const SKIN: f64 = 0.05;
+/// Places that are so near are the same, mm.
+pub(super) const SAME: f64 = 0.01;
+
 /// A blank: a box, or a cylinder about the tool axis; lengths in mm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Body {

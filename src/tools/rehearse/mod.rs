@@ -7,19 +7,21 @@
 //! a probe is in the spindle, while a tool has another axis than the blank, and after a second preset. Of a program
 //! without a blank only holes and the use of its tools are followed.
 //!
-//! `mod.rs` sets up the run, `body.rs` is the blank, `watcher.rs` follows the events, `work.rs` judges what a cycle has done,
+//! `mod.rs` sets up the run, `body.rs` is the blank, `remains.rs` what is left of it, `watcher.rs` follows the events, `cuts.rs` judges movements that cut, `work.rs` what a cycle has done,
 //! `path.rs` what plain movements have, `series.rs` the holes of the whole program together.
 //!
 //! Invariant: a run is bounded, and ends where the engine cannot go on; what was seen before that holds.
 mod body;
+mod cuts;
 mod path;
 pub mod presets;
+mod remains;
 mod series;
 mod watcher;
 mod work;
 
 use self::body::Body;
-use self::presets::any_preset;
+use self::presets::{any_preset, goes_on};
 use self::watcher::Watcher;
 use crate::base::diag::Source;
 use crate::check::{Observed, ToolKind};
@@ -35,8 +37,6 @@ use crate::spec::{Catalogue, Known, OnControl};
 
 /// Longer programs are not executed: posts write them, and their ways are all in the text.
 const MOST_BLOCKS: usize = 3_000;
-/// So often the operator goes on where the program stops.
-const STOPS: usize = 20;
 /// What a run may do.
 const LIMITS: Limits = Limits { blocks: 50_000, jumps: 10_000, depth: 19, members: 2_000, moves: 50_000 };
 
@@ -79,8 +79,7 @@ impl Rehearsal<'_> {
         }
         let mut text = guess.to_yaml(&|_| String::new());
         text.push_str(&any_preset());
-        let answers = vec!["{to: stop, say: continue}"; STOPS];
-        text.push_str(&format!("answers: [{}]\n", answers.join(", ")));
+        text.push_str(&goes_on());
         let mut scene = Scene::parse(&Source::new("scene", text), self.files).ok()?;
         beside(&mut scene);
         let mut watcher = Watcher::new((on, self.catalogue), program, body, &scene);
@@ -89,7 +88,10 @@ impl Rehearsal<'_> {
         }
         watcher.kinds = guess.tools.iter().filter_map(|tool| Some((tool.number, self.kind(program, tool)?))).collect();
         watcher.probes = guess.tools.iter().filter(|tool| tool.probes).map(|tool| tool.number).collect();
-        let engine = Engine::new(program, on, &scene, &NoTexts).with_catalogue(self.catalogue).with_limits(LIMITS);
+        let engine = Engine::new(program, on, &scene, &NoTexts)
+            .with_catalogue(self.catalogue)
+            .with_limits(LIMITS)
+            .touching_as_expected();
         let engine = match self.programs {
             Some(programs) => engine.with_programs(programs),
             None => engine,
@@ -119,16 +121,21 @@ impl Rehearsal<'_> {
 
 /// The program without what would end its execution and changes nothing of where the tool goes, if it has such: blocks that
 /// only round the way to a contour and from it are comments, since the manuals do not say where the tool goes there; a feed
-/// of some height stands for `FMAX` where a pattern is called, which no control takes and a finding names.
+/// of some height stands for `FMAX` at the points of a table, which no control takes and a finding names.
 pub fn without_obstacles(program: &Program) -> Option<Program> {
     let source = program.source().text();
     let mut edits = Vec::new();
+    let table = program.blocks().iter().any(|block| match &block.kind {
+        BlockKind::Sel(own) => program.slice(own.what).eq_ignore_ascii_case("PATTERN"),
+        _ => false,
+    });
     for block in program.blocks() {
         if block.is_blend() {
             let code = source.get(block.span.start..)?.find(['G', 'g'])? + block.span.start;
             edits.push((code..code + 1, ';'));
         }
         if let BlockKind::CyclCall(call) = &block.kind
+            && table
             && matches!(call.form, CallForm::Pattern)
             && let Some(feed) = call.feed.as_ref().filter(|feed| matches!(feed.kind, FeedKind::Max))
         {

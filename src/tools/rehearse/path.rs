@@ -1,21 +1,41 @@
 //! What plain movements at feed have done since the last tool call, or under one transformation: whether they stay above
 //! the blank, and whether they go where the same tool has been under another transformation.
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 
 use glam::DVec3;
 
-use super::body::Body;
-use super::watcher::{SAME, SKIN, Watcher};
+use super::body::{Body, SAME, SKIN};
+use super::watcher::Watcher;
 use crate::check::Incident;
 use crate::engine::run::Coordinates;
 
 /// So many movements make a path that is compared.
 const LEAST: usize = 4;
-/// So many movements are remembered.
-const MOST: usize = 4_096;
+/// So many places are remembered.
+const MOST: usize = 1 << 15;
+/// Of a movement so many.
+const LONGEST: f64 = 1_000.0;
 
-/// A movement, whichever way it goes.
-type Stroke = [[i64; 3]; 2];
+/// Places of a path are so far from each other, mm, and so near to others at the same height they are the same.
+const STEP: f64 = 0.5;
+/// So much of a path that is in the same places makes it the same path.
+const COVERED: f64 = 0.9;
+
+/// So many feeds of a tool are remembered.
+const FEEDS: usize = 16;
+/// So many times the slowest feed through material is a digit too many, if it is more than this part of the diameter for
+/// each revolution.
+const TENFOLD: f64 = 9.5;
+const MOST_OF_DIAMETER: f64 = 0.15;
+
+/// So many rotations of a tool are remembered.
+const ROTATIONS: usize = 1 << 9;
+/// A whole turn in hundredths of a degree, and so many equal angles in it lack none by intention.
+const TURN: i64 = 36_000;
+const ANGLES: usize = 5;
+
+/// A place, in steps; its height in hundredths of a millimetre.
+type Place = [i64; 3];
 
 /// The plain movements of a tool.
 #[derive(Default)]
@@ -23,31 +43,93 @@ pub(super) struct Ways {
     /// The line of the first movement that goes along the blank, and the lowest height of all.
     along: Option<usize>,
     lowest: Option<f64>,
+    /// The first movement below the top of the blank, how many there are, and whether any comes to the blank.
+    below: Option<(usize, DVec3)>,
+    deep: usize,
+    meets: bool,
+    /// Whether cycles machine with the tool.
+    pub(super) cycles: bool,
+    /// The rotation in effect, and those under which the tool has cut, hundredths of a degree.
+    rotation: i64,
+    rotations: BTreeSet<i64>,
     /// Under other transformations, and under the one in effect with the line of the first.
-    before: HashSet<Stroke>,
-    now: HashSet<Stroke>,
+    before: HashSet<Place>,
+    now: HashSet<Place>,
+    /// How many movements are in `now`.
+    strokes: usize,
     first: Option<usize>,
+    /// The feeds of the movements through solid material, mm/min and mm per revolution, each with its first line.
+    feeds: Vec<([f64; 2], usize)>,
     /// The transformation in effect, without its datum shift along the tool axis.
     transformation: Option<[[i64; 4]; 3]>,
 }
 
 impl Ways {
     /// Notes a movement at feed.
-    pub(super) fn note(&mut self, line: usize, from: DVec3, to: DVec3, body: &Body) {
+    pub(super) fn note(&mut self, line: usize, (from, to): (DVec3, DVec3), body: &Body, meets: bool) {
+        self.meets |= meets;
         let flat = (to - from).truncate().length() > SAME;
         if flat {
             self.lowest = Some(self.lowest.map_or(to.z, |lowest| lowest.min(to.z)).min(from.z));
         }
-        if flat && body.distance(to) <= 0.0 {
+        if flat && meets {
             self.along.get_or_insert(line);
         }
+        if flat && to.z < body.high.z - SKIN {
+            self.below.get_or_insert((line, to));
+            self.deep += 1;
+        }
         if flat && to.z < body.high.z - SKIN && self.now.len() + self.before.len() < MOST {
-            let mut ends = [from, to].map(|own| own.to_array().map(|value| (value / SAME).round() as i64));
-            ends.sort_unstable();
-            self.now.insert(ends);
+            let count = ((to - from).length() / STEP).ceil().clamp(1.0, LONGEST);
+            self.now.extend((0..=count as usize).map(|at| steps(from.lerp(to, at as f64 / count))));
+            self.strokes += 1;
             self.first.get_or_insert(line);
         }
     }
+
+    /// Notes that the tool cuts under the rotation in effect.
+    pub(super) fn note_rotation(&mut self) {
+        if self.rotations.len() < ROTATIONS {
+            self.rotations.insert(self.rotation);
+        }
+    }
+
+    /// How many equal angles there would be in a whole turn, if the tool has cut at all of them but one.
+    fn lacks_one(&self) -> Option<usize> {
+        let all: Vec<i64> = self.rotations.iter().copied().collect();
+        let count = all.len() + 1;
+        let step = TURN / i64::try_from(count).ok()?;
+        let gaps = all.windows(2).map(|pair| pair[1] - pair[0]);
+        let equal = |gap: i64| (gap - step).abs() <= 1;
+        let (same, twice) = gaps.fold((0, 0), |(same, twice), gap| {
+            (same + usize::from(equal(gap)), twice + usize::from((gap - 2 * step).abs() <= 2))
+        });
+        // The one that is missing is between two others, or between the last and the first.
+        let inside = twice == 1 && same + twice == all.len() - 1;
+        (count >= ANGLES && (same == all.len() - 1 || inside)).then_some(count)
+    }
+
+    /// Notes the feed of a movement sideways through solid material.
+    pub(super) fn note_feed(&mut self, line: usize, feed: f64, speed: f64) {
+        if self.feeds.len() < FEEDS && self.feeds.iter().all(|([own, _], _)| *own != feed) {
+            self.feeds.push(([feed, feed / speed], line));
+        }
+    }
+
+    /// Whether nearly all of these places were passed before.
+    fn covers(&self, now: &HashSet<Place>) -> bool {
+        let near = |own: &&Place| {
+            let [x, y, z] = **own;
+            let around = (-1..=1).flat_map(|i| (-1..=1).map(move |k| [x + i, y + k, z]));
+            around.into_iter().any(|place| self.before.contains(&place))
+        };
+        !self.before.is_empty() && now.iter().filter(near).count() as f64 >= COVERED * now.len() as f64
+    }
+}
+
+fn steps(place: DVec3) -> Place {
+    let step = DVec3::new(STEP, STEP, SAME);
+    (place / step).to_array().map(|own| own.round() as i64)
 }
 
 impl Watcher<'_> {
@@ -55,14 +137,37 @@ impl Watcher<'_> {
     pub(super) fn judge_ways(&mut self) {
         self.compare();
         let ways = std::mem::take(&mut self.ways);
+        self.judge_feeds(&ways.feeds);
+        if let Some(count) = ways.lacks_one() {
+            self.report(self.line, Incident::RotationsLackOne(count));
+        }
+        if let Some((line, at)) =
+            ways.below.filter(|_| !ways.meets && !ways.cycles && ways.deep >= LEAST && !self.away())
+        {
+            self.report(line, Incident::OutsideBlank([at.x * self.unit, at.y * self.unit]));
+        }
         let (Some(line), Some(lowest), Some(top)) = (ways.along, ways.lowest, self.top()) else { return };
-        if lowest > top + SKIN && !self.away() {
+        if lowest > top + SKIN && !ways.cycles && !self.away() {
             self.report(line, Incident::AboveBlank(lowest * self.unit));
+        }
+    }
+
+    /// A feed that is ten times another one of the tool, and far more per revolution than it takes.
+    fn judge_feeds(&mut self, feeds: &[([f64; 2], usize)]) {
+        let Some(width) = self.width().filter(|width| *width > 0.0) else { return };
+        let slowest = feeds.iter().map(|([own, _], _)| *own).fold(f64::INFINITY, f64::min);
+        let fastest = feeds.iter().max_by(|one, other| one.0[0].total_cmp(&other.0[0]));
+        if let Some(([fastest, turn], line)) = fastest.copied()
+            && fastest >= TENFOLD * slowest
+            && turn > MOST_OF_DIAMETER * width
+        {
+            self.report(line, Incident::TenfoldFeed(fastest / slowest));
         }
     }
 
     /// Coordinates mean something else from here on.
     pub(super) fn transformed(&mut self, now: &Coordinates) {
+        self.ways.rotation = ((now.rotation * 100.0).round() as i64).rem_euclid(TURN);
         let rows = now.matrix.map(|row| row.map(|own| (own / SAME).round() as i64));
         if self.ways.transformation != Some(rows) {
             self.compare();
@@ -73,9 +178,10 @@ impl Watcher<'_> {
     /// Whether all that was done under the transformation in effect was done before under others.
     fn compare(&mut self) {
         let (now, first) = (std::mem::take(&mut self.ways.now), self.ways.first.take());
+        let strokes = std::mem::take(&mut self.ways.strokes);
         if let Some(line) = first
-            && now.len() >= LEAST
-            && now.iter().all(|own| self.ways.before.contains(own))
+            && strokes >= LEAST
+            && self.ways.covers(&now)
             && !self.away()
         {
             self.report(line, Incident::PathTwice);

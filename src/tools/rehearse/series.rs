@@ -3,8 +3,8 @@
 //!
 //! Invariant: only of programs of which all holes are known: those that came to their end, or to a block after which nothing
 //! is drilled.
-use super::body::Body;
-use super::watcher::{SAME, Watcher};
+use super::body::{Body, SAME};
+use super::watcher::Watcher;
 use super::work::Work;
 use crate::check::{Incident, ToolKind, is_slip};
 use crate::program::fields::key;

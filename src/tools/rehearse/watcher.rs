@@ -3,11 +3,12 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 
 use glam::DVec3;
 
-use super::body::Body;
+use super::body::{Body, SAME, SKIN};
 use super::path::Ways;
 use super::presets::UNNAMED_PRESET;
+use super::remains::Remains;
 use super::series::Rows;
-use super::work::{Hole, Work};
+use super::work::{Hole, Thread, Work};
 use crate::base::diag::{Arg, interned};
 use crate::check::{Incident, Observed, ToolKind, removes_material};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
@@ -16,21 +17,16 @@ use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MessageKin
 use crate::engine::scene::Scene;
 use crate::engine::solid::Path;
 use crate::engine::stock::Blank;
-use crate::program::syntax::{self, Amount, Block, BlockKind, FeedKind, Operand, Program};
+use crate::program::fields::key;
+use crate::program::syntax::{self, Block, BlockKind, Program};
 use crate::spec::{Catalogue, Cycle, CycleKey, Group, Keyword, MM_PER_INCH, OnControl};
 
-/// So many cells the longer side of the blank has.
-const CELLS: f64 = 64.0;
 /// So many places of a movement are looked at.
 const PLACES: f64 = 128.0;
 /// So many places of a movement say how far it reaches.
 const ROUND: u8 = 8;
-/// So many places may be cut.
-const MOST_PLACES: usize = 400_000;
 /// The radius of a tool that is not known, mm: larger ones are rare.
 pub(super) const RADIUS: f64 = 12.0;
-/// What lies so little inside of the blank is at its faces, mm.
-pub(super) const SKIN: f64 = 0.05;
 /// So far beside the blank a tool below its top has not been retracted, mm.
 const BESIDE: f64 = 50.0;
 /// A movement that cuts goes so far below the blank, mm.
@@ -41,13 +37,8 @@ const FAR: f64 = 50.0;
 const SCALED: f64 = 20.0;
 /// So many blocks in a row may show nothing.
 const SEVERAL: usize = 64;
-/// A feed so many times that of the tool call is one for positioning, and one at which the tool cuts is hardly above it.
-const POSITIONING: f64 = 3.0;
-const CUTTING: f64 = 1.1;
 /// So far outside of the blank a hole in a tilted plane still meets it, mm.
 const MEETS: f64 = 1.0;
-/// Places that are so near are the same, mm.
-pub(super) const SAME: f64 = 0.01;
 
 /// What is known while a program runs.
 pub(super) struct Watcher<'w> {
@@ -58,17 +49,15 @@ pub(super) struct Watcher<'w> {
     pub(super) blocks: BTreeMap<usize, &'w Block>,
     /// A millimetre in the unit of the program.
     pub(super) unit: f64,
+    /// The first line of a cycle that no description says how to execute: it is passed over.
+    unknown: Option<usize>,
     /// The blank, if its size is known.
     pub(super) body: Option<Body>,
     to_blank: Frame,
+    /// The preset in machine coordinates that the blank was clamped for.
+    datum: DVec3,
     plane: WorkingPlane,
-    /// The height down to which the blank is there, by rows of cells.
-    tops: Vec<f64>,
-    cell: f64,
-    columns: usize,
-    places: usize,
-    /// Whether something may have been removed that is not known.
-    pub(super) open: bool,
+    pub(super) remains: Remains,
     /// Whether the blank is elsewhere from now on.
     pub(super) lost: bool,
     /// Whether the plane is tilted, be it without the axes.
@@ -92,7 +81,7 @@ pub(super) struct Watcher<'w> {
     /// A cycle for holes in the tilted plane: its block, and whether it has met the blank.
     tilted_holes: Option<(usize, bool)>,
     /// Whether this tool has gone sideways through solid material at the feed of its call.
-    cuts: bool,
+    pub(super) cuts: bool,
     preset: Option<f64>,
     pub(super) worked: bool,
     /// Whether the operator was asked to go on after something was machined, and whether rows of holes were uncertain then.
@@ -104,15 +93,16 @@ pub(super) struct Watcher<'w> {
     pub(super) tool: Option<f64>,
     pub(super) calls: u32,
     /// The line of the last tool call.
-    called: usize,
+    pub(super) called: usize,
     with_speed: bool,
     spindle: i8,
-    speed: f64,
+    pub(super) speed: f64,
     started: bool,
     pub(super) work: Option<Work>,
     /// Whether more than holes was machined.
     pub(super) others: bool,
     pub(super) holes: Vec<Hole>,
+    pub(super) threads: Vec<Thread>,
     pub(super) machined: HashMap<(CycleKey, u32, [i64; 3]), usize>,
     /// The pockets that were made: cycle, tool call, line, place and size.
     pub(super) milled: HashSet<(CycleKey, u32, usize, [i64; 5])>,
@@ -134,10 +124,6 @@ impl<'w> Watcher<'w> {
         scene: &Scene,
     ) -> Self {
         let frame = Blank::find(program, scene).map_or(scene.frame, |blank| blank.frame);
-        let size = body.map_or(DVec3::ZERO, |body| body.high - body.low);
-        let cell = (size.x.max(size.y) / CELLS).max(0.01);
-        let columns = (size.x / cell).ceil().max(1.0) as usize;
-        let rows = (size.y / cell).ceil().max(1.0) as usize;
         let inch = program.blocks().iter().any(|block| match &block.kind {
             BlockKind::BeginPgm(frame) => frame.inch,
             _ => false,
@@ -146,16 +132,14 @@ impl<'w> Watcher<'w> {
             on,
             catalogue,
             program,
+            unknown: unknown(program, on, catalogue),
             blocks: program.blocks().iter().rev().map(|block| (block.line, block)).collect(),
             unit: if inch { 1.0 / MM_PER_INCH } else { 1.0 },
             body,
             to_blank: frame.inverse(),
+            datum: DVec3::ZERO,
             plane: WorkingPlane::of_tool_axis(body.map_or(Axis::Z, |body| body.axis)),
-            tops: vec![body.map_or(0.0, |body| body.high.z); columns * rows],
-            cell,
-            columns,
-            places: 0,
-            open: false,
+            remains: Remains::of(body),
             lost: false,
             tilted: false,
             across: false,
@@ -187,6 +171,7 @@ impl<'w> Watcher<'w> {
             work: None,
             others: false,
             holes: Vec::new(),
+            threads: Vec::new(),
             machined: HashMap::new(),
             milled: HashSet::new(),
             series: Rows::default(),
@@ -211,6 +196,10 @@ impl<'w> Watcher<'w> {
                 self.pass_over(event.at.line);
             }
             self.line = if own { event.at.line } else { self.calling_line() };
+        }
+        if own && self.unknown.is_some_and(|line| line < event.at.line) {
+            // What it drills and mills is not known.
+            (self.remains.open, self.series.open, self.others) = (true, true, true);
         }
         let key = event.at.cycle.as_ref().map(|(key, _)| *key).filter(|key| key.keyword == Keyword::CyclDef);
         if self.work.as_ref().is_some_and(|work| Some(work.key) != key || work.written != event.at.line) {
@@ -239,7 +228,6 @@ impl<'w> Watcher<'w> {
                 self.spindle(tool.as_ref(), *direction);
             }
             EventKind::Transform(coordinates) => self.preset(coordinates),
-            EventKind::Probe(_) => self.worked = true,
             EventKind::Message { kind: MessageKind::Stop, .. } => self.stop(),
             EventKind::Error(fault) => self.fault(fault, key),
             EventKind::End(Status::Done) => {
@@ -323,6 +311,10 @@ impl<'w> Watcher<'w> {
         }
         self.across = *axis != self.plane.tool;
         self.tool = Some(tool.number);
+        if let Some(radius) = self.width().map(|width| width / 2.0).filter(|radius| tool.deltas.0 > *radius) {
+            let (value, radius) = (tool.deltas.0 * self.unit, radius * self.unit);
+            self.report(self.line, Incident::Oversize { tool: tool.number, value, radius });
+        }
         self.judge_tilted();
         self.cuts = false;
         (self.calls, self.called) = (self.calls + 1, self.line);
@@ -344,7 +336,11 @@ impl<'w> Watcher<'w> {
         if other || self.preset.is_none() {
             self.preset = Some(now.preset);
         }
-        self.lost |= now.origin.length() > SAME || now.basic_rotation.length() > SAME;
+        // A datum that is set before anything is machined is that of the blank.
+        if !self.worked {
+            self.datum = now.origin;
+        }
+        self.lost |= (now.origin - self.datum).length() > SAME || now.basic_rotation.length() > SAME;
     }
 
     /// The run ends with a fault of the program, or with a message of a cycle whose tool is known.
@@ -408,7 +404,7 @@ impl<'w> Watcher<'w> {
             self.use_tool(tool, key);
         }
         if self.away() {
-            self.open |= feed.is_some();
+            self.cut_tilted(path, feed.is_some());
             self.drill_tilted(path, feed.is_some(), key);
             return;
         }
@@ -424,7 +420,7 @@ impl<'w> Watcher<'w> {
         }
         let Some(feed) = feed else {
             let lifts = from.x == self.at.x && from.y == self.at.y && from.z <= self.at.z;
-            if certain && !self.open && !lifts {
+            if certain && !self.remains.open && !lifts {
                 let looked: &[DVec3] =
                     if begun { &places } else { places.last().map(std::slice::from_ref).unwrap_or_default() };
                 if looked.iter().any(|place| self.is_solid(*place)) {
@@ -438,14 +434,18 @@ impl<'w> Watcher<'w> {
             BlockKind::Motion(motion) => matches!(motion.path(), syntax::Path::Appr(_)) && motion.outline().is_rapid(),
             _ => false,
         });
-        if approaches && certain && begun && !self.open && places.iter().any(|place| self.is_solid(*place)) {
+        if approaches && certain && begun && !self.remains.open && places.iter().any(|place| self.is_solid(*place)) {
             self.report(self.line, Incident::RapidInMaterial(from.z.min(self.at.z) * self.unit));
         }
         // Enough places of an arc to see how far it reaches.
         let round: Vec<DVec3> = (0..=ROUND).map(|at| self.place(path.at(f64::from(at) / f64::from(ROUND)))).collect();
         self.note(key, line, &round, certain && begun);
         if let Some(body) = self.body.filter(|_| certain) {
-            let plain = block.is_none_or(|own| matches!(own.kind, BlockKind::Motion(_)));
+            // The way to a contour and away from it is no part of it.
+            let plain = block.is_none_or(|own| match &own.kind {
+                BlockKind::Motion(motion) => !matches!(motion.path(), syntax::Path::Appr(_) | syntax::Path::Dep(_)),
+                _ => false,
+            });
             self.look_at(&body, (key, plain), begun, from, feed, &places);
         }
         self.others |= self.is_milling(key) && self.top().is_none_or(|top| self.at.z < top);
@@ -489,12 +489,12 @@ impl<'w> Watcher<'w> {
         places: &[DVec3],
     ) {
         let group = key.and_then(|key| self.cycle(key)).map(|own| own.file.group);
-        let solid = !self.open && begun && places.iter().any(|place| self.is_solid(*place));
+        let solid = !self.remains.open && begun && places.iter().any(|place| self.is_solid(*place));
         let drills = group == Some(Group::Drilling);
         if solid && self.spindle < 0 && (drills || group == Some(Group::Pockets)) {
             self.report(self.line, Incident::SpindleBackwards);
         }
-        if !self.open && self.with_speed && self.probes.is_empty() && group != Some(Group::Threads) {
+        if !self.remains.open && self.with_speed && group != Some(Group::Threads) {
             // Where another tool has cut before, a tool that was not started still has to turn.
             let near = begun && places.iter().any(|own| own.z < body.high.z - SKIN && body.distance(*own) <= 0.0);
             if solid && (self.spindle == 0 || !self.started) || near && !self.started && key.is_none() {
@@ -502,10 +502,20 @@ impl<'w> Watcher<'w> {
             }
         }
         if solid && (key.is_none() || drills) {
-            self.plunges(from, feed);
+            self.plunges(from, feed, drills);
         }
         if solid && key.is_none() {
             self.cuts_sideways(from, places, feed);
+        }
+        if solid && group == Some(Group::Threads) {
+            self.mills_thread(key, from, places);
+        }
+        if solid {
+            self.bites(from, places, feed);
+        }
+        self.ways.cycles |= key.is_some();
+        if self.at.z < body.high.z - SKIN {
+            self.ways.note_rotation();
         }
         if key.is_none() {
             let plan = (body.high - body.low).truncate().max_element();
@@ -515,7 +525,9 @@ impl<'w> Watcher<'w> {
                 self.report(self.line, Incident::OutsideBlank([self.at.x * self.unit, self.at.y * self.unit]));
             }
             if plain {
-                self.ways.note(self.line, from, self.at, body);
+                let reach = self.radius() + SAME;
+                let meets = places.iter().any(|place| body.distance(*place) <= reach && place.z >= body.low.z - reach);
+                self.ways.note(self.line, (from, self.at), body, meets);
             }
         }
         let under = if self.scaled { SCALED / 4.0 } else { UNDER };
@@ -524,43 +536,17 @@ impl<'w> Watcher<'w> {
         }
     }
 
-    /// A movement at feed straight down into material: how much it takes per revolution.
-    fn plunges(&mut self, from: DVec3, feed: f64) {
-        /// So much of the diameter a tool may plunge per revolution, and so much any tool, mm.
-        const OF_DIAMETER: f64 = 0.15;
-        const AT_MOST: f64 = 1.5;
-        // Programs in inches may give feeds in tenths of them.
-        let feed = if self.unit < 1.0 { feed / 10.0 } else { feed };
-        let (along, down) = ((self.at - from).truncate().length(), from.z - self.at.z);
-        if along <= SAME && down > 0.0 && self.speed > 0.0 {
-            let most = self.width().map_or(AT_MOST, |width| (OF_DIAMETER * width).clamp(0.3, AT_MOST));
-            if feed / self.speed > most {
-                self.report(self.line, Incident::FastPlunge(feed / self.speed * self.unit));
-            }
+    /// A movement while nothing is said of where the tool goes: what it may remove, if that is known.
+    fn cut_tilted(&mut self, path: &Path, feeds: bool) {
+        if !feeds || self.is_probe() {
+            return;
         }
-    }
-
-    /// A plain movement at feed through material: whether such a tool cuts sideways.
-    fn cuts_sideways(&mut self, from: DVec3, places: &[DVec3], feed: f64) {
-        let (along, down) = ((self.at - from).truncate().length(), from.z - self.at.z);
-        let level = down.abs() <= SAME && places.iter().filter(|place| self.is_solid(**place)).count() > 2;
-        if let Some(usual) = self.called_feed().filter(|_| level && along > SAME) {
-            if self.cuts && feed >= POSITIONING * usual {
-                self.report(self.line, Incident::FastCut(feed / usual));
-            }
-            self.cuts |= feed <= CUTTING * usual;
-        }
-        if level && along > SAME && self.kind().is_some_and(ToolKind::only_along_axis) {
-            self.report(self.line, Incident::SidewaysWithDrill);
-        }
-    }
-
-    /// The feed of the last tool call, mm/min.
-    fn called_feed(&self) -> Option<f64> {
-        let BlockKind::ToolCall(call) = &self.blocks.get(&self.called)?.kind else { return None };
-        match call.feed.as_ref()?.kind {
-            FeedKind::Value(Operand { amount: Amount::Number(feed), .. }) if feed > 0.0 => Some(feed / self.unit),
-            _ => None,
+        self.worked = true;
+        // Without a tilted plane, where tool and workpiece are to each other depends on the machine.
+        if self.lost || self.across || !self.tilted || self.known != [true; 3] {
+            self.remains.open = true;
+        } else {
+            self.cut(&self.places_of(path));
         }
     }
 
@@ -640,54 +626,36 @@ impl<'w> Watcher<'w> {
 
     /// A place of the machine in the coordinates of the blank, the tool axis last.
     fn place(&self, machine: DVec3) -> DVec3 {
-        let own = self.to_blank.point(self.parts.map_or(machine, |parts| parts.point(machine)));
+        let own = self.to_blank.point(self.parts.map_or(machine, |parts| parts.point(machine)) - self.datum);
         self.plane.flat(own).extend(self.plane.tool.of(own))
     }
 
     fn places_of(&self, path: &Path) -> Vec<DVec3> {
-        let count = (path.length() / self.cell).ceil().clamp(1.0, PLACES);
+        let count = (path.length() / self.remains.cell).ceil().clamp(1.0, PLACES);
         (0..=count as usize).map(|at| self.place(path.at(at as f64 / count))).collect()
     }
 
-    fn index(&self, body: &Body, x: f64, y: f64) -> Option<usize> {
-        let column = ((x - body.low.x) / self.cell).floor();
-        let row = ((y - body.low.y) / self.cell).floor();
-        let inside = column >= 0.0 && (column as usize) < self.columns && row >= 0.0;
-        inside.then(|| row as usize * self.columns + column as usize).filter(|at| *at < self.tops.len())
-    }
-
     /// Whether a place is inside of what is left of the blank.
-    fn is_solid(&self, place: DVec3) -> bool {
-        let Some(body) = self.body.filter(|body| body.holds(place, SKIN)) else { return false };
-        self.index(&body, place.x, place.y).and_then(|at| self.tops.get(at)).is_some_and(|top| place.z < top - SKIN)
+    pub(super) fn is_solid(&self, place: DVec3) -> bool {
+        self.remains.is_solid(place)
     }
 
-    /// Takes away what a tool may cut at places.
+    /// Takes away what the tool may cut at places.
     fn cut(&mut self, places: &[DVec3]) {
-        let Some(body) = self.body else { return };
-        if self.places + places.len() > MOST_PLACES {
-            self.open = true;
-            return;
-        }
-        self.places += places.len();
-        let radius = self.radius() + self.cell;
-        for place in places {
-            let reach = DVec3::new(radius, radius, 0.0);
-            let (from, to) = (*place - reach, *place + reach);
-            let first = |value: f64, low: f64| ((value - low) / self.cell).floor().max(0.0) as usize;
-            let rows = self.tops.len() / self.columns;
-            let (left, right) = (first(from.x, body.low.x), first(to.x, body.low.x).min(self.columns - 1));
-            let (lower, upper) = (first(from.y, body.low.y), first(to.y, body.low.y).min(rows - 1));
-            if to.x < body.low.x || to.y < body.low.y {
-                continue;
-            }
-            for row in lower..=upper {
-                for top in self.tops.iter_mut().skip(row * self.columns).take(right + 1).skip(left) {
-                    *top = top.min(place.z);
-                }
-            }
-        }
+        let up = self.plane.tool.unit();
+        let up = self.to_blank.vector(self.parts.map_or(up, |parts| parts.vector(up)));
+        let up = self.plane.flat(up).extend(self.plane.tool.of(up));
+        self.remains.cut(places, self.radius(), up);
     }
+}
+
+/// The line of the first definition with numbered lines of a cycle that no control describes.
+fn unknown(program: &Program, on: &OnControl, catalogue: &Catalogue) -> Option<usize> {
+    let described = |own: CycleKey| on.cycles.contains_key(&own) || catalogue.describing(own).is_some();
+    program.blocks().iter().find_map(|block| match &block.kind {
+        BlockKind::OldCycleLine(line) => (!described(key(line.keyword, line.number))).then_some(block.line),
+        _ => None,
+    })
 }
 
 /// An axis as programs write it.

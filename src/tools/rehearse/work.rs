@@ -1,9 +1,9 @@
 //! What cycles have done at a place: holes beside the blank, one over the other, too narrow or too wide for what follows,
 //! pockets and texts outside.
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
-use super::body::Body;
-use super::watcher::{SAME, SKIN, Watcher};
+use super::body::{Body, SAME, SKIN};
+use super::watcher::Watcher;
 use crate::check::{Incident, ToolKind, is_reaming};
 use crate::spec::{Cycle, CycleKey, Group};
 
@@ -17,6 +17,8 @@ const APART: f64 = 0.95;
 const REAMED: (f64, f64) = (0.6, 0.03);
 /// Facing goes so far beyond the blank, besides the diameter of the tool, mm.
 const BEYOND: f64 = 10.0;
+/// A drill of this part of the diameter of a thread removes it.
+const CORE: f64 = 0.8;
 /// So many holes are remembered.
 const MOST_HOLES: usize = 2_000;
 
@@ -32,6 +34,8 @@ pub(super) struct Work {
     /// Where its first cut begins, and whether that is certain.
     pub(super) start: DVec3,
     known: bool,
+    /// Whether it has met material that was certainly there.
+    solid: bool,
     pub(super) low: DVec3,
     pub(super) high: DVec3,
 }
@@ -43,6 +47,14 @@ impl Work {
         let near = (middle - self.start).truncate().length() <= 0.1 * (self.high - self.low).truncate().length();
         if near { self.start.with_z(middle.z) } else { middle }
     }
+}
+
+/// A thread that was tapped.
+pub(super) struct Thread {
+    at: DVec2,
+    width: f64,
+    /// The tool call that it was made after.
+    call: u32,
 }
 
 /// A hole that was made.
@@ -116,6 +128,7 @@ impl Watcher<'_> {
         self.series.open = open;
         (self.lost, self.worked, self.others, self.body) = (false, false, false, None);
         self.holes.clear();
+        self.threads.clear();
         self.machined.clear();
         self.milled.clear();
     }
@@ -136,8 +149,10 @@ impl Watcher<'_> {
         if hole && self.work.as_ref().is_some_and(|own| !same(own)) && (from - at).truncate().length() <= SAME {
             self.finish();
         }
-        let new = Work { line, written, key, group, milled, start: from, known, low: at, high: at };
+        let met = path.iter().skip(1).any(|place| self.is_solid(*place));
+        let new = Work { line, written, key, group, milled, start: from, known, solid: false, low: at, high: at };
         let work = self.work.get_or_insert(new);
+        work.solid |= met;
         // The way to the first place is none of its size.
         for place in path.iter().skip(1) {
             work.low = work.low.min(*place);
@@ -255,6 +270,12 @@ impl Watcher<'_> {
         })
     }
 
+    /// A thread that was tapped before where a hole is made now, by its diameter.
+    fn thread_at(&self, place: DVec3) -> Option<f64> {
+        let here = |own: &&Thread| (own.at - place.truncate()).abs().max_element() <= SAME && own.call != self.calls;
+        self.threads.iter().find(here).map(|own| own.width)
+    }
+
     fn remember(&mut self, work: &Work, width: Option<f64>, at: DVec3) {
         if self.holes.len() < MOST_HOLES {
             let made = (self.calls, work.key);
@@ -286,6 +307,9 @@ impl Watcher<'_> {
                 let incident = Incident::Overlap { distance: distance * unit, width: width * unit };
                 self.report(work.line, incident);
             }
+        }
+        if let Some((hole, thread)) = width.zip(self.thread_at(work.start)).filter(|(hole, own)| *hole >= CORE * own) {
+            self.report(work.line, Incident::ThreadRemoved { thread: thread * unit, hole: hole * unit });
         }
         self.remember(work, width, work.start);
     }
@@ -347,12 +371,15 @@ impl Watcher<'_> {
                 _ => {}
             }
         }
+        if let Some(width) = self.width().filter(|_| !work.milled && self.threads.len() < MOST_HOLES) {
+            self.threads.push(Thread { at: work.start.truncate(), width, call: self.calls });
+        }
         match bottom {
             Some(hole) if !self.goes_through(&hole) && work.low.z < hole.bottom - SKIN => {
                 let incident = Incident::HoleTooShallow { tap: work.low.z * self.unit, hole: hole.bottom * self.unit };
                 self.report(work.line, incident);
             }
-            None if !work.milled && !self.holes.is_empty() && !self.others => {
+            None if !work.milled && !self.holes.is_empty() && (!self.others || work.solid && !self.remains.open) => {
                 if self.body.is_none_or(|body| body.distance(work.start) <= 0.0) {
                     self.report(work.line, Incident::NoHole(place));
                 }
@@ -360,6 +387,13 @@ impl Watcher<'_> {
             _ => {}
         }
     }
+}
+
+/// Whether a cycle mills a thread in a hole that is there: it has no depth but that of the thread, and no countersink.
+pub(super) fn mills_thread_in_hole(cycle: &Cycle) -> bool {
+    let mut depths = cycle.params.iter().filter(|param| param.is.as_str().contains("depth"));
+    let mills = cycle.params.iter().any(|param| param.is.as_str() == MILLED);
+    mills && depths.next().is_some() && depths.next().is_none()
 }
 
 /// The deepest of several holes.

@@ -1,0 +1,89 @@
+//! What a movement at feed takes away: too much per revolution, sideways with a tool that only cuts along its axis, or
+//! straight down where a thread is milled.
+use glam::DVec3;
+
+use super::body::SAME;
+use super::watcher::Watcher;
+use crate::check::{Incident, ToolKind};
+use crate::program::syntax::{Amount, BlockKind, FeedKind, Operand};
+use crate::spec::CycleKey;
+
+/// A feed so many times that of the tool call is one for positioning, and one at which the tool cuts is hardly above it.
+const POSITIONING: f64 = 3.0;
+const CUTTING: f64 = 1.1;
+
+impl Watcher<'_> {
+    /// A movement at feed straight down into material: how much it takes per revolution.
+    pub(super) fn plunges(&mut self, from: DVec3, feed: f64, drills: bool) {
+        /// So much of the diameter a tool may plunge per revolution, and so much any tool, mm.
+        const OF_DIAMETER: f64 = 0.15;
+        const OF_DRILL: f64 = 0.1;
+        const AT_MOST: f64 = 1.5;
+        // Programs in inches may give feeds in tenths of them.
+        let feed = if self.unit < 1.0 { feed / 10.0 } else { feed };
+        let (along, down) = ((self.at - from).truncate().length(), from.z - self.at.z);
+        if along <= SAME && down > 0.0 && self.speed > 0.0 {
+            // A drill keeps to its feed, and plain movements are also those to a height.
+            let part = if drills { OF_DRILL } else { OF_DIAMETER };
+            let most = self.width().map_or(AT_MOST, |width| (part * width).clamp(0.3, AT_MOST));
+            if feed / self.speed > most {
+                self.report(self.line, Incident::FastPlunge(feed / self.speed * self.unit));
+            }
+        }
+    }
+
+    /// A plain movement at feed through material: whether such a tool cuts sideways.
+    pub(super) fn cuts_sideways(&mut self, from: DVec3, places: &[DVec3], feed: f64) {
+        let (along, down) = ((self.at - from).truncate().length(), from.z - self.at.z);
+        let level = down.abs() <= SAME && places.iter().filter(|place| self.is_solid(**place)).count() > 2;
+        if let Some(usual) = self.called_feed().filter(|_| level && along > SAME) {
+            if self.cuts && feed >= POSITIONING * usual {
+                self.report(self.line, Incident::FastCut(feed / usual));
+            }
+            self.cuts |= feed <= CUTTING * usual;
+        }
+        if level && along > SAME && self.speed > 0.0 {
+            self.ways.note_feed(self.line, feed, self.speed);
+        }
+        if level && along > SAME && self.kind().is_some_and(ToolKind::only_along_axis) {
+            self.report(self.line, Incident::SidewaysWithDrill);
+        }
+    }
+
+    /// A tool that cuts deep enough to break takes far more per revolution than any does.
+    pub(super) fn bites(&mut self, from: DVec3, places: &[DVec3], feed: f64) {
+        /// So much of the diameter per revolution, in a cut at least so deep: tools for high feeds cut less deep.
+        const LIMITS: [[f64; 2]; 2] = [[0.2, 0.06], [0.17, 0.2]];
+        let Some(width) = self.width().filter(|width| *width >= 2.0 && self.speed > 0.0) else { return };
+        let (along, down) = ((self.at - from).truncate().length(), (from.z - self.at.z).abs());
+        if along <= SAME || down >= along {
+            return;
+        }
+        let turn = feed / self.speed;
+        let deep = |least: f64| places.iter().any(|place| self.remains.above(*place) >= least);
+        if LIMITS.iter().any(|[part, least]| turn > part * width && deep(least * width)) {
+            self.report(self.line, Incident::FastMilling(feed / self.speed * self.unit));
+        }
+    }
+
+    /// A milled thread without a depth of its own for drilling needs a hole: the tool must not go straight down into
+    /// material.
+    pub(super) fn mills_thread(&mut self, key: Option<CycleKey>, from: DVec3, places: &[DVec3]) {
+        let only = key.and_then(|key| self.cycle(key)).is_some_and(super::work::mills_thread_in_hole);
+        let along = (self.at - from).truncate().length();
+        let Some(solid) = places.iter().find(|place| self.is_solid(**place)).filter(|_| only && along <= SAME) else {
+            return;
+        };
+        let incident = Incident::HoleTooShallow { tap: self.at.z * self.unit, hole: solid.z * self.unit };
+        self.report(self.line, incident);
+    }
+
+    /// The feed of the last tool call, mm/min.
+    fn called_feed(&self) -> Option<f64> {
+        let BlockKind::ToolCall(call) = &self.blocks.get(&self.called)?.kind else { return None };
+        match call.feed.as_ref()?.kind {
+            FeedKind::Value(Operand { amount: Amount::Number(feed), .. }) if feed > 0.0 => Some(feed / self.unit),
+            _ => None,
+        }
+    }
+}
