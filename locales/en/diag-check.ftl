@@ -357,6 +357,8 @@ diag-retract-missing =
         [change] it is changed
         [tilt] the plane is tilted with MOVE
         [end] the program ends
+        [others] The axes turn here after a retraction to { $value } only; before all other turns the tool is retracted farther.
+        [unretracted] The axes turn here although the tool was not retracted since it has machined; before all other turns it is.
        *[turn] a rotary axis moves at rapid traverse
     }: it was not retracted.
 diag-rotary-axis-jumps = The rotary axis swings from { $other } to { $value } here and back in the next block.

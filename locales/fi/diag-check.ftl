@@ -356,6 +356,8 @@ diag-retract-missing =
         [change] se vaihdetaan
         [tilt] taso käännetään MOVE-sanalla
         [end] ohjelma päättyy
+        [others] Akselit kääntyvät tässä, vaikka työkalu on vedetty irti vain arvoon { $value }; ennen kaikkia muita kääntöjä se vedetään kauemmas.
+        [unretracted] Akselit kääntyvät tässä, vaikka työkalua ei ole vedetty irti koneistuksen jälkeen; ennen kaikkia muita kääntöjä niin tehdään.
        *[turn] kiertoakseli liikkuu pikaliikkeellä
     }: sitä ei ole vedetty irti.
 diag-rotary-axis-jumps = Kiertoakseli heilahtaa tässä asemasta { $other } asemaan { $value } ja seuraavassa lauseessa takaisin.

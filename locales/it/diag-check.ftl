@@ -356,6 +356,8 @@ diag-retract-missing =
         [change] viene cambiato
         [tilt] il piano viene ruotato con MOVE
         [end] il programma termina
+        [others] Qui gli assi ruotano dopo uno svincolo solo a { $value }; prima di tutte le altre rotazioni l’utensile si allontana di più.
+        [unretracted] Qui gli assi ruotano benché l’utensile non si sia allontanato dopo la lavorazione; prima di tutte le altre rotazioni lo fa.
        *[turn] un asse rotativo si muove in rapido
     }: non è stato disimpegnato.
 diag-rotary-axis-jumps = Qui l’asse rotativo oscilla da { $other } a { $value } e nel blocco successivo torna indietro.

@@ -357,6 +357,8 @@ diag-retract-missing =
         [change] é trocada
         [tilt] o plano é inclinado com MOVE
         [end] o programa termina
+        [others] Os eixos rodam aqui depois de um recuo só até { $value }; antes de todas as outras rotações a ferramenta recua mais.
+        [unretracted] Os eixos rodam aqui embora a ferramenta não tenha recuado depois de maquinar; antes de todas as outras rotações recua.
        *[turn] um eixo rotativo se move em avanço rápido
     }: não foi recuada.
 diag-rotary-axis-jumps = O eixo rotativo oscila aqui de { $other } para { $value } e volta no bloco seguinte.

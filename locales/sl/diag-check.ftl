@@ -360,6 +360,8 @@ diag-retract-missing =
         [change] se zamenja
         [tilt] se ravnina zavrti z MOVE
         [end] se program konča
+        [others] Osi se tu zasukajo po odmiku samo na { $value }; pred vsemi drugimi zasuki se orodje odmakne dlje.
+        [unretracted] Osi se tu zasukajo, čeprav se orodje po obdelavi ni odmaknilo; pred vsemi drugimi zasuki se odmakne.
        *[turn] se rotacijska os premakne v hitrem teku
     }: ni bilo odmaknjeno.
 diag-rotary-axis-jumps = Rotacijska os tu zaniha od { $other } do { $value } in v naslednjem stavku nazaj.

@@ -117,6 +117,30 @@ impl<'p> Loop<'p> {
         }
     }
 
+    /// The sign of such a step by a parameter, as 1 or -1, if the program gives it only numbers of one sign.
+    pub(super) fn sign_of_step(&self, facts: &Facts<'_>, q: QRef) -> Option<f64> {
+        let step = self.steps.iter().find(|own| own.target == q)?;
+        let only = self.written.iter().filter(|own| **own == q).count() == 1;
+        let By::Parameter { q: by, negative } = step.by else { return None };
+        if !only || self.written.contains(&by) || !(by.kind == QKind::Ql || by.kind == QKind::Q && by.number < 100) {
+            return None;
+        }
+        let mut none = 0;
+        let mut all = Loop::new(&mut none);
+        let mut sign: Option<f64> = None;
+        for block in facts.program.blocks() {
+            let before = all.written.len();
+            all.block(facts, block);
+            if all.written.get(before..)?.contains(&by) {
+                let own = constant(block).filter(|own| *own != 0.0)?.signum();
+                if sign.replace(own).is_some_and(|other| other != own) {
+                    return None;
+                }
+            }
+        }
+        sign.map(|own| if negative { -own } else { own })
+    }
+
     /// Adds what the blocks from one to another do.
     pub(super) fn add(&mut self, facts: &Facts<'p>, from: usize, to: usize) {
         self.add_to(facts, from, to, DEPTH);

@@ -145,7 +145,8 @@ fn never_ends<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut
 fn goes_away(facts: &Facts<'_>, body: &Loop<'_>, jump: &FnJump, blocks: &RangeInclusive<usize>, left: bool) -> bool {
     let side = if left { &jump.a } else { &jump.b };
     let Amount::Q { q, negative } = side.amount else { return false };
-    let Some(by) = body.step_of(facts, q, blocks) else { return false };
+    let by = body.step_of(facts, q, blocks).or_else(|| body.sign_of_step(facts, q));
+    let Some(by) = by else { return false };
     let grows = if negative { -by } else { by };
     match jump.relation {
         Relation::Less => (grows <= 0.0) == left || grows == 0.0,

@@ -55,6 +55,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let unit = facts.millimetre();
     let blocks = facts.program.blocks();
     let mut known = Known::new();
+    let mut levels = BTreeMap::new();
     for (index, block) in facts.marked() {
         let BlockKind::CallLbl(call) = &block.kind else { continue };
         let times = call.repeat.as_ref().and_then(|own| facts.number(own)).filter(|times| *times >= 1.0);
@@ -68,7 +69,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         let usual = facts.run.before(index).is_some_and(|modal| is_unmoved(&modal));
-        let Some(pass) = blocks.get(start + 1..index).and_then(|part| pass(facts, part)).filter(|_| usual) else {
+        let part = blocks.get(start + 1..index).filter(|_| usual);
+        let Some(pass) = part.and_then(|part| pass(facts, part, start + 1, &mut levels)) else {
             continue;
         };
         let Some(blank) = &blank else { continue };
@@ -171,11 +173,19 @@ fn is_same_each_time(facts: &Facts<'_>, start: usize, nested: usize, known: &mut
 }
 
 /// What one pass of a part does; nothing if it has anything but movements.
-fn pass(facts: &Facts<'_>, part: &[Block]) -> Option<Pass> {
+fn pass(facts: &Facts<'_>, part: &[Block], start: usize, levels: &mut BTreeMap<usize, bool>) -> Option<Pass> {
     let mut pass = Pass::default();
     let mut first = true;
-    for block in part.iter().filter(|block| !is_silent(block)) {
-        let BlockKind::Motion(motion) = &block.kind else { return None };
+    for (block, index) in part.iter().zip(start..).filter(|(block, _)| !is_silent(block)) {
+        let motion = match &block.kind {
+            BlockKind::Motion(motion) => motion,
+            // A contour that stays at its height.
+            BlockKind::CallLbl(call) if call.repeat.is_none() && !block.skip && is_level(facts, index, levels)? => {
+                (pass.feeds, pass.compensates) = (true, true);
+                continue;
+            }
+            _ => return None,
+        };
         let words = motion.words();
         let plain =
             matches!(words.path, Path::L | Path::C | Path::Cr | Path::Cc | Path::Cp | Path::Ct | Path::Rnd | Path::Chf)
@@ -193,6 +203,28 @@ fn pass(facts: &Facts<'_>, part: &[Block]) -> Option<Pass> {
         note(facts, &words, &mut pass)?;
     }
     Some(pass)
+}
+
+/// Whether the subprogram that a block calls only moves, and never along the tool axis; nothing if that is not certain.
+fn is_level(facts: &Facts<'_>, call: usize, levels: &mut BTreeMap<usize, bool>) -> Option<bool> {
+    /// Longer subprograms are not looked at.
+    const LONGEST: usize = 1 << 8;
+    let uses = facts.run.graph.uses_in(call).first()?;
+    let start = facts.run.graph.block_of(uses.mark.as_ref()?)?;
+    if let Some(known) = levels.get(&start) {
+        return Some(*known);
+    }
+    let body = facts.program.blocks().get(start + 1..)?;
+    let end = body.iter().take(LONGEST).position(Block::ends_subprogram)?;
+    let level = body.iter().take(end).filter(|block| !is_silent(block)).all(|block| match &block.kind {
+        BlockKind::Motion(motion) => {
+            let words = motion.words();
+            !block.skip && words.path != Path::Cp && words.coord(Axis::Z).is_none()
+        }
+        _ => false,
+    });
+    levels.insert(start, level);
+    Some(level)
 }
 
 /// Adds a movement to a pass; nothing if its height is not certain.

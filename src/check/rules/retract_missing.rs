@@ -1,6 +1,7 @@
 //! A tool call, a rotary axis that turns at rapid, a plane that is tilted with MOVE or the end of the program while the
 //! tool is inside of the blank, or just above it, or at the end of the program close beside it: it was not retracted.
-//! A PLANE with TURN directly after a cycle that leaves the tool just above its surface.
+//! A PLANE with TURN directly after a cycle that leaves the tool just above its surface, or the only turn of the axes after a
+//! retraction that is far less than before all others.
 //!
 //! Places are followed from label to label in programs with a box as their blank. Silent while the control holds the tool
 //! tip in its place (M128, FUNCTION TCPM). Each is said once a program.
@@ -9,7 +10,7 @@ use crate::check::incident::Incident;
 use crate::check::program::{is_silent, number};
 use crate::check::travel::incidents;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
-use crate::program::syntax::{Axis, Block, BlockKind, StatementKind};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, StatementKind};
 use crate::spec::{Keyword, MM_PER_INCH};
 
 pub(super) const RULE: Rule = Rule { code: "retract-missing", severity: Severity::Warning, run };
@@ -18,6 +19,8 @@ pub(super) const RULE: Rule = Rule { code: "retract-missing", severity: Severity
 const SURFACE: &str = "surface-coordinate";
 const RADIUS: &str = "cylinder-radius";
 const CLEARANCES: [&str; 2] = ["set-up-clearance", "second-set-up-clearance"];
+/// Longer programs are written by posts.
+const MOST: usize = 3_000;
 /// So far above the surface no rotary axis turns, in millimetres.
 const CLEAR: f64 = 10.0;
 
@@ -37,6 +40,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     if let Some((span, height)) = turned_after_cycle(facts).filter(|_| !turn) {
         found.push(rule.at(facts, span).arg("what", "turn").arg("value", Arg::Number(height)));
+        turn = true;
+    }
+    if let Some((block, height)) = unlike_others(facts).filter(|_| !turn) {
+        let what = if height.is_some() { "others" } else { "unretracted" };
+        let finding = rule.at(facts, facts.content(block)).arg("what", what);
+        found.push(finding.arg("value", Arg::Number(height.unwrap_or_default())));
     }
 }
 
@@ -89,4 +98,94 @@ fn stays(facts: &Facts<'_>, at: usize, block: &Block) -> bool {
         BlockKind::FnAssign(_) | BlockKind::Formula(_) => true,
         _ => is_silent(block),
     }
+}
+
+/// How far the tool was retracted before the axes turn.
+#[derive(Clone, Copy, PartialEq)]
+enum Height {
+    /// It was not since it has cut.
+    Not,
+    /// To a position of the machine.
+    Machine,
+    /// To a coordinate.
+    Over(f64),
+}
+
+/// The only block that turns the axes of a tilted plane, or back, after a retraction that is far less than that before all
+/// the others.
+fn unlike_others<'a>(facts: &Facts<'a>) -> Option<(&'a Block, Option<f64>)> {
+    /// So many others make a rule.
+    const OTHERS: usize = 2;
+    let blocks = facts.program.blocks();
+    if blocks.len() > MOST || !facts.begins() {
+        return None;
+    }
+    // How far the tool was retracted last, and whether anything but definitions of planes came after it.
+    let (mut height, mut turns): (Option<Height>, Vec<(&Block, Height)>) = (None, Vec::new());
+    // Where the cycle that was defined last leaves the tool.
+    let mut left = Height::Not;
+    for (index, block) in blocks.iter().enumerate().filter(|(_, block)| !is_silent(block) && !block.skip) {
+        match &block.kind {
+            BlockKind::Motion(motion) => {
+                let words = motion.words();
+                let rotary = words.coords.iter().any(|own| matches!(own.axis, Axis::A | Axis::B | Axis::C));
+                let machine = words.functions.iter().any(|own| matches!(own.number, 91 | 140));
+                if rotary && motion.outline().is_rapid() {
+                    // The next turn without a movement between is from the same height.
+                    turns.extend(height.take().map(|height| (block, height)));
+                } else if machine {
+                    height = Some(Height::Machine);
+                } else if let Some(own) = words.coord(Axis::Z) {
+                    let alone = words.coords.len() == 1 && motion.outline().is_rapid() && !own.incremental;
+                    height = match own.value.amount {
+                        _ if !motion.outline().is_rapid() => Some(Height::Not),
+                        Amount::Number(value) if alone => Some(Height::Over(value)),
+                        _ => None,
+                    };
+                } else if !motion.outline().is_rapid() {
+                    height = Some(Height::Not);
+                }
+                if words.functions.iter().any(|own| own.number == 99) {
+                    height = Some(left);
+                }
+            }
+            BlockKind::Functions(list) if list.iter().any(|own| own.number == 140) => height = Some(Height::Machine),
+            BlockKind::Statement(own) if own.kind == StatementKind::Plane => {
+                let words = facts.text(facts.content(block)).to_ascii_uppercase();
+                if [" TURN", " MOVE"].iter().any(|word| words.contains(word)) {
+                    turns.extend(height.take().map(|height| (block, height)));
+                }
+            }
+            BlockKind::OldCycleLine(_) | BlockKind::Functions(_) => {}
+            BlockKind::CyclCall(_) => height = Some(left),
+            BlockKind::CycleDef(_) => {
+                if let Some(own) = facts.definition_at(index) {
+                    let related = own.as_related_cycle();
+                    let read = facts.read(&related);
+                    let value = |meaning: &str| read.item(meaning).and_then(number);
+                    let second = value(CLEARANCES[1]).filter(|second| *second > 0.0);
+                    left = value(SURFACE)
+                        .zip(second)
+                        .map_or(Height::Not, |(surface, second)| Height::Over(surface + second));
+                }
+            }
+            // After a tool change, in a subprogram or after one the tool may be anywhere.
+            _ => height = None,
+        }
+    }
+    let low = |own: Height, usual: Height| match (own, usual) {
+        (Height::Over(own), Height::Over(usual)) => own < usual / 2.0,
+        (Height::Over(_), Height::Machine) => true,
+        (Height::Machine, _) | (_, Height::Not) => false,
+        (Height::Not, _) => true,
+    };
+    let usual = turns.first().map(|own| own.1)?;
+    let usual = if turns.iter().filter(|own| own.1 == usual).count() > 1 { usual } else { turns.get(1)?.1 };
+    let mut others = turns.iter().filter(|own| own.1 != usual);
+    let (block, own) = others.next().copied()?;
+    let value = match own {
+        Height::Over(value) => Some(value),
+        Height::Not | Height::Machine => None,
+    };
+    (others.next().is_none() && turns.len() > OTHERS && low(own, usual)).then_some((block, value))
 }

@@ -1,4 +1,5 @@
-//! A tool that cuts a thread after it has drilled, or mills a pocket and taps: the tool call between was forgotten.
+//! A tool that cuts a thread after it has drilled, mills a pocket and taps, or turns a contour and a thread: the tool call
+//! between was forgotten.
 //!
 //! Cycles that drill and cut the thread with one tool are passed over. Silent where it is not certain which definition or
 //! which tool a call means, or where an operator may have changed the tool. Said once for a tool call.
@@ -18,6 +19,9 @@ pub(super) const RULE: Rule = Rule { code: "tool-not-changed", severity: Severit
 const MILLED: &str = "milling-type";
 const STEPS: &str = "plunging-depth";
 
+/// The meaning of the pitch that only turned threads have.
+const THREADED: &str = "turned-thread-pitch";
+
 /// What a tool is there for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Use {
@@ -25,6 +29,8 @@ enum Use {
     Milling,
     Tapping,
     ThreadMilling,
+    Turning,
+    ThreadTurning,
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
@@ -37,8 +43,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let (Pending::Definition(index), Loaded::By(tool)) = (call.modal.pending, call.modal.loaded) else { continue };
         let Some(own) = facts.definitions.get(index as usize) else { continue };
         let Some(what) = own.related_cycle().and_then(of_cycle) else { continue };
-        // After a program stop another tool may be in the spindle.
-        if call.modal.is(Aspect::Cut) == Tri::Unknown {
+        // After a program stop another tool may be in the spindle; functions of the machine that turn the workpiece are none.
+        let turns = matches!(what, Use::Turning | Use::ThreadTurning);
+        if call.modal.is(Aspect::Cut) == Tri::Unknown && !turns {
             done.remove(&tool);
             reported.insert(tool);
         }
@@ -79,6 +86,7 @@ fn key(own: &Defined<'_>) -> String {
 const fn go_together(one: Use, other: Use) -> bool {
     match (one, other) {
         (Use::Tapping, other) | (other, Use::Tapping) => matches!(other, Use::Tapping),
+        (Use::Turning, Use::ThreadTurning) | (Use::ThreadTurning, Use::Turning) => false,
         (Use::Drilling, Use::ThreadMilling) | (Use::ThreadMilling, Use::Drilling) => false,
         _ => true,
     }
@@ -87,6 +95,8 @@ const fn go_together(one: Use, other: Use) -> bool {
 fn of_cycle(cycle: &Cycle) -> Option<Use> {
     let has = |meaning: &str| with_meaning(cycle, meaning).is_some();
     match cycle.file.group {
+        Group::Turning if has(THREADED) => Some(Use::ThreadTurning),
+        Group::Turning => Some(Use::Turning),
         _ if !removes_material(cycle) => None,
         Group::Drilling if has(MILLED) => Some(Use::Milling),
         Group::Drilling => Some(Use::Drilling),
@@ -94,7 +104,6 @@ fn of_cycle(cycle: &Cycle) -> Option<Use> {
         Group::Threads if has(MILLED) && has(STEPS) => None,
         Group::Threads if has(MILLED) => Some(Use::ThreadMilling),
         Group::Threads => Some(Use::Tapping),
-        Group::Turning => None,
         _ => Some(Use::Milling),
     }
 }

@@ -82,7 +82,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let finding = rule.at(facts, own.view.head).arg("what", "speed").arg("value", "");
                 found.push(finding.arg("other", ""));
             }
-            if !shoulder(rule, facts, own, &profiles, unit, found) {
+            if !shoulder(rule, facts, own, (&profiles, inside), unit, found) {
                 thread(rule, facts, own, (&cylinders, &grooves, open, inside), unit, found);
             }
         } else if is_shoulder(cycle) {
@@ -135,30 +135,37 @@ fn profiles(facts: &Facts<'_>, unit: f64) -> Vec<(usize, Vec<[f64; 2]>)> {
     all
 }
 
-/// An outside thread on a contour that has a wider part before its end.
+/// An outside thread on a contour that has a wider part before its end, or an inside thread on one.
 fn shoulder(
     rule: &Rule,
     facts: &Facts<'_>,
     own: &Defined<'_>,
-    profiles: &[(usize, Vec<[f64; 2]>)],
+    (profiles, drilled): (&[(usize, Vec<[f64; 2]>)], bool),
     unit: f64,
     found: &mut Vec<Diagnostic>,
 ) -> bool {
     let related = own.as_related_cycle();
     let read = facts.read(&related);
     let item = |meaning: &str| read.item(meaning).and_then(|item| Some((number(item)?, item.value_span)));
-    if item(POSITION).is_none_or(|(position, _)| position == INSIDE) {
-        return false;
-    }
+    let Some((position, place)) = item(POSITION) else { return false };
     let (Some((diameter, _)), Some((end, span))) = (DIAMETER.into_iter().find_map(item), item(END[1])) else {
         return false;
     };
     let begin = item(BEGIN).map_or(0.0, |(own, _)| own * unit);
+    let before = || profiles.iter().filter(|(reader, _)| *reader < own.view.first).flat_map(|(_, corners)| corners);
+    if position == INSIDE {
+        let near = |[x, _]: &[f64; 2]| (x - diameter * unit).abs() <= NEAR.0 * diameter * unit + NEAR.1;
+        let outside = !drilled && before().any(near);
+        if outside {
+            let finding = rule.at(facts, place).arg("what", "inside").arg("value", Arg::Number(diameter));
+            found.push(finding.arg("other", Arg::Number(diameter)));
+        }
+        return outside;
+    }
     let wider = |[x, z]: &&[f64; 2]| {
         *x > diameter * unit * (1.0 + NEAR.0) + NEAR.1 && *z < begin - RUNOUT && *z > end * unit + RUNOUT
     };
-    let before = profiles.iter().filter(|(reader, _)| *reader < own.view.first);
-    let first = before.flat_map(|(_, corners)| corners).filter(wider).max_by(|a, b| a[1].total_cmp(&b[1]));
+    let first = before().filter(wider).max_by(|a, b| a[1].total_cmp(&b[1]));
     if let Some([_, z]) = first {
         let finding = rule.at(facts, span).arg("what", "end").arg("value", Arg::Number(end));
         found.push(finding.arg("other", Arg::Number(z / unit)));

@@ -62,6 +62,8 @@ pub(super) struct Watcher<'w> {
     pub(super) lost: bool,
     /// Whether the plane is tilted, be it without the axes.
     tilted: bool,
+    /// The tilt of the plane, spatial angles.
+    tilt: DVec3,
     /// Whether the tool has another axis than the blank.
     pub(super) across: bool,
     /// The preset, its place and its turn, and the tilt of the plane.
@@ -80,6 +82,8 @@ pub(super) struct Watcher<'w> {
     parts: Option<Frame>,
     /// A cycle for holes in the tilted plane: its block, and whether it has met the blank.
     tilted_holes: Option<(usize, bool)>,
+    /// The first movement at feed in the tilted plane, and whether any has come to the blank.
+    tilted_ways: Option<(usize, bool)>,
     /// Whether this tool has gone sideways through solid material at the feed of its call.
     pub(super) cuts: bool,
     preset: Option<f64>,
@@ -142,6 +146,7 @@ impl<'w> Watcher<'w> {
             remains: Remains::of(body),
             lost: false,
             tilted: false,
+            tilt: DVec3::ZERO,
             across: false,
             frame: Vec::new(),
             scaled: false,
@@ -154,6 +159,7 @@ impl<'w> Watcher<'w> {
             start: scene.start_angles,
             parts: None,
             tilted_holes: None,
+            tilted_ways: None,
             cuts: false,
             preset: Some(f64::from(UNNAMED_PRESET)),
             worked: false,
@@ -233,6 +239,7 @@ impl<'w> Watcher<'w> {
             EventKind::End(Status::Done) => {
                 self.finish();
                 self.judge_tilted();
+                self.judge_tilted_ways();
                 self.judge_rows();
                 self.judge_ways();
                 if let Some(height) = self.low_at(BESIDE).filter(|_| self.tool.is_some()) {
@@ -309,6 +316,7 @@ impl<'w> Watcher<'w> {
         if self.tool != Some(tool.number) {
             (self.known, self.started) = ([false; 3], false);
         }
+        self.judge_tilted_ways();
         self.across = *axis != self.plane.tool;
         self.tool = Some(tool.number);
         if let Some(radius) = self.width().map(|width| width / 2.0).filter(|radius| tool.deltas.0 > *radius) {
@@ -323,6 +331,10 @@ impl<'w> Watcher<'w> {
 
     /// A preset is that of the blank if nothing was done before it.
     fn preset(&mut self, now: &Coordinates) {
+        if now.tilt.unwrap_or_default() != self.tilt {
+            self.judge_tilted_ways();
+        }
+        self.tilt = now.tilt.unwrap_or_default();
         self.tilted = now.tilt.is_some_and(|tilt| tilt.length() > 1e-6);
         self.scaled = (now.scaling.0 - 1.0).abs() > 1e-9 || now.scaling.1.is_some();
         self.transformed(now);
@@ -404,7 +416,7 @@ impl<'w> Watcher<'w> {
             self.use_tool(tool, key);
         }
         if self.away() {
-            self.cut_tilted(path, feed.is_some());
+            self.cut_tilted(path, feed.is_some(), key.is_none());
             self.drill_tilted(path, feed.is_some(), key);
             return;
         }
@@ -537,7 +549,7 @@ impl<'w> Watcher<'w> {
     }
 
     /// A movement while nothing is said of where the tool goes: what it may remove, if that is known.
-    fn cut_tilted(&mut self, path: &Path, feeds: bool) {
+    fn cut_tilted(&mut self, path: &Path, feeds: bool, plain: bool) {
         if !feeds || self.is_probe() {
             return;
         }
@@ -545,8 +557,23 @@ impl<'w> Watcher<'w> {
         // Without a tilted plane, where tool and workpiece are to each other depends on the machine.
         if self.lost || self.across || !self.tilted || self.known != [true; 3] {
             self.remains.open = true;
+            self.tilted_ways = None;
         } else {
-            self.cut(&self.places_of(path));
+            let places = self.places_of(path);
+            if let Some(body) = self.body {
+                let reach = self.radius() + MEETS;
+                let met = !plain || places.iter().any(|place| body.holds(*place, -reach));
+                let (line, before) = self.tilted_ways.unwrap_or((self.line, false));
+                self.tilted_ways = Some((line, before || met));
+            }
+            self.cut(&places);
+        }
+    }
+
+    /// All that was done in a tilted plane, or with a tool in it, is over.
+    fn judge_tilted_ways(&mut self) {
+        if let Some((line, false)) = self.tilted_ways.take() {
+            self.report(line, Incident::OutsideBlank([self.at.x * self.unit, self.at.y * self.unit]));
         }
     }
 
