@@ -293,7 +293,9 @@ impl Watcher<'_> {
         let here = self.holes_at(work.start);
         // What only centres is not as wide as its tool.
         let widest = here.iter().filter(|own| own.bottom <= bottom + SKIN).filter_map(|own| own.width).reduce(f64::max);
-        if let Some((own, hole)) = width.zip(widest).filter(|(own, hole)| *hole > own + SAME) {
+        // A reamer needs something to remove.
+        let wider = |own: f64, hole: f64| hole > own + SAME || reams && hole > own - SAME;
+        if let Some((own, hole)) = width.zip(widest).filter(|(own, hole)| wider(*own, *hole)) {
             self.report(work.line, Incident::NothingLeft { tool: own * unit, hole: hole * unit });
         } else if reams && !self.holes.is_empty() {
             self.ream(work, &here);
