@@ -1,14 +1,15 @@
 //! A constant cutting speed without a limit of the speed, with which a tool comes to the rotary axis at a feed.
 //!
 //! The speed follows the diameter and has no end at the axis. Only where the blocks that follow in the text say it: a
-//! straight block at a feed to X0, or a turning cycle whose contour ends there. Once for each block that switches it on.
+//! straight block at a feed to X0, or a turning cycle whose contour ends there. Once for each block that switches it on. A
+//! note: the machine has a greatest speed of its own, and programs of the manual have no limit either (001: 10364).
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::program::number;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Axis, Block, BlockKind, FeedKind, Statement, StatementKind, ValueKind};
 use crate::spec::Group;
 
-pub(super) const RULE: Rule = Rule { code: "cutting-speed-unlimited", severity: Severity::Warning, run };
+pub(super) const RULE: Rule = Rule { code: "cutting-speed-unlimited", severity: Severity::Note, run };
 
 /// The meaning of the diameter at which a contour ends.
 const DIAMETER: &str = "contour-end-diameter";
