@@ -14,6 +14,7 @@ mod cylinder;
 mod digitizing;
 mod drilling;
 mod envelope;
+mod expected;
 #[path = "../support/in_inches.rs"]
 mod in_inches;
 mod inch;

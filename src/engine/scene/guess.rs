@@ -165,7 +165,8 @@ impl Guess {
         guess
     }
 
-    /// Whether blocks name positions of rotary axes other than those of a tilted plane: where these lead to depends on the machine, which is assumed.
+    /// Whether blocks name positions of rotary axes other than those of a tilted plane: where these lead to depends on the
+    /// machine, which is assumed.
     pub const fn positions_rotary_axes(&self) -> bool {
         self.positioned
     }

@@ -19,8 +19,7 @@ impl Watcher<'_> {
         const OF_DIAMETER: f64 = 0.15;
         const OF_DRILL: f64 = 0.1;
         const AT_MOST: f64 = 1.5;
-        // Programs in inches may give feeds in tenths of them.
-        let feed = if self.unit < 1.0 { feed / 10.0 } else { feed };
+        let feed = self.in_tenths(feed);
         let (along, down) = ((self.at - from).truncate().length(), from.z - self.at.z);
         if along <= SAME && down > 0.0 && self.speed > 0.0 {
             // A drill keeps to its feed, and plain movements are also those to a height.
@@ -43,11 +42,16 @@ impl Watcher<'_> {
             self.cuts |= feed <= CUTTING * usual;
         }
         if level && along > SAME && self.speed > 0.0 {
-            self.ways.note_feed(self.line, feed, self.speed);
+            self.ways.note_feed(self.line, self.in_tenths(feed), self.speed);
         }
         if level && along > SAME && self.kind().is_some_and(ToolKind::only_along_axis) {
             self.report(self.line, Incident::SidewaysWithDrill);
         }
+    }
+
+    /// A feed as it is at least: programs in inches may give it in tenths of them.
+    pub(super) fn in_tenths(&self, feed: f64) -> f64 {
+        if self.unit < 1.0 { feed / 10.0 } else { feed }
     }
 
     /// A tool that cuts deep enough to break takes far more per revolution than any does.
@@ -59,10 +63,10 @@ impl Watcher<'_> {
         if along <= SAME || down >= along {
             return;
         }
-        let turn = feed / self.speed;
+        let turn = self.in_tenths(feed) / self.speed;
         let deep = |least: f64| places.iter().any(|place| self.remains.above(*place) >= least);
         if LIMITS.iter().any(|[part, least]| turn > part * width && deep(least * width)) {
-            self.report(self.line, Incident::FastMilling(feed / self.speed * self.unit));
+            self.report(self.line, Incident::FastMilling(turn * self.unit));
         }
     }
 
