@@ -13,7 +13,7 @@ use super::incident::Incident;
 use super::program::{Defined, Definition, Item, Reading, language_of, number, refused, with_meaning};
 use crate::base::diag::Span;
 use crate::base::expr::QRef;
-use crate::program::syntax::{Amount, CycleForm, Operand, Program, ValueKind};
+use crate::program::syntax::{Amount, Block, CycleForm, Operand, Program, ValueKind};
 use crate::spec::{Cycle, Group, Param};
 
 /// Numbers of parameters.
@@ -199,6 +199,14 @@ impl<'a> Facts<'a> {
             Amount::Number(number) => Some(number),
             Amount::Q { .. } | Amount::Text(_) => self.known(operand),
         }
+    }
+
+    /// The blocks of the subprogram whose label is set in this block, as far as the first one that ends it; none of long
+    /// ones, as each call looks at its own.
+    pub(super) fn subprogram(&self, label: usize) -> Option<&[Block]> {
+        const LONGEST: usize = 1 << 8;
+        let body = self.program.blocks().get(label + 1..)?;
+        body.get(..body.iter().take(LONGEST).position(Block::ends_subprogram)?)
     }
 
     /// The numbers of the data that a cycle works with, from the definition before it that keeps such.

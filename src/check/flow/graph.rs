@@ -185,6 +185,11 @@ impl Graph {
         after.get(..after.partition_point(|own| own.block == block)).unwrap_or_default()
     }
 
+    /// The block of the label that a block calls, if it is set once.
+    pub(in crate::check) fn called_from(&self, block: usize) -> Option<usize> {
+        self.block_of(self.uses_in(block).first()?.mark.as_ref()?)
+    }
+
     /// The block after the last one of the run of blocks that begins there.
     pub(super) fn run_end(&self, run: usize) -> usize {
         self.leaders.get(run + 1).copied().unwrap_or(self.blocks)

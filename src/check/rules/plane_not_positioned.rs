@@ -16,9 +16,6 @@ use crate::program::syntax::{
 
 pub(super) const RULE: Rule = Rule { code: "plane-not-positioned", severity: Severity::Warning, run };
 
-/// Longer subprograms are not looked at: each call looks at its own.
-const LONGEST: usize = 1 << 8;
-
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     after_plane(rule, facts, found);
     after_reset(rule, facts, found);
@@ -93,16 +90,14 @@ fn after_reset(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// The blocks of the subprogram that a block calls, if they certainly move no rotary axis.
 fn still(facts: &Facts<'_>, index: usize) -> Option<Range<usize>> {
-    let uses = facts.run.graph.uses_in(index).first()?;
-    let start = facts.run.graph.block_of(uses.mark.as_ref()?)?;
-    let body = facts.program.blocks().get(start + 1..)?;
-    let end = body.iter().take(LONGEST).position(Block::ends_subprogram)?;
+    let label = facts.run.graph.called_from(index)?;
+    let body = facts.subprogram(label)?;
     let moves = |block: &Block| match &block.kind {
         BlockKind::Motion(motion) => turns(&motion.words()),
         BlockKind::Statement(_) | BlockKind::CallLbl(_) => true,
         _ => false,
     };
-    (!body.iter().take(end).any(moves)).then_some(start + 1..start + 1 + end)
+    (!body.iter().any(moves)).then_some(label + 1..label + 1 + body.len())
 }
 
 /// Whether a cycle machines in a plane before an axis turns, though the program turns them after other planes; the axes may

@@ -2,7 +2,7 @@
 //! each pass and ends far below the blank; also one that calls cycles under a transformation which is absolute.
 //!
 //! A part that infeeds in each pass needs an incremental value or one that a parameter changes. Only parts are looked at
-//! that consist of movements with numbers, which are repeated several times, in programs with a box as their blank; once is
+//! that consist of movements with numbers and of calls of subprograms that stay at their height, which are repeated several times, in programs with a box as their blank; once is
 //! enough where the tool was brought at a feed to the height from which they are to infeed, and where the part begins with
 //! an infeed and has no radius compensation.
 use std::collections::BTreeMap;
@@ -130,9 +130,12 @@ fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>, known: &mut Know
             }
             BlockKind::CyclCall(_) | BlockKind::Functions(_) => {}
             BlockKind::CallLbl(call) if call.repeat.is_none() && !block.skip => {
-                let mut uses = facts.run.graph.uses_in(index).iter();
-                let called = uses.next().and_then(|own| facts.run.graph.block_of(own.mark.as_ref()?));
-                if called.is_none_or(|start| !is_same_each_time(facts, start, NESTED, known)) {
+                if facts
+                    .run
+                    .graph
+                    .called_from(index)
+                    .is_none_or(|start| !is_same_each_time(facts, start, NESTED, known))
+                {
                     return false;
                 }
                 works = true;
@@ -149,18 +152,14 @@ fn is_same_each_time(facts: &Facts<'_>, start: usize, nested: usize, known: &mut
     if let Some(known) = known.get(&(start, nested)) {
         return *known;
     }
-    /// Longer subprograms are not looked at: each call looks at its own.
-    const LONGEST: usize = 1 << 8;
-    let body = facts.program.blocks().get(start + 1..).unwrap_or_default();
-    let end = body.iter().take(LONGEST).position(Block::ends_subprogram);
-    let same = end.is_some_and(|end| {
-        let mut all = body.iter().zip(start + 1..).take(end).filter(|(block, _)| !is_silent(block));
+    let same = facts.subprogram(start).is_some_and(|body| {
+        let mut all = body.iter().zip(start + 1..).filter(|(block, _)| !is_silent(block));
         all.all(|(block, index)| match &block.kind {
-            BlockKind::CallLbl(call) if call.repeat.is_none() && !block.skip && nested > 0 => {
-                let own = facts.run.graph.uses_in(index).first();
-                let called = own.and_then(|own| facts.run.graph.block_of(own.mark.as_ref()?));
-                called.is_some_and(|start| is_same_each_time(facts, start, nested - 1, known))
-            }
+            BlockKind::CallLbl(call) if call.repeat.is_none() && !block.skip && nested > 0 => facts
+                .run
+                .graph
+                .called_from(index)
+                .is_some_and(|start| is_same_each_time(facts, start, nested - 1, known)),
             BlockKind::Motion(motion) => {
                 !block.skip && motion.words().coords.iter().all(|own| matches!(own.value.amount, Amount::Number(_)))
             }
@@ -207,16 +206,11 @@ fn pass(facts: &Facts<'_>, part: &[Block], start: usize, levels: &mut BTreeMap<u
 
 /// Whether the subprogram that a block calls only moves, and never along the tool axis; nothing if that is not certain.
 fn is_level(facts: &Facts<'_>, call: usize, levels: &mut BTreeMap<usize, bool>) -> Option<bool> {
-    /// Longer subprograms are not looked at.
-    const LONGEST: usize = 1 << 8;
-    let uses = facts.run.graph.uses_in(call).first()?;
-    let start = facts.run.graph.block_of(uses.mark.as_ref()?)?;
+    let start = facts.run.graph.called_from(call)?;
     if let Some(known) = levels.get(&start) {
         return Some(*known);
     }
-    let body = facts.program.blocks().get(start + 1..)?;
-    let end = body.iter().take(LONGEST).position(Block::ends_subprogram)?;
-    let level = body.iter().take(end).filter(|block| !is_silent(block)).all(|block| match &block.kind {
+    let level = facts.subprogram(start)?.iter().filter(|block| !is_silent(block)).all(|block| match &block.kind {
         BlockKind::Motion(motion) => {
             let words = motion.words();
             !block.skip && words.path != Path::Cp && words.coord(Axis::Z).is_none()

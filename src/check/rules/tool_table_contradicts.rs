@@ -193,11 +193,8 @@ fn teeth(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<
         let read = facts.read(&related);
         let Some(item) = read.item(TEETH).filter(|item| number(item) == Some(1.0)) else { continue };
         let loaded = facts.run.before(own.view.first).map(|modal| modal.loaded);
-        let Some(Loaded::By(block)) = loaded else { continue };
-        let Some(BlockKind::ToolCall(call)) = facts.program.blocks().get(block as usize).map(|own| &own.kind) else {
-            continue;
-        };
-        let Some((tool, name)) = call.tool.and_then(|tool| Some((tool, named(facts, tool)?))) else { continue };
+        let Some(tool) = loaded.and_then(|loaded| called(facts, loaded)) else { continue };
+        let Some(name) = named(facts, tool) else { continue };
         let known = project.has_tool(name) == Some(true);
         if known && project.tool_value(name, "CUT").is_none_or(|teeth| teeth <= 0.0) {
             let finding = rule.at(facts, item.span).arg("what", "teeth").arg("tool", shown(facts, tool));
@@ -214,10 +211,7 @@ fn turned(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec
         let (Pending::Definition(index), Loaded::By(block)) = (call.modal.pending, call.modal.loaded) else { continue };
         let Some(own) = facts.definitions.get(index as usize) else { continue };
         let Some(cycle) = own.related_cycle().filter(|cycle| cycle.file.group == Group::Turning) else { continue };
-        let Some(BlockKind::ToolCall(tool)) = facts.program.blocks().get(block as usize).map(|own| &own.kind) else {
-            continue;
-        };
-        let Some(tool) = tool.tool else { continue };
+        let Some(tool) = called(facts, call.modal.loaded) else { continue };
         let Some(kind) = named(facts, tool).and_then(|name| project.turning_type(name)) else { continue };
         let threads = with_meaning(cycle, THREADED).is_some();
         let recesses = with_meaning(cycle, RECESSED).is_some();
@@ -247,10 +241,7 @@ fn to_diameter(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mu
         let related = own.as_related_cycle();
         let read = facts.read(&related);
         let Some(item) = read.item(meaning).filter(|item| number(item) == Some(diameter)) else { continue };
-        let Some(BlockKind::ToolCall(tool)) = facts.program.blocks().get(block as usize).map(|own| &own.kind) else {
-            continue;
-        };
-        let Some(tool) = tool.tool else { continue };
+        let Some(tool) = called(facts, call.modal.loaded) else { continue };
         let angle = named(facts, tool).and_then(|name| project.tool_value(name, "T-ANGLE"));
         if angle.is_some_and(|angle| angle <= 0.0) && reported.insert((index, block)) {
             let finding = rule.at(facts, item.span).arg("what", "point").arg("tool", shown(facts, tool));
@@ -280,16 +271,14 @@ fn left_hand(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut 
         let related = own.as_related_cycle();
         let read = facts.read(&related);
         let Some((item, pitch)) = read.item(PITCH).and_then(|item| Some((item, number(item)?))) else { continue };
-        let Some(BlockKind::ToolCall(tool)) = facts.program.blocks().get(block as usize).map(|own| &own.kind) else {
-            continue;
-        };
-        let Some((tool, name)) = tool.tool.and_then(|tool| Some((tool, named(facts, tool)?))) else { continue };
-        let called = match name {
+        let Some(tool) = called(facts, call.modal.loaded) else { continue };
+        let Some(name) = named(facts, tool) else { continue };
+        let own_name = match name {
             ToolName::Name(own) => Some(own),
             ToolName::Number(_) => None,
         };
         let listed = ["NAME", "DOC"].iter().filter_map(|column| project.tool_word(name, column));
-        let words: Vec<&str> = listed.chain(called).collect();
+        let words: Vec<&str> = listed.chain(own_name).collect();
         let taps = words.iter().any(|words| ToolKind::named(words) == Some(ToolKind::Tap));
         if pitch >= 0.0 || !taps || words.iter().any(|words| is_left(words)) {
             continue;
@@ -322,11 +311,16 @@ fn fits(own: Use, kind: &str) -> bool {
     }
 }
 
-/// The tool in the spindle and its type.
-fn kind<'p>(facts: &Facts<'_>, project: &'p dyn Project, loaded: Loaded) -> Option<(ToolRef, &'p str)> {
+/// The tool in the spindle, as its call has it.
+fn called(facts: &Facts<'_>, loaded: Loaded) -> Option<ToolRef> {
     let Loaded::By(block) = loaded else { return None };
     let BlockKind::ToolCall(call) = &facts.program.blocks().get(block as usize)?.kind else { return None };
-    let tool = call.tool?;
+    call.tool
+}
+
+/// The tool in the spindle and its type.
+fn kind<'p>(facts: &Facts<'_>, project: &'p dyn Project, loaded: Loaded) -> Option<(ToolRef, &'p str)> {
+    let tool = called(facts, loaded)?;
     let name = named(facts, tool)?;
     let kind = project.tool_word(name, "TYP").or_else(|| project.tool_word(name, "NAME").and_then(kind_of_name));
     Some((tool, kind?))

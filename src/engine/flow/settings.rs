@@ -82,5 +82,12 @@ pub(crate) struct Settings<'e> {
     pub(crate) watching: Watching<'e>,
 }
 
+impl Settings<'_> {
+    /// Whether the run only assumes what a machine would find: then it writes no logs and passes over what it does not know.
+    pub(crate) fn only_assumes(&self) -> bool {
+        self.touching == Touching::AsExpected
+    }
+}
+
 /// A cycle with its run, which notes values.
 pub(crate) type Watching<'e> = Option<(CycleKey, &'e Compiled)>;

@@ -15,7 +15,6 @@ use crate::engine::motion::axis::rotary;
 use crate::engine::motion::moves::RAPID_FEED;
 use crate::engine::params::Content;
 use crate::engine::report::ending::Done;
-use crate::engine::report::envelope::Touching;
 use crate::engine::report::fault::{Class, Fault};
 use crate::program::fields::{self, first, stands_on};
 use crate::program::syntax::{
@@ -51,7 +50,7 @@ impl<'e> Run<'_, 'e> {
         if known.is_err() && self.transformation(key).is_some() {
             return self.activate(key, &view);
         }
-        let assumed = self.settings.touching == Touching::AsExpected;
+        let assumed = self.settings.only_assumes();
         if assumed && matches!(view.form, CycleForm::Lines(_)) && known.as_ref().is_err_and(is_undescribed) {
             // It would machine when it is called: what, no one knows.
             (self.cycles.last, self.cycles.passed_over, self.modal.call_always) = (None, true, false);

@@ -6,7 +6,6 @@ use crate::base::expr::QKind;
 use crate::engine::flow::state::Run;
 use crate::engine::params::Content;
 use crate::engine::report::ending::Done;
-use crate::engine::report::envelope::Touching;
 use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::{Class, Fault};
 use crate::program::syntax::{Block, Statement};
@@ -30,7 +29,7 @@ impl Run<'_, '_> {
     /// `FN 16: F-PRINT TNC:\MASK.A / TNC:\LOG.TXT`.
     pub(super) fn print_by_mask(&mut self, block: &Block, statement: &Statement) -> Done {
         // What is only assumed is not printed.
-        if self.settings.touching == Touching::AsExpected {
+        if self.settings.only_assumes() {
             return Ok(());
         }
         let written = statement.words.first().map_or("", |word| self.slice(word.value.span)).to_owned();
