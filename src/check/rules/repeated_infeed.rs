@@ -1,10 +1,10 @@
 //! A repeated part of a program that does the same in each pass although it goes into the blank, or that goes deeper in
 //! each pass and ends far below the blank; also one that calls cycles under a transformation which is absolute.
 //!
-//! A part that infeeds in each pass needs an incremental value or one that a parameter changes. Only parts are looked at
-//! that consist of movements with numbers and of calls of subprograms that stay at their height, which are repeated several times, in programs with a box as their blank; once is
-//! enough where the tool was brought at a feed to the height from which they are to infeed, and where the part begins with
-//! an infeed and has no radius compensation.
+//! A part that infeeds in each pass needs an incremental value or one that a parameter changes. Only parts are looked
+//! at that consist of movements with numbers and of calls of subprograms that stay at their height, which are repeated
+//! several times, in programs with a box as their blank; once is enough where the tool was brought at a feed to the
+//! height from which they are to infeed, and where the part begins with an infeed and has no radius compensation.
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
