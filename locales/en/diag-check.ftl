@@ -86,7 +86,11 @@ diag-core-hole-too-large =
         [removed] The drill with a diameter of { $other } removes the thread { $value } that was tapped here before.
        *[core] The hole has a diameter of { $other }, the thread { $value }: no material is left for the thread.
     }
-diag-core-hole-too-small = A thread of { $value } is tapped in a hole of { $other }: the hole is too narrow.
+diag-core-hole-too-small =
+    { $what ->
+        [milled] The thread mill of { $value } goes into a hole of { $other }: the hole is too narrow.
+       *[tapped] A thread of { $value } is tapped in a hole of { $other }: the hole is too narrow.
+    }
 diag-corner-wrong =
     This corner cannot be machined: { $what ->
         [twice] it directly follows another rounding or chamfer
@@ -585,6 +589,7 @@ diag-probing-place-wrong =
     { $what ->
         [centre] Nothing was machined at this centre, but something was at { $value }, { $other }.
         [corner] The corner is probed on the other side of the blank than the datum { $value }.
+        [size] A size of { $value } is probed here, and the blank is only { $other } wide there.
        *[outside] The place { $value }, { $other } is beside the blank: there is nothing to probe.
     }
 diag-rough-out-tool-other =

@@ -121,6 +121,7 @@ diag-turned-contour-wrong =
         [dip] The contour falls to the diameter { $value }, below its first diameter { $limit }, and the cycle machines no undercuts.
         [deep] The recess is { $value } deep, and the tool cuts only { $limit }.
         [ridge] The face rises to the diameter { $value } and falls to { $limit } at once: an edge without any width stays.
+        [corner] A corner of the contour lies at Z { $value }, beyond the end of the blank at { $limit }, and the contour comes back from there.
        *[rounding] The rounding { $value } needs more of a line than there is; at most { $limit } is possible.
     }
 diag-called-program-wants =

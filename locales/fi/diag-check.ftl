@@ -86,7 +86,11 @@ diag-core-hole-too-large =
         [removed] Pora, jonka halkaisija on { $other }, poistaa kierteen { $value }, joka on tehty tähän aiemmin.
        *[core] Reiän halkaisija on { $other }, kierteen { $value }: kierteelle ei jää materiaalia.
     }
-diag-core-hole-too-small = Kierre { $value } tehdään reikään { $other }: reikä on liian kapea.
+diag-core-hole-too-small =
+    { $what ->
+        [milled] Kierrejyrsin { $value } menee reikään { $other }: reikä on liian kapea.
+       *[tapped] Kierre { $value } tehdään reikään { $other }: reikä on liian kapea.
+    }
 diag-corner-wrong =
     Tätä nurkkaa ei voi koneistaa: { $what ->
         [twice] heti sen edellä on toinen pyöristys tai viiste
@@ -584,6 +588,7 @@ diag-probing-place-wrong =
     { $what ->
         [centre] Tässä keskipisteessä ei ole koneistettu mitään, mutta kohdassa { $value }; { $other } on.
         [corner] Nurkka kosketetaan aihion toiselta puolelta kuin peruspiste { $value }.
+        [size] Tässä kosketetaan mitta { $value }, mutta aihion leveys on siinä vain { $other }.
        *[outside] Paikka { $value }; { $other } on aihion vieressä: siinä ei ole mitään kosketettavaa.
     }
 diag-rough-out-tool-other =

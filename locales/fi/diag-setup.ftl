@@ -120,6 +120,7 @@ diag-turned-contour-wrong =
         [dip] Muoto laskee halkaisijaan { $value }, joka on pienempi kuin sen ensimmäinen halkaisija { $limit }, eikä työkierto koneista takaleikkauksia.
         [deep] Uran syvyys on { $value }, ja työkalu lastuaa vain { $limit }.
         [ridge] Otsapinta nousee halkaisijaan { $value } ja laskee heti halkaisijaan { $limit }: jäljelle jää terävä harja.
+        [corner] Muodon nurkka on kohdassa Z { $value }, aihion pään { $limit } ulkopuolella, ja muoto palaa sieltä.
        *[rounding] Pyöristykselle { $value } suora on liian lyhyt; suurin mahdollinen on { $limit }.
     }
 diag-called-program-wants =

@@ -86,7 +86,11 @@ diag-core-hole-too-large =
         [removed] La punta con diametro { $other } asporta la filettatura { $value } maschiata qui in precedenza.
        *[core] Il foro ha diametro { $other }, la filettatura { $value }: non resta materiale per la filettatura.
     }
-diag-core-hole-too-small = Una filettatura di { $value } viene maschiata in un foro di { $other }: il foro è troppo stretto.
+diag-core-hole-too-small =
+    { $what ->
+        [milled] La fresa per filettare da { $value } entra in un foro da { $other }: il foro è troppo stretto.
+       *[tapped] Una filettatura di { $value } viene maschiata in un foro di { $other }: il foro è troppo stretto.
+    }
 diag-corner-wrong =
     Questo spigolo non si può lavorare: { $what ->
         [twice] segue direttamente un altro arrotondamento o smusso
@@ -584,6 +588,7 @@ diag-probing-place-wrong =
     { $what ->
         [centre] In questo centro non è stato lavorato nulla, in { $value }; { $other } invece sì.
         [corner] Lo spigolo viene tastato sul lato del pezzo grezzo opposto all’origine { $value }.
+        [size] Qui si tasta una misura di { $value }, ma il pezzo grezzo è largo solo { $other }.
        *[outside] Il punto { $value }; { $other } è fuori dal pezzo grezzo: lì non c’è nulla da tastare.
     }
 diag-rough-out-tool-other =

@@ -121,6 +121,7 @@ diag-turned-contour-wrong =
         [dip] Il profilo scende al diametro { $value }, sotto il suo primo diametro { $limit }, e il ciclo non lavora sottosquadri.
         [deep] La gola è profonda { $value }, e l’utensile taglia solo { $limit }.
         [ridge] La faccia sale al diametro { $value } e scende subito a { $limit }: resta uno spigolo senza larghezza.
+        [corner] Un angolo del profilo è a Z { $value }, oltre la fine del pezzo grezzo a { $limit }, e il profilo torna indietro da lì.
        *[rounding] Per l’arrotondamento { $value } la retta è troppo corta; è possibile al massimo { $limit }.
     }
 diag-called-program-wants =

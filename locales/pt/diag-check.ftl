@@ -86,7 +86,11 @@ diag-core-hole-too-large =
         [removed] A broca com o diâmetro { $other } remove a rosca { $value } que foi aberta aqui antes.
        *[core] O furo tem o diâmetro { $other }, a rosca { $value }: não fica material para a rosca.
     }
-diag-core-hole-too-small = Uma rosca de { $value } é aberta num furo de { $other }: o furo é demasiado estreito.
+diag-core-hole-too-small =
+    { $what ->
+        [milled] A fresa de roscar de { $value } entra num furo de { $other }: o furo é demasiado estreito.
+       *[tapped] Uma rosca de { $value } é aberta num furo de { $other }: o furo é demasiado estreito.
+    }
 diag-corner-wrong =
     Esta esquina não se pode maquinar: { $what ->
         [twice] segue-se diretamente a outro arredondamento ou chanfre
@@ -585,6 +589,7 @@ diag-probing-place-wrong =
     { $what ->
         [centre] Neste centro nada foi maquinado, mas em { $value }; { $other } foi.
         [corner] O canto é apalpado no lado do bloco oposto ao ponto de referência { $value }.
+        [size] Aqui apalpa-se uma medida de { $value }, mas o bloco só tem { $other } de largura.
        *[outside] O lugar { $value }; { $other } fica ao lado do bloco: não há lá nada para apalpar.
     }
 diag-rough-out-tool-other =

@@ -121,6 +121,7 @@ diag-turned-contour-wrong =
         [dip] O contorno desce ao diâmetro { $value }, abaixo do seu primeiro diâmetro { $limit }, e o ciclo não maquina rebaixos.
         [deep] A ranhura tem { $value } de profundidade, e a ferramenta só corta { $limit }.
         [ridge] A face sobe ao diâmetro { $value } e desce logo a { $limit }: fica uma aresta sem largura.
+        [corner] Uma esquina do contorno fica em Z { $value }, para lá do fim do bloco em { $limit }, e o contorno volta de lá.
        *[rounding] Para o arredondamento { $value } a reta é demasiado curta; é possível no máximo { $limit }.
     }
 diag-called-program-wants =

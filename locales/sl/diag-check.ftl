@@ -86,7 +86,11 @@ diag-core-hole-too-large =
         [removed] Sveder s premerom { $other } odstrani navoj { $value }, ki je bil tu vrezan prej.
        *[core] Premer vrtine je { $other }, premer navoja { $value }: za navoj ne ostane materiala.
     }
-diag-core-hole-too-small = Navoj { $value } se vrta v vrtino { $other }: vrtina je preozka.
+diag-core-hole-too-small =
+    { $what ->
+        [milled] Rezkar za navoje { $value } gre v vrtino { $other }: vrtina je preozka.
+       *[tapped] Navoj { $value } se vrta v vrtino { $other }: vrtina je preozka.
+    }
 diag-corner-wrong =
     Tega vogala ni mogoče obdelati: { $what ->
         [twice] neposredno pred njim je druga zaokrožitev ali posneti rob
@@ -588,6 +592,7 @@ diag-probing-place-wrong =
     { $what ->
         [centre] Pri tem središču ni bilo nič obdelano, pri { $value }; { $other } pa je bilo.
         [corner] Vogal se tipa na drugi strani surovca kot referenčna točka { $value }.
+        [size] Tu se tipa mera { $value }, surovec pa je tam širok le { $other }.
        *[outside] Mesto { $value }; { $other } je ob surovcu: tam ni česa otipati.
     }
 diag-rough-out-tool-other =

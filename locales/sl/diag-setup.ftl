@@ -123,6 +123,7 @@ diag-turned-contour-wrong =
         [dip] Kontura pade na premer { $value }, pod svoj prvi premer { $limit }, cikel pa spodrezov ne obdeluje.
         [deep] Vbod je globok { $value }, orodje pa reže samo { $limit }.
         [ridge] Čelna ploskev se dvigne na premer { $value } in takoj pade na { $limit }: ostane rob brez širine.
+        [corner] Vogal konture je pri Z { $value }, zunaj konca surovca pri { $limit }, in kontura se od tam vrne.
        *[rounding] Za zaokrožitev { $value } je premica prekratka; možno je največ { $limit }.
     }
 diag-called-program-wants =

@@ -87,6 +87,13 @@ pub enum Incident {
         /// That of the hole.
         hole: f64,
     },
+    /// A thread mill that is wider than the core hole into which it goes.
+    ToolWiderThanCore {
+        /// The diameter of the tool.
+        tool: f64,
+        /// That of the hole.
+        hole: f64,
+    },
     /// Two holes of the same tool that overlap.
     Overlap {
         /// How far their centres are apart.

@@ -16,6 +16,7 @@ use ciklo::check::{
 };
 use ciklo::language::locale::{Locales, Ui};
 use ciklo::program::syntax::{Program, parse};
+use ciklo::program::table::{Table, TableKind};
 use ciklo::spec::{Catalogue, OnControl};
 use ciklo::tools::rehearse::Rehearsal;
 use proptest::prelude::*;
@@ -85,7 +86,7 @@ fn found_in(data: &Data, path: &Path) -> Vec<Diagnostic> {
     data.with(head(&text, "control:"), |against| {
         // Those that say so stand among the programs of `tests/check/beside`.
         if text.lines().next().is_some_and(|line| line.contains("beside")) {
-            check_in(&program, against, &Beside { against, own: stem(path), machine: machine() })
+            check_in(&program, against, &Beside { against, own: stem(path), machine: machine(), tools: tools(path) })
         } else {
             check(&program, against)
         }
@@ -94,10 +95,19 @@ fn found_in(data: &Data, path: &Path) -> Vec<Diagnostic> {
 
 /// The programs of `tests/check/beside`, a tool table with the tools 1, MILL, TAP, PROBE, CENTRE, RECESSER for turned
 /// recesses, WORN and TWIN, which are locked, and UNMEASURED, which has no length; tables with the rows 0 to 3.
+///
+/// Where a program has a tool table of its own, `<name>.t`, its tools are those, and the execution has them.
 struct Beside<'a> {
     against: &'a Against<'a>,
     own: String,
     machine: Machine,
+    tools: Option<Table>,
+}
+
+/// The tool table of a program.
+fn tools(program: &Path) -> Option<Table> {
+    let text = fs::read_to_string(program.with_extension("t")).ok()?;
+    Some(Table::parse(TableKind::Tool, &Source::new("tool.t", text)).expect("a table"))
 }
 
 /// A machine with an axis X of 800 mm and an axis C.
@@ -111,6 +121,16 @@ fn machine() -> Machine {
 }
 
 impl Beside<'_> {
+    /// The row of a tool in its own table.
+    fn row(&self, tool: ToolName<'_>) -> Option<(&Table, f64)> {
+        let table = self.tools.as_ref()?;
+        let row = match tool {
+            ToolName::Number(number) => table.has_row(number).then_some(number),
+            ToolName::Name(name) => table.find("NAME", name).ok()?,
+        };
+        Some((table, row?))
+    }
+
     fn read(name: &str) -> Option<Program> {
         let path = format!("{}/tests/check/beside/{name}.h", env!("CARGO_MANIFEST_DIR"));
         fs::read_to_string(path).ok().map(|text| parse(&Source::new("beside.h", text)))
@@ -134,6 +154,9 @@ impl Project for Beside<'_> {
     }
 
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {
+        if self.tools.is_some() {
+            return Some(self.row(tool).is_some());
+        }
         Some(matches!(
             tool,
             ToolName::Number(1.0)
@@ -161,6 +184,9 @@ impl Project for Beside<'_> {
     }
 
     fn tool_value(&self, tool: ToolName<'_>, column: &str) -> Option<f64> {
+        if self.tools.is_some() {
+            return self.row(tool).and_then(|(table, row)| table.number(row, column).ok()?);
+        }
         match (tool, column) {
             (ToolName::Number(1.0), "NMAX") => Some(8000.0),
             (ToolName::Number(1.0), "LCUTS") => Some(20.0),
@@ -177,6 +203,10 @@ impl Project for Beside<'_> {
     }
 
     fn tool_word(&self, tool: ToolName<'_>, column: &str) -> Option<&str> {
+        if self.tools.is_some() {
+            let word = self.row(tool).and_then(|(table, row)| table.text(row, column).ok());
+            return word.map(str::trim).filter(|word| !word.is_empty());
+        }
         match (tool, column) {
             (ToolName::Number(1.0) | ToolName::Name("MILL"), "TYP") => Some("MILL"),
             (ToolName::Name("TAP"), "TYP") => Some("TAP"),
@@ -204,7 +234,7 @@ impl Project for Beside<'_> {
 
     fn observed(&self, program: &Program) -> Vec<Observed> {
         let Against { on, catalogue, .. } = *self.against;
-        Rehearsal { on, catalogue, files: &crate::built::built().files, tools: None, programs: None }
+        Rehearsal { on, catalogue, files: &crate::built::built().files, tools: self.tools.as_ref(), programs: None }
             .observed(program, &|_| {})
     }
 

@@ -1,4 +1,5 @@
-//! A thread that is tapped in a hole which is too narrow for any thread of that diameter: the tap breaks.
+//! A thread that is tapped in a hole which is too narrow for any thread of that diameter, or milled in one that is
+//! narrower than the thread mill: the tool breaks.
 //!
 //! Where an execution shows it, and both diameters are known. Said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
@@ -14,6 +15,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some((span, (thread, hole))) = first {
-        found.push(rule.at(facts, span).arg("value", Arg::Number(thread)).arg("other", Arg::Number(hole)));
+        let finding = rule.at(facts, span).arg("what", "tapped").arg("value", Arg::Number(thread));
+        found.push(finding.arg("other", Arg::Number(hole)));
+    }
+    let milled = first_incident(facts, |own| match own {
+        Incident::ToolWiderThanCore { tool, hole } => Some((tool, hole)),
+        _ => None,
+    });
+    if let Some((span, (tool, hole))) = milled {
+        let finding = rule.at(facts, span).arg("what", "milled").arg("value", Arg::Number(tool));
+        found.push(finding.arg("other", Arg::Number(hole)));
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! PLANE with STAY only calculates the positions of the rotary axes; a block of its own is to take them there. Only
 //! reported of whole programs that call no others, where material is removed later, and once a program. Whether a cycle
-//! that tilts the plane positions them is up to the machine: it is reported where the program positions them after
-//! another one, or, as a note, where it never does so and states no feed for it.
+//! that tilts the plane positions them is up to the machine, but to do so it needs a feed and a set-up clearance in its
+//! definition (001:6796): it is reported where it has no feed, and no block positions them.
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -141,7 +141,7 @@ fn after_cycle(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     let tilting: Vec<_> = facts.definitions.iter().filter(|own| tilts(own)).collect();
-    let (mut positioned, mut forgotten) = (false, None);
+    let mut forgotten = None;
     for (at, own) in tilting.iter().enumerate() {
         let end = tilting.get(at + 1).map_or(facts.program.blocks().len(), |next| next.view.first);
         let part = facts.program.blocks().get(own.view.last + 1..end).unwrap_or_default();
@@ -154,22 +154,15 @@ fn after_cycle(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ => false,
         });
         if !is_tilt(facts, own) {
-            // A program that takes the axes back by itself also has to take them there.
-            positioned |= part.iter().any(|block| match &block.kind {
-                BlockKind::Motion(motion) => motion.outline().has_coords() && turns(&motion.words()),
-                _ => false,
-            });
             continue;
         }
-        positioned |= moved;
         let cuts = facts.run.calls.iter().any(|call| (own.view.last..end).contains(&call.block));
         if !moved && cuts && !feeds(facts, own) {
             forgotten = forgotten.or(Some(own.view.head));
         }
     }
     if let Some(span) = forgotten {
-        let severity = if positioned { rule.severity } else { Severity::Note };
-        found.push(Diagnostic { severity, ..rule.at(facts, span) }.arg("what", "cycle"));
+        found.push(rule.at(facts, span).arg("what", "cycle"));
     }
 }
 

@@ -1,6 +1,6 @@
 //! A place that is probed where the part cannot be: far beside the blank, or, of cycles that probe along the tool axis, next
 //! to it; a corner that gets the coordinates of another one of the blank; a centre that misses the only pocket or hole by a
-//! slip of the keyboard in one coordinate.
+//! slip of the keyboard in one coordinate; a hole or pocket as large as the blank, or a stud larger than it.
 //!
 //! Only in programs with a box as their blank, without transformations, before another preset is set.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
@@ -9,7 +9,7 @@ use crate::check::contours::place_of_call;
 use crate::check::program::{number, with_meaning};
 use crate::check::slip::is_slip;
 use crate::check::{Definition, Facts, Pending, Rule};
-use crate::spec::{Group, Keyword};
+use crate::spec::{Cycle, Group, Keyword};
 
 pub(super) const RULE: Rule = Rule { code: "probing-place-wrong", severity: Severity::Warning, run };
 
@@ -36,6 +36,17 @@ const IN_AXIS: &str = "probing-in-probe-axis";
 /// The meanings of the height of a point, and of the axis in which one is probed.
 const TOOL_POINT: &str = "first-point-tool";
 const AXIS: &str = "measuring-axis";
+/// The meanings of sizes, with the axes of the plane along which they lie.
+const SIZES: [(&str, &[usize]); 5] = [
+    ("probing-nominal-diameter", &[0, 1]),
+    ("first-side-length", &[0]),
+    ("second-side-length", &[1]),
+    ("probing-first-side-length", &[0]),
+    ("probing-second-side-length", &[1]),
+];
+/// The words in the names of cycles that probe inside of something, and around it.
+const INSIDE: [&str; 3] = ["inside", "hole", "pocket"];
+const AROUND: [&str; 2] = ["outside", "stud"];
 /// The meanings of the points of a corner, and of the datum that it gets.
 const CORNER: [[&str; 2]; 2] = [["first-point-main", "third-point-main"], ["third-point-minor", "first-point-minor"]];
 const DATUM: [&str; 2] = ["new-datum-main", "new-datum-minor"];
@@ -73,6 +84,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         } else if let Some((span, [x, y])) = missed(&read, &milled) {
             let finding = rule.at(facts, span).arg("what", "centre").arg("value", Arg::Number(x));
             found.push(finding.arg("other", Arg::Number(y)));
+        } else if let Some((span, size, room)) = too_large(&read, cycle, &blank) {
+            let finding = rule.at(facts, span).arg("what", "size").arg("value", Arg::Number(size));
+            found.push(finding.arg("other", Arg::Number(room)));
         } else if let Some((item, datum)) = corner(&read, &blank, unit) {
             let span = read.item(item).map_or(own.view.head, |item| item.value_span);
             let finding = rule.at(facts, span).arg("what", "corner").arg("value", Arg::Number(datum));
@@ -82,6 +96,24 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if far.len() > 1 || (!far.is_empty() && rows(facts) > 1) {
         found.truncate(first);
     }
+}
+
+/// A size inside or outside that is larger than the blank allows, with that of the blank.
+fn too_large(read: &Definition<'_>, cycle: &Cycle, blank: &Blank) -> Option<(Span, f64, f64)> {
+    /// A part may be larger than the blank that is named for it, but no more.
+    const OUTSIDE: f64 = 1.3;
+    let name = cycle.file.name.as_str();
+    let most = match (INSIDE.iter().any(|own| name.contains(own)), AROUND.iter().any(|own| name.contains(own))) {
+        (true, false) => 1.0,
+        (false, true) => OUTSIDE,
+        _ => return None,
+    };
+    SIZES.iter().find_map(|(meaning, axes)| {
+        let item = read.item(meaning)?;
+        let size = number(item)?;
+        let room = axes.iter().map(|axis| blank.high[*axis] - blank.low[*axis]).fold(f64::INFINITY, f64::min);
+        (size >= most * room).then_some((item.value_span, size, room))
+    })
 }
 
 /// How many rows of tables are written: each may be another part.

@@ -1,4 +1,4 @@
-//! Turning to a contour that cannot be meant: its end is above the blank, a recess is narrower than the tool, the same tool
+//! Turning to a contour that cannot be meant: its end or a corner of it is above the blank, a recess is narrower than the tool, the same tool
 //! recesses inwards and outwards, a contour without undercuts falls below the diameter with which it begins, a rounding
 //! needs more of a line than there is, a recess is deeper than the tool is long, a face ends in an edge without any width.
 //!
@@ -173,6 +173,10 @@ fn contours(rule: &Rule, facts: &Facts<'_>, unit: f64, found: &mut Vec<Diagnosti
                 let finding = rule.at(facts, facts.content(block)).arg("what", what.to_owned());
                 finding.arg("value", Arg::Number(rounded(value))).arg("limit", Arg::Number(rounded(limit)))
             };
+            if let Some((top, (block, z))) = top(facts.program).and_then(|top| Some((top, beyond(&lines, top + ABOVE / unit)?))) {
+                found.push(report(block, "corner", z, top));
+                continue;
+            }
             if let Some((block, size, most)) = large_rounding(&lines) {
                 found.push(report(block, "rounding", size, most));
                 continue;
@@ -241,6 +245,16 @@ fn large_rounding<'a>(points: &[Point<'a>]) -> Option<(&'a Block, f64, f64)> {
         let most = long.min(wide) * libm::sqrt((1.0 - cosine) / (1.0 + cosine));
         (most.is_finite() && radius > most + NEAR).then_some((block, radius, most))
     })
+}
+
+/// A point of a contour above a height between others that are below it, with its block.
+fn beyond<'a>(points: &[Point<'a>], height: f64) -> Option<(&'a Block, f64)> {
+    let inside = points.get(1..points.len().checked_sub(1)?)?;
+    let high = inside.iter().position(|point| point.at[0] > height)? + 1;
+    let below = |points: &[Point<'_>]| points.iter().any(|point| point.at[0] < height);
+    // The contour comes from above at its beginning and may go there at its end.
+    let both = below(points.get(..high)?) && below(points.get(high + 1..)?);
+    both.then(|| (points[high].block, points[high].at[0]))
 }
 
 /// The narrowest bottom of a recess, with its block: a line between two that go opposite ways.

@@ -373,6 +373,10 @@ impl Watcher<'_> {
                 _ => {}
             }
         }
+        // A thread mill goes down in the middle of the hole.
+        if let Some((tool, hole)) = self.width().zip(hole).filter(|(tool, hole)| work.milled && *tool >= hole - SAME) {
+            self.report(work.line, Incident::ToolWiderThanCore { tool: tool * self.unit, hole: hole * self.unit });
+        }
         if let Some(width) = self.width().filter(|_| !work.milled && self.threads.len() < MOST_HOLES) {
             self.threads.push(Thread { at: work.start.truncate(), width, call: self.calls });
         }
