@@ -127,6 +127,7 @@ diag-cycle-not-described =
     }
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
 diag-cycle-of-previous-tool = { $cycle } was defined for the previous tool, which has already machined with it.
+diag-cycle-removes-nothing = { $cycle } removes nothing here: there is no material where its tool goes.
 diag-datum-table-late = The preceding datum shift takes its row from another table: program SEL TABLE before it.
 diag-defined-but-never-called = { $cycle } is defined here but never called.
 diag-digitizing-wrong =

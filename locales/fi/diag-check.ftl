@@ -127,6 +127,7 @@ diag-cycle-not-described =
     }
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
 diag-cycle-of-previous-tool = Työkierto { $cycle } määriteltiin edelliselle työkalulle, joka on jo koneistanut sillä.
+diag-cycle-removes-nothing = { $cycle } ei poista tässä mitään: siellä, missä sen työkalu kulkee, ei ole materiaalia.
 diag-datum-table-late = Edeltävä nollapisteen siirto ottaa rivinsä toisesta taulukosta: ohjelmoi SEL TABLE ennen sitä.
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei koskaan kutsuta.
 diag-digitizing-wrong =

@@ -127,6 +127,7 @@ diag-cycle-not-described =
     }
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
 diag-cycle-of-previous-tool = { $cycle } è stato definito per l’utensile precedente, che ha già lavorato con esso.
+diag-cycle-removes-nothing = { $cycle } qui non asporta nulla: dove passa il suo utensile non c’è materiale.
 diag-datum-table-late = Lo spostamento origine precedente prende la sua riga da un’altra tabella: programmare prima SEL TABLE.
 diag-defined-but-never-called = { $cycle } è definito qui, ma non viene mai chiamato.
 diag-digitizing-wrong =

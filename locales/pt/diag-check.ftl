@@ -127,6 +127,7 @@ diag-cycle-not-described =
     }
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
 diag-cycle-of-previous-tool = { $cycle } foi definido para a ferramenta anterior, que já maquinou com ele.
+diag-cycle-removes-nothing = { $cycle } não remove nada aqui: não há material onde a sua ferramenta passa.
 diag-datum-table-late = A deslocação do ponto zero anterior vai buscar a sua linha a outra tabela: programe SEL TABLE antes dela.
 diag-defined-but-never-called = { $cycle } é definido aqui, mas nunca é chamado.
 diag-digitizing-wrong =

@@ -127,6 +127,7 @@ diag-cycle-not-described =
     }
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
 diag-cycle-of-previous-tool = { $cycle } je bil definiran za prejšnje orodje, ki je z njim že obdelovalo.
+diag-cycle-removes-nothing = { $cycle } tu ne odstrani ničesar: kjer gre njegovo orodje, ni materiala.
 diag-datum-table-late = Prejšnji zamik ničelne točke vzame svojo vrstico iz druge preglednice: SEL TABLE programirajte pred njim.
 diag-defined-but-never-called = { $cycle } je tu definiran, nikoli pa priklican.
 diag-digitizing-wrong =

@@ -109,6 +109,8 @@ pub struct Machining {
     seen: u64,
     /// What was found and not asked for yet, if someone asks.
     found: Option<Vec<Found>>,
+    /// The events that have removed something and were not asked for yet, if someone asks.
+    cuts: Option<Vec<u64>>,
 }
 
 impl Machining {
@@ -143,6 +145,7 @@ impl Machining {
             reach: reach(&scene.machine, scene.start_angles, &blank),
             seen: 0,
             found: None,
+            cuts: None,
         })
     }
 
@@ -254,6 +257,15 @@ impl Machining {
         found
     }
 
+    /// The numbers of the events, from 1, whose moves have removed something since this was asked last, in their order; the
+    /// first question makes them be kept.
+    pub fn cuts(&mut self) -> Vec<u64> {
+        self.settle();
+        let mut cuts = self.cuts.replace(Vec::new()).unwrap_or_default();
+        cuts.sort_unstable();
+        cuts
+    }
+
     /// Carries out the moves that wait.
     pub(super) fn settle(&mut self) {
         self.give_up_waiting();
@@ -331,6 +343,9 @@ impl Machining {
             return;
         }
         self.report.removed += cut.volume;
+        if let Some(cuts) = &mut self.cuts {
+            cuts.push(noted.event);
+        }
         self.turned.is_milled();
         if noted.rapid {
             self.find(FindingKind::Rapid, &noted.at, cut.depth + SKIN, noted.event);

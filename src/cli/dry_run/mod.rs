@@ -7,6 +7,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use works::Works;
+
 use super::execution;
 use super::neighbours::Neighbours;
 use super::program::Understood;
@@ -17,17 +19,21 @@ use crate::check::ToolKind;
 use crate::engine::run::FindingKind;
 use crate::engine::run::{Engine, Event, EventKind, Limits, MoveKind, Status};
 use crate::engine::scene::Scene;
-use crate::engine::scene::guess::Origin;
-use crate::engine::stock::{Finding, Machining, Watch};
+use crate::engine::scene::guess::{Guess, Origin};
+use crate::engine::stock::{Blank, Finding, Machining};
 use crate::language::locale::Locales;
 use crate::program::syntax::{Block, BlockKind, Program, StatementKind};
-use crate::program::table::TableKind;
+use crate::program::table::{Table, TableKind};
 use crate::tools::conform::LogTexts;
 use crate::tools::rehearse::presets::{UNNAMED_PRESET, any_preset, goes_on};
 use crate::tools::rehearse::{describing, without_obstacles};
 
+mod works;
+
 /// Less material than this is not reported, mm: columns of the stock end at its own walls.
 const LEAST: f64 = 0.1;
+/// The blank has so many columns along its greatest extent where the tool leans.
+const OF_LEANING: f64 = 80.0;
 /// How much of a program is executed: what most programs need, in a second or two.
 const LIMITS: Limits = Limits { blocks: 1_000_000, jumps: 100_000, depth: 19, members: 10_000, moves: 200_000 };
 /// Errors that follow from the program alone, whatever the machine.
@@ -98,9 +104,39 @@ impl DryRun<'_> {
         if guess.tools.iter().any(|tool| tool.origin == Origin::Assumed && !tool.probes) {
             return None;
         }
-        let mut text = guess.to_yaml(&|_| String::new());
         let knows_presets = tables.iter().any(|table| table.kind() == TableKind::Preset);
-        if !knows_presets {
+        let scene = self.scene(file, path, &guess, &tables)?;
+        let texts = LogTexts::new(self.locales.source()?, on.id(), self.files);
+        let engine = Engine::new(run, on, &scene, &texts).with_limits(LIMITS);
+        let engine = engine.with_catalogue(against.catalogue).with_programs(&neighbours).touching_as_expected();
+        // An angle of an axis means another place of a tilted plane on every machine.
+        let tilts =
+            |block: &Block| matches!(&block.kind, BlockKind::Statement(own) if own.kind == StatementKind::Plane);
+        let [tilts, positions] = [file.program.blocks().iter().any(tilts), guess.positions_rotary_axes()];
+        let depends = tilts && positions;
+        let mut part = Part::new(file, (run, &scene), knows_presets, tilts || positions)?;
+        let name = |tool: f64| tools.and_then(|table| table.text(tool, "NAME").ok()).and_then(ToolKind::named);
+        let kinds: Vec<_> = guess.tools.iter().filter_map(|tool| Some((tool.number, name(tool.number)?))).collect();
+        let thread_mills = kinds.iter().filter(|(_, kind)| *kind == ToolKind::ThreadMill);
+        part.sight.thread_mills = thread_mills.map(|(tool, _)| *tool).collect();
+        let column = part.machining.stock().cell().max_element();
+        let mut works = Works::new((against.on, against.catalogue), &file.program, kinds, column);
+        let outcome = engine.run(&mut |event| {
+            let followed = part.see(&event);
+            works.see(&event, followed);
+        });
+        let mut found = if depends { Vec::new() } else { part.findings(file, &works) };
+        let fault = outcome.diagnostic.filter(|_| outcome.status == Status::Error);
+        if let Some(fault) = fault.filter(|fault| OF_PROGRAM.contains(&fault.code)) {
+            found.push(fault);
+        }
+        Some(found.into_iter().map(|finding| file.at_home(finding)).collect())
+    }
+
+    /// What the program is executed on: its tables, and presets of any number where no table has them.
+    fn scene(&self, file: &Understood, path: &Path, guess: &Guess, tables: &[&Table]) -> Option<Scene> {
+        let mut text = guess.to_yaml(&|_| String::new());
+        if !tables.iter().any(|table| table.kind() == TableKind::Preset) {
             text.push_str(&any_preset());
         }
         text.push_str(&goes_on());
@@ -113,30 +149,50 @@ impl DryRun<'_> {
             }
         }
         execution::selected(path, file.program.source().text(), &mut scene).ok()?;
-        let texts = LogTexts::new(self.locales.source()?, on.id(), self.files);
-        let engine = Engine::new(run, on, &scene, &texts).with_limits(LIMITS);
-        let engine = engine.with_catalogue(against.catalogue).with_programs(&neighbours).touching_as_expected();
-        let mut watch = Watch::new(Machining::new(run, &scene, None).ok()?);
-        let mut sight = Sight::new(&file.program, knows_presets);
-        let name = |tool: f64| tools.and_then(|table| table.text(tool, "NAME").ok()).and_then(ToolKind::named);
-        let called = guess.tools.iter().map(|tool| tool.number);
-        sight.thread_mills = called.filter(|tool| name(*tool) == Some(ToolKind::ThreadMill)).collect();
-        let outcome = engine.run(&mut |event| {
-            if sight.holds(&event) {
-                watch.see(event, &mut drop);
-            }
-        });
-        // An angle of an axis means another place of a tilted plane on every machine.
-        let tilts =
-            |block: &Block| matches!(&block.kind, BlockKind::Statement(own) if own.kind == StatementKind::Plane);
-        let depends = guess.positions_rotary_axes() && file.program.blocks().iter().any(tilts);
-        let mut found =
-            if depends { Vec::new() } else { of_material(&watch.finish().1.findings, &sight.threaded, file) };
-        let fault = outcome.diagnostic.filter(|_| outcome.status == Status::Error);
-        if let Some(fault) = fault.filter(|fault| OF_PROGRAM.contains(&fault.code)) {
-            found.push(fault);
+        Some(scene)
+    }
+}
+
+/// The part that is machined, as far as it is certain where it is.
+struct Part {
+    machining: Machining,
+    sight: Sight,
+}
+
+impl Part {
+    /// Before a run in a scene; a tool that leans takes long, so that columns are wider then.
+    fn new(
+        file: &Understood,
+        (run, scene): (&Program, &Scene),
+        knows_presets: bool,
+        leans: bool,
+    ) -> Option<Self> {
+        let blank = Blank::find(run, scene).ok()?;
+        let [min, max] = blank.bounds;
+        let resolution = leans.then(|| (max - min).max_element() / OF_LEANING);
+        let mut machining = Machining::new(run, scene, resolution).ok()?;
+        drop(machining.cuts());
+        Some(Self { machining, sight: Sight::new(&file.program, knows_presets) })
+    }
+
+    /// Takes an event: whether the stock has seen it.
+    fn see(&mut self, event: &Event) -> bool {
+        let followed = self.sight.holds(event);
+        if followed {
+            self.machining.see(event);
         }
-        Some(found.into_iter().map(|finding| file.at_home(finding)).collect())
+        followed
+    }
+
+    /// What was found in its material, and cycles that have removed none.
+    fn findings(mut self, file: &Understood, works: &Works<'_>) -> Vec<Diagnostic> {
+        let idle = works.idle(&self.machining.cuts());
+        let mut found = of_material(&self.machining.finish().1.findings, &self.sight.threaded, file);
+        found.extend(idle.and_then(|(number, key)| {
+            let place = Place::new(file.program.source(), line(&file.program, number)?);
+            Some(Diagnostic::warning("cycle-removes-nothing", place).arg("cycle", key.to_string()))
+        }));
+        found
     }
 }
 
