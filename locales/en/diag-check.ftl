@@ -448,6 +448,7 @@ diag-value-unlike-others =
         [feed] The feed is { $value } here, and { $other } in the tool call.
         [sign] The height is { $value } here, between lower ones on the same path; { $other } would fit.
         [depth] The depth is { $value } here; in the other cycles of the program depths are negative.
+        [path] The coordinate is { $value } here, far beside its neighbours on the same path; { $other } would fit.
        *[others] The value is { $value } here, and { $other } in all other places of this kind.
     }
 diag-wrong-tool-type =

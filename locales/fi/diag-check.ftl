@@ -447,6 +447,7 @@ diag-value-unlike-others =
         [feed] Syöttöarvo on tässä { $value } ja työkalukutsussa { $other }.
         [sign] Korkeus on tässä { $value }, vaikka sen edellä ja jäljessä samalla radalla ollaan alempana; { $other } sopisi.
         [depth] Syvyys on tässä { $value }; ohjelman muissa työkierroissa syvyydet ovat negatiivisia.
+        [path] Koordinaatti on tässä { $value }, kaukana saman radan viereisistä pisteistä; { $other } sopisi.
        *[others] Arvo on tässä { $value } ja kaikissa muissa vastaavissa paikoissa { $other }.
     }
 diag-wrong-tool-type =

@@ -447,6 +447,7 @@ diag-value-unlike-others =
         [feed] Qui l’avanzamento è { $value }, nella chiamata utensile { $other }.
         [sign] La quota è qui { $value }, tra altre più basse sullo stesso percorso; { $other } sarebbe coerente.
         [depth] La profondità è qui { $value }; negli altri cicli del programma le profondità sono negative.
+        [path] La coordinata è qui { $value }, lontana dai punti vicini sullo stesso percorso; { $other } sarebbe coerente.
        *[others] Qui il valore è { $value }, in tutti gli altri punti simili { $other }.
     }
 diag-wrong-tool-type =

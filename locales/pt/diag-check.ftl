@@ -448,6 +448,7 @@ diag-value-unlike-others =
         [feed] O avanço é aqui { $value }, e { $other } na chamada da ferramenta.
         [sign] A altura é aqui { $value }, entre outras mais baixas no mesmo percurso; { $other } seria coerente.
         [depth] A profundidade é aqui { $value }; nos outros ciclos do programa as profundidades são negativas.
+        [path] A coordenada é aqui { $value }, longe dos pontos vizinhos no mesmo percurso; { $other } seria coerente.
        *[others] O valor é aqui { $value }, e { $other } em todos os outros sítios deste tipo.
     }
 diag-wrong-tool-type =

@@ -451,6 +451,7 @@ diag-value-unlike-others =
         [feed] Pomik je tu { $value }, v priklicu orodja pa { $other }.
         [sign] Višina je tu { $value }, med nižjimi na isti poti; ustrezala bi { $other }.
         [depth] Globina je tu { $value }; v drugih ciklih programa so globine negativne.
+        [path] Koordinata je tu { $value }, daleč od sosednjih točk na isti poti; ustrezala bi { $other }.
        *[others] Vrednost je tu { $value }, na vseh drugih takih mestih pa { $other }.
     }
 diag-wrong-tool-type =
