@@ -104,6 +104,7 @@ diag-corner-wrong =
 diag-cutting-speed-unusual =
     { $side ->
         [above] A cutting speed of { $value } m/min is far too high for this tool with a diameter of { $other }.
+        [reamed] The reamer with a diameter of { $other } takes only { $value } per revolution: its speed is far too high or its feed rate far too low.
        *[below] A cutting speed of { $value } m/min is far too low for this tool with a diameter of { $other }.
     }
 diag-cutting-without-tool = The tool moves at feed rate before any tool call.
@@ -340,6 +341,7 @@ diag-reaming-wrong =
     { $what ->
         [none] There is no hole to be reamed here.
         [deep] The reamer goes down to { $value }, and the hole only to { $other }.
+        [bored] The boring bar goes down to { $value }, and the hole only to { $other }.
        *[allowance] The hole is { $other } wide: for a reamer of { $value } this leaves far too much.
     }
 diag-repeat-count-wrong = The number of repeats must be a whole number from 0 to 65534.
@@ -364,6 +366,7 @@ diag-retract-missing =
         [end] the program ends
         [others] The axes turn here after a retraction to { $value } only; before all other turns the tool is retracted farther.
         [unretracted] The axes turn here although the tool was not retracted since it has machined; before all other turns it is.
+        [rapid] it goes on at rapid traverse, unlike after the other lines of the surface
        *[turn] a rotary axis moves at rapid traverse
     }: it was not retracted.
 diag-rotary-axis-jumps = The rotary axis swings from { $other } to { $value } here and back in the next block.
@@ -449,6 +452,7 @@ diag-value-unlike-others =
         [feed] The feed is { $value } here, and { $other } in the tool call.
         [sign] The height is { $value } here, between lower ones on the same path; { $other } would fit.
         [depth] The depth is { $value } here; in the other cycles of the program depths are negative.
+        [path] The coordinate is { $value } here, far beside its neighbours on the same path; { $other } would fit.
        *[others] The value is { $value } here, and { $other } in all other places of this kind.
     }
 diag-wrong-tool-type =
@@ -544,6 +548,7 @@ diag-word-wrong =
         [number] The text of { $word } is not a number: “{ $value }”.
         [beyond] { $word } is { $value }, which is beyond the end of the text.
         [file] { $value } is not a { $word } file.
+        [shorter] { $word } is { $value }: the control takes the tool for so much shorter, and everything becomes deeper by that.
        *[tool] { $value } is not a tool number: only one digit may follow the point.
     }
 diag-wrong-value-kind =
@@ -572,7 +577,11 @@ diag-definitions-differ =
         [turned] The value is { $value } here, and { $other } in the definition that roughs the same turned contour.
        *[size] The value is { $value } here, and { $other } in the definition that roughs the same pocket or slot.
     }
-diag-helix-too-steep = The helix goes down by { $value } in one turn; more than { $other } no tool cuts here.
+diag-helix-too-steep =
+    { $what ->
+        [up] The helix goes up by { $value }, although a full circle follows as at a floor: its sign is wrong.
+       *[steep] The helix goes down by { $value } in one turn; more than { $other } no tool cuts here.
+    }
 diag-holes-differ =
     { $what ->
         [stray] The hole at { $value }, { $other } was not centred, and a place that was centred has no hole.
@@ -604,6 +613,7 @@ diag-surface-wrong =
     { $what ->
         [opposite] The surface at { $value } is above the blank; others begin or end at { $other }.
         [pattern] The surface of the pattern is at { $value }, that of the cycle which it calls at { $other }: the one of the pattern acts.
+        [air] The cycle works in the air here: it goes down to { $value }, where everything has been milled away before.
        *[faced] The surface is at { $value }, but the face was milled down to { $other }.
     }
 diag-turned-thread-wrong =

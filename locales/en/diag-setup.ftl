@@ -48,6 +48,7 @@ diag-spindle-start-wrong =
 diag-tap-without-hole =
     { $what ->
         [missing] No hole was drilled at { $value }, { $other } for this tap.
+        [floor] The thread goes down to { $value }, but the floor beside it is at { $other }: the thread mill goes into solid material.
        *[shallow] The tap goes down to { $value }, but the hole ends at { $other }.
     }
 diag-tcpm-missing = Rotary axes move together with linear axes here without TCPM, although the program switches TCPM off later.

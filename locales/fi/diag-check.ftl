@@ -104,6 +104,7 @@ diag-corner-wrong =
 diag-cutting-speed-unusual =
     { $side ->
         [above] Lastuamisnopeus { $value } m/min on aivan liian suuri tälle työkalulle, jonka halkaisija on { $other }.
+        [reamed] Kalvain, jonka halkaisija on { $other }, etenee vain { $value } kierrosta kohti: pyörimisnopeus on aivan liian suuri tai syöttöarvo aivan liian pieni.
        *[below] Lastuamisnopeus { $value } m/min on aivan liian pieni tälle työkalulle, jonka halkaisija on { $other }.
     }
 diag-cutting-without-tool = Työkalu liikkuu tässä syöttöarvolla, mutta ennen sitä ei ole työkalukutsua.
@@ -340,6 +341,7 @@ diag-reaming-wrong =
     { $what ->
         [none] Tässä ei ole kalvittavaa reikää.
         [deep] Kalvain menee arvoon { $value }, mutta reikä ulottuu vain arvoon { $other }.
+        [bored] Avarrustanko menee arvoon { $value }, mutta reikä ulottuu vain arvoon { $other }.
        *[allowance] Reikä on { $other } leveä: kalvaimelle, jonka halkaisija on { $value }, jää aivan liikaa poistettavaa.
     }
 diag-repeat-count-wrong = Toistojen määrän on oltava kokonaisluku 0–65534.
@@ -363,6 +365,7 @@ diag-retract-missing =
         [end] ohjelma päättyy
         [others] Akselit kääntyvät tässä, vaikka työkalu on vedetty irti vain arvoon { $value }; ennen kaikkia muita kääntöjä se vedetään kauemmas.
         [unretracted] Akselit kääntyvät tässä, vaikka työkalua ei ole vedetty irti koneistuksen jälkeen; ennen kaikkia muita kääntöjä niin tehdään.
+        [rapid] se jatkaa pikaliikkeellä, toisin kuin pinnan muiden rivien jälkeen
        *[turn] kiertoakseli liikkuu pikaliikkeellä
     }: sitä ei ole vedetty irti.
 diag-rotary-axis-jumps = Kiertoakseli heilahtaa tässä asemasta { $other } asemaan { $value } ja seuraavassa lauseessa takaisin.
@@ -448,6 +451,7 @@ diag-value-unlike-others =
         [feed] Syöttöarvo on tässä { $value } ja työkalukutsussa { $other }.
         [sign] Korkeus on tässä { $value }, vaikka sen edellä ja jäljessä samalla radalla ollaan alempana; { $other } sopisi.
         [depth] Syvyys on tässä { $value }; ohjelman muissa työkierroissa syvyydet ovat negatiivisia.
+        [path] Koordinaatti on tässä { $value }, kaukana saman radan viereisistä pisteistä; { $other } sopisi.
        *[others] Arvo on tässä { $value } ja kaikissa muissa vastaavissa paikoissa { $other }.
     }
 diag-wrong-tool-type =
@@ -543,6 +547,7 @@ diag-word-wrong =
         [number] Sanan { $word } teksti ei ole luku: ”{ $value }”.
         [beyond] Sanan { $word } arvo { $value } on tekstin lopun takana.
         [file] { $value } ei ole { $word }-tiedosto.
+        [shorter] { $word } on { $value }: ohjaus pitää työkalua sen verran lyhyempänä, ja kaikki tulee sen verran syvemmäksi.
        *[tool] { $value } ei ole työkalun numero: pisteen jäljessä saa olla vain yksi numero.
     }
 diag-wrong-value-kind =
@@ -571,7 +576,11 @@ diag-definitions-differ =
         [turned] Arvo on tässä { $value } ja saman sorvattavan muodon rouhivassa määrittelyssä { $other }.
        *[size] Arvo on tässä { $value } ja saman taskun tai uran rouhivassa määrittelyssä { $other }.
     }
-diag-helix-too-steep = Kierukka laskeutuu kierroksella { $value }; enempää kuin { $other } ei työkalu tässä lastua.
+diag-helix-too-steep =
+    { $what ->
+        [up] Kierukka nousee { $value }, vaikka sitä seuraa täysi ympyrä kuten pohjalla: sen etumerkki on väärä.
+       *[steep] Kierukka laskeutuu kierroksella { $value }; enempää kuin { $other } ei työkalu tässä lastua.
+    }
 diag-holes-differ =
     { $what ->
         [stray] Reikä kohdassa { $value }; { $other } on ilman keskiöporausta, ja yhdessä keskiöporauksen kohdassa ei ole reikää.
@@ -603,6 +612,7 @@ diag-surface-wrong =
     { $what ->
         [opposite] Pinta { $value } on aihion yläpuolella; muut alkavat tai päättyvät arvoon { $other }.
         [pattern] Kuvion pinta on { $value }, sen kutsuman työkierron pinta { $other }: kuvion pinta on voimassa.
+        [air] Työkierto työstää tässä ilmaa: se menee arvoon { $value }, missä kaikki on jyrsitty pois jo aiemmin.
        *[faced] Pinta on { $value }, mutta taso on jyrsitty arvoon { $other }.
     }
 diag-turned-thread-wrong =

@@ -48,6 +48,7 @@ diag-spindle-start-wrong =
 diag-tap-without-hole =
     { $what ->
         [missing] Kohtaan { $value }; { $other } ei ole porattu reikää tälle kierretapille.
+        [floor] Kierre ulottuu asemaan { $value }, mutta pohja sen vieressä on asemassa { $other }: kierrejyrsin menee umpinaiseen materiaaliin.
        *[shallow] Kierretappi ulottuu asemaan { $value }, mutta reikä päättyy asemaan { $other }.
     }
 diag-tcpm-missing = Kiertoakselit liikkuvat tässä yhdessä lineaariakselien kanssa ilman TCPM-toimintoa, vaikka ohjelma kytkee TCPM:n myöhemmin pois.

@@ -104,6 +104,7 @@ diag-corner-wrong =
 diag-cutting-speed-unusual =
     { $side ->
         [above] Una velocità di taglio di { $value } m/min è decisamente troppo alta per questo utensile del diametro di { $other }.
+        [reamed] L’alesatore con diametro { $other } avanza solo di { $value } al giro: la velocità del mandrino è decisamente troppo alta o l’avanzamento troppo basso.
        *[below] Una velocità di taglio di { $value } m/min è decisamente troppo bassa per questo utensile del diametro di { $other }.
     }
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
@@ -340,6 +341,7 @@ diag-reaming-wrong =
     { $what ->
         [none] Qui non c’è alcun foro da alesare.
         [deep] L’alesatore arriva a { $value }, il foro solo a { $other }.
+        [bored] Il bareno arriva a { $value }, il foro solo a { $other }.
        *[allowance] Il foro è largo { $other }: per un alesatore di { $value } resta fin troppo materiale.
     }
 diag-repeat-count-wrong = Il numero di ripetizioni deve essere un numero intero da 0 a 65534.
@@ -363,6 +365,7 @@ diag-retract-missing =
         [end] il programma termina
         [others] Qui gli assi ruotano dopo uno svincolo solo a { $value }; prima di tutte le altre rotazioni l’utensile si allontana di più.
         [unretracted] Qui gli assi ruotano benché l’utensile non si sia allontanato dopo la lavorazione; prima di tutte le altre rotazioni lo fa.
+        [rapid] prosegue in rapido, a differenza di quanto fa dopo le altre passate della superficie
        *[turn] un asse rotativo si muove in rapido
     }: non è stato disimpegnato.
 diag-rotary-axis-jumps = Qui l’asse rotativo oscilla da { $other } a { $value } e nel blocco successivo torna indietro.
@@ -448,6 +451,7 @@ diag-value-unlike-others =
         [feed] Qui l’avanzamento è { $value }, nella chiamata utensile { $other }.
         [sign] La quota è qui { $value }, tra altre più basse sullo stesso percorso; { $other } sarebbe coerente.
         [depth] La profondità è qui { $value }; negli altri cicli del programma le profondità sono negative.
+        [path] La coordinata è qui { $value }, lontana dai punti vicini sullo stesso percorso; { $other } sarebbe coerente.
        *[others] Qui il valore è { $value }, in tutti gli altri punti simili { $other }.
     }
 diag-wrong-tool-type =
@@ -543,6 +547,7 @@ diag-word-wrong =
         [number] Il testo di { $word } non è un numero: «{ $value }».
         [beyond] { $word } vale { $value }, oltre la fine del testo.
         [file] { $value } non è un file { $word }.
+        [shorter] { $word } vale { $value }: il controllo considera l’utensile più corto di tanto, e tutto diventa più profondo della stessa misura.
        *[tool] { $value } non è un numero di utensile: dopo il punto è ammessa una sola cifra.
     }
 diag-wrong-value-kind =
@@ -571,7 +576,11 @@ diag-definitions-differ =
         [turned] Il valore è qui { $value }, nella definizione che sgrossa lo stesso profilo di tornitura { $other }.
        *[size] Il valore è qui { $value }, nella definizione che sgrossa la stessa tasca o scanalatura { $other }.
     }
-diag-helix-too-steep = L’elica scende di { $value } in un giro; più di { $other } qui nessun utensile taglia.
+diag-helix-too-steep =
+    { $what ->
+        [up] L’elica sale di { $value }, benché segua un cerchio completo come sul fondo: il suo segno è sbagliato.
+       *[steep] L’elica scende di { $value } in un giro; più di { $other } qui nessun utensile taglia.
+    }
 diag-holes-differ =
     { $what ->
         [stray] Il foro in { $value }; { $other } non è stato centrato, e un punto centrato è senza foro.
@@ -603,6 +612,7 @@ diag-surface-wrong =
     { $what ->
         [opposite] La superficie a { $value } è sopra il pezzo grezzo; altre lavorazioni iniziano o finiscono a { $other }.
         [pattern] La superficie della sagoma è a { $value }, quella del ciclo che essa chiama a { $other }: vale quella della sagoma.
+        [air] Qui il ciclo lavora a vuoto: scende a { $value }, dove tutto è già stato asportato.
        *[faced] La superficie è a { $value }, ma la faccia è stata fresata fino a { $other }.
     }
 diag-turned-thread-wrong =

@@ -48,6 +48,7 @@ diag-spindle-start-wrong =
 diag-tap-without-hole =
     { $what ->
         [missing] In { $value }; { $other } non è stato eseguito alcun foro per questo maschio.
+        [floor] La filettatura scende fino a { $value }, ma il fondo accanto è a { $other }: la fresa per filettare entra nel materiale pieno.
        *[shallow] Il maschio scende fino a { $value }, ma il foro termina a { $other }.
     }
 diag-tcpm-missing = Qui gli assi rotativi si muovono insieme agli assi lineari senza TCPM, benché il programma disattivi TCPM in seguito.

@@ -104,6 +104,7 @@ diag-corner-wrong =
 diag-cutting-speed-unusual =
     { $side ->
         [above] Uma velocidade de corte de { $value } m/min é demasiado alta para esta ferramenta com o diâmetro { $other }.
+        [reamed] O alargador com o diâmetro { $other } avança só { $value } por rotação: a velocidade do mandril é demasiado alta ou o avanço demasiado baixo.
        *[below] Uma velocidade de corte de { $value } m/min é demasiado baixa para esta ferramenta com o diâmetro { $other }.
     }
 diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
@@ -340,6 +341,7 @@ diag-reaming-wrong =
     { $what ->
         [none] Não há aqui nenhum furo para alargar.
         [deep] O alargador desce até { $value }, e o furo só até { $other }.
+        [bored] A barra de mandrilar desce até { $value }, e o furo só até { $other }.
        *[allowance] O furo tem { $other } de largura: para um alargador de { $value } sobra material a mais.
     }
 diag-repeat-count-wrong = O número de repetições tem de ser um número inteiro de 0 a 65534.
@@ -364,6 +366,7 @@ diag-retract-missing =
         [end] o programa termina
         [others] Os eixos rodam aqui depois de um recuo só até { $value }; antes de todas as outras rotações a ferramenta recua mais.
         [unretracted] Os eixos rodam aqui embora a ferramenta não tenha recuado depois de maquinar; antes de todas as outras rotações recua.
+        [rapid] continua em avanço rápido, ao contrário do que faz depois das outras passagens da superfície
        *[turn] um eixo rotativo se move em avanço rápido
     }: não foi recuada.
 diag-rotary-axis-jumps = O eixo rotativo oscila aqui de { $other } para { $value } e volta no bloco seguinte.
@@ -449,6 +452,7 @@ diag-value-unlike-others =
         [feed] O avanço é aqui { $value }, e { $other } na chamada da ferramenta.
         [sign] A altura é aqui { $value }, entre outras mais baixas no mesmo percurso; { $other } seria coerente.
         [depth] A profundidade é aqui { $value }; nos outros ciclos do programa as profundidades são negativas.
+        [path] A coordenada é aqui { $value }, longe dos pontos vizinhos no mesmo percurso; { $other } seria coerente.
        *[others] O valor é aqui { $value }, e { $other } em todos os outros sítios deste tipo.
     }
 diag-wrong-tool-type =
@@ -544,6 +548,7 @@ diag-word-wrong =
         [number] O texto de { $word } não é um número: «{ $value }».
         [beyond] { $word } é { $value }, para lá do fim do texto.
         [file] { $value } não é um ficheiro { $word }.
+        [shorter] { $word } é { $value }: o comando considera a ferramenta mais curta nessa medida, e tudo fica mais fundo na mesma medida.
        *[tool] { $value } não é um número de ferramenta: depois do ponto só pode haver um algarismo.
     }
 diag-wrong-value-kind =
@@ -572,7 +577,11 @@ diag-definitions-differ =
         [turned] O valor é aqui { $value }, e { $other } na definição que desbasta o mesmo contorno torneado.
        *[size] O valor é aqui { $value }, e { $other } na definição que desbasta a mesma caixa ou ranhura.
     }
-diag-helix-too-steep = A hélice desce { $value } numa volta; mais de { $other } nenhuma ferramenta corta aqui.
+diag-helix-too-steep =
+    { $what ->
+        [up] A hélice sobe { $value }, embora se siga um círculo completo como no fundo: o seu sinal está errado.
+       *[steep] A hélice desce { $value } numa volta; mais de { $other } nenhuma ferramenta corta aqui.
+    }
 diag-holes-differ =
     { $what ->
         [stray] O furo em { $value }; { $other } não foi centrado, e um lugar centrado está sem furo.
@@ -604,6 +613,7 @@ diag-surface-wrong =
     { $what ->
         [opposite] A superfície em { $value } está acima do bloco; outras maquinações começam ou terminam em { $other }.
         [pattern] A superfície do padrão está em { $value }, a do ciclo que ele chama em { $other }: vale a do padrão.
+        [air] O ciclo trabalha aqui no ar: desce até { $value }, onde já tudo foi fresado antes.
        *[faced] A superfície está em { $value }, mas a face foi fresada até { $other }.
     }
 diag-turned-thread-wrong =

@@ -48,6 +48,7 @@ diag-spindle-start-wrong =
 diag-tap-without-hole =
     { $what ->
         [missing] Em { $value }; { $other } não foi feito nenhum furo para este macho.
+        [floor] A rosca desce até { $value }, mas o fundo ao lado está em { $other }: a fresa de roscar entra no material maciço.
        *[shallow] O macho desce até { $value }, mas o furo termina em { $other }.
     }
 diag-tcpm-missing = Aqui os eixos rotativos movem-se com os eixos lineares sem TCPM, embora o programa desative TCPM mais tarde.

@@ -104,6 +104,7 @@ diag-corner-wrong =
 diag-cutting-speed-unusual =
     { $side ->
         [above] Rezalna hitrost { $value } m/min je za to orodje s premerom { $other } veliko prevelika.
+        [reamed] Povrtalo s premerom { $other } se pomakne le za { $value } na vrtljaj: vrtljaji so veliko previsoki ali pomik veliko premajhen.
        *[below] Rezalna hitrost { $value } m/min je za to orodje s premerom { $other } veliko premajhna.
     }
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
@@ -344,6 +345,7 @@ diag-reaming-wrong =
     { $what ->
         [none] Tu ni vrtine, ki bi jo bilo mogoče povrtati.
         [deep] Povrtalo gre do { $value }, vrtina pa samo do { $other }.
+        [bored] Izstruževalni drog gre do { $value }, vrtina pa samo do { $other }.
        *[allowance] Vrtina je široka { $other }: za povrtalo { $value } ostane veliko preveč materiala.
     }
 diag-repeat-count-wrong = Število ponovitev mora biti celo število od 0 do 65534.
@@ -367,6 +369,7 @@ diag-retract-missing =
         [end] se program konča
         [others] Osi se tu zasukajo po odmiku samo na { $value }; pred vsemi drugimi zasuki se orodje odmakne dlje.
         [unretracted] Osi se tu zasukajo, čeprav se orodje po obdelavi ni odmaknilo; pred vsemi drugimi zasuki se odmakne.
+        [rapid] nadaljuje v hitrem teku, drugače kot po drugih vrsticah površine
        *[turn] se rotacijska os premakne v hitrem teku
     }: ni bilo odmaknjeno.
 diag-rotary-axis-jumps = Rotacijska os tu zaniha od { $other } do { $value } in v naslednjem stavku nazaj.
@@ -452,6 +455,7 @@ diag-value-unlike-others =
         [feed] Pomik je tu { $value }, v priklicu orodja pa { $other }.
         [sign] Višina je tu { $value }, med nižjimi na isti poti; ustrezala bi { $other }.
         [depth] Globina je tu { $value }; v drugih ciklih programa so globine negativne.
+        [path] Koordinata je tu { $value }, daleč od sosednjih točk na isti poti; ustrezala bi { $other }.
        *[others] Vrednost je tu { $value }, na vseh drugih takih mestih pa { $other }.
     }
 diag-wrong-tool-type =
@@ -547,6 +551,7 @@ diag-word-wrong =
         [number] Besedilo v { $word } ni število: »{ $value }«.
         [beyond] { $word } je { $value }, kar je za koncem besedila.
         [file] { $value } ni datoteka { $word }.
+        [shorter] { $word } je { $value }: krmiljenje ima orodje za toliko krajše in vse postane za toliko globlje.
        *[tool] { $value } ni številka orodja: za piko sme stati samo ena števka.
     }
 diag-wrong-value-kind =
@@ -575,7 +580,11 @@ diag-definitions-differ =
         [turned] Vrednost je tu { $value }, v definiciji, ki grobo struži isto konturo, pa { $other }.
        *[size] Vrednost je tu { $value }, v definiciji, ki grobo rezka isti žep ali utor, pa { $other }.
     }
-diag-helix-too-steep = Vijačnica se v enem obratu spusti za { $value }; več kot { $other } tu ne reže nobeno orodje.
+diag-helix-too-steep =
+    { $what ->
+        [up] Vijačnica se dvigne za { $value }, čeprav ji sledi poln krog kot na dnu: njen predznak je napačen.
+       *[steep] Vijačnica se v enem obratu spusti za { $value }; več kot { $other } tu ne reže nobeno orodje.
+    }
 diag-holes-differ =
     { $what ->
         [stray] Vrtina pri { $value }; { $other } ni bila centrirana, eno centrirano mesto pa je brez vrtine.
@@ -607,6 +616,7 @@ diag-surface-wrong =
     { $what ->
         [opposite] Površina pri { $value } je nad surovcem; druge obdelave se začnejo ali končajo pri { $other }.
         [pattern] Površina vzorca je pri { $value }, površina cikla, ki ga kliče, pa pri { $other }: velja tista iz vzorca.
+        [air] Cikel tu dela v zraku: gre do { $value }, kjer je bilo vse že prej odrezkano.
        *[faced] Površina je pri { $value }, ploskev pa je bila rezkana do { $other }.
     }
 diag-turned-thread-wrong =

@@ -50,6 +50,7 @@ diag-spindle-start-wrong =
 diag-tap-without-hole =
     { $what ->
         [missing] Na { $value }; { $other } ni bila izvrtana nobena vrtina za ta navojni sveder.
+        [floor] Navoj seže do { $value }, dno ob njem pa je pri { $other }: rezkar za navoje gre v polni material.
        *[shallow] Navojni sveder seže do { $value }, vrtina pa se konča pri { $other }.
     }
 diag-tcpm-missing = Rotacijske osi se tukaj premikajo skupaj z linearnimi brez TCPM, čeprav program TCPM pozneje izklopi.

@@ -94,6 +94,15 @@ pub enum Incident {
         /// That of the hole.
         hole: f64,
     },
+    /// A thread mill outside of a stud that goes into the floor around it.
+    ThreadIntoFloor {
+        /// How deep the tool goes.
+        thread: f64,
+        /// The height of the floor.
+        floor: f64,
+    },
+    /// A cycle that goes down to a height where everything has been removed already.
+    InAir(f64),
     /// Two holes of the same tool that overlap.
     Overlap {
         /// How far their centres are apart.

@@ -20,6 +20,7 @@ mod rule;
 mod rules;
 mod slip;
 mod speech;
+mod spikes;
 mod tools;
 mod toolwords;
 mod travel;

@@ -62,6 +62,7 @@ const CHECKER: &[&str] = &[
     "guards",
     "blank",
     "contours",
+    "spikes",
     "loops",
     "travel",
     "rule",

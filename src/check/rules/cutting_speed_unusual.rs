@@ -3,12 +3,14 @@
 //! Only where a tool table or a TOOL DEF gives the diameter. The limits are far beyond what is usual: 400 m/min for
 //! drills, 80 for taps, 120 for reamers, 2500 for anything else; 2.5 m/min for drills and mills, 0.8 for taps. What a tool
 //! is, its name or a comment beside its call says. Also a mill that cuts many times as fast as the fastest of the others, and a fast
-//! tap that turns faster than the drill of its core hole.
+//! tap that turns faster than the drill of its core hole. Also a reamer that takes so little per revolution that a digit of its
+//! speed or of its feed is wrong.
 use std::f64::consts::PI;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::check::program::number;
 use crate::check::tools::{Tools, kind_of_call};
-use crate::check::{Aspect, Facts, Loaded, Rule, ToolKind, Tri};
+use crate::check::{Aspect, Facts, Loaded, Pending, Rule, ToolKind, Tri};
 use crate::program::syntax::BlockKind;
 use crate::spec::MM_PER_INCH;
 
@@ -25,6 +27,10 @@ const QUICK: f64 = 40.0;
 const CORE: f64 = 0.75;
 /// So many taps and drills are compared.
 const SEVERAL: usize = 64;
+/// A reamer takes more than this part of its diameter per revolution.
+const REAMED: f64 = 0.004;
+/// The meaning of the feed of a reamer.
+const FEED: &str = "plunging-feed";
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(tools) = Tools::of(facts) else { return };
@@ -78,6 +84,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.arg("other", Arg::Number(diameter)));
         }
     }
+    if let Some((span, turn, diameter)) = reamed(facts, &tools) {
+        let finding = rule.at(facts, span).arg("side", "reamed").arg("value", Arg::Number(turn));
+        found.push(finding.arg("other", Arg::Number(diameter)));
+    }
     mills.sort_by(|one, other| other.0.total_cmp(&one.0));
     if let [(fastest, diameter, span), (second, ..), ..] = mills.as_slice()
         && *fastest > FAST
@@ -87,4 +97,24 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = finding.arg("value", Arg::Number((fastest * 10.0).round() / 10.0));
         found.push(finding.arg("other", Arg::Number(*diameter)));
     }
+}
+
+/// The first call of a cycle with a reamer that takes far too little per revolution, with that and the diameter; feeds of
+/// programs in inches may be in tenths of them.
+fn reamed(facts: &Facts<'_>, tools: &Tools) -> Option<(Span, f64, f64)> {
+    facts.run.calls.iter().filter(|_| !facts.inch).find_map(|call| {
+        let (Pending::Definition(index), Loaded::By(block)) = (call.modal.pending, call.modal.loaded) else {
+            return None;
+        };
+        (kind_of_call(facts, usize::try_from(block).ok()?) == Some(ToolKind::Reamer)).then_some(())?;
+        let tool = tools.get(call.modal.loaded)?;
+        let speed = tool.speed.filter(|speed| *speed > 0.0)?;
+        let related = facts.definitions.get(index as usize)?.as_related_cycle();
+        let read = facts.read(&related);
+        let item = read.item(FEED)?;
+        let turn = number(item).filter(|feed| *feed > 0.0)? / speed;
+        let diameter = 2.0 * tool.radius;
+        let few = diameter > 3.0 && turn < REAMED * diameter;
+        few.then_some((item.value_span, (turn * 1e4).round() / 1e4, diameter))
+    })
 }

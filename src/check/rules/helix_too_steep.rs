@@ -1,12 +1,15 @@
 //! A helix in material that goes down in one turn by more than four fifths of the width of the tool: a digit of the angle is missing, or the
 //! angle is that of a part of the turns.
 //!
+//! Also a helix of several turns upwards that is followed by a full circle at its end, as one to a floor is: its sign is wrong.
+//!
 //! Only polar helices with incremental numbers; in inch programs, and where the tool is not known, 20 mm in one turn are too
-//! much. Threads are milled with a feed of many revolutions, but no pitch is so large. Upwards nothing is cut.
+//! much. Threads are milled with a feed of many revolutions, but no pitch is so large.
 use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::program::is_silent;
 use crate::check::tools::Tools;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Axis, BlockKind, Motion, Path};
+use crate::program::syntax::{Axis, Block, BlockKind, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "helix-too-steep", severity: Severity::Warning, run };
 
@@ -14,6 +17,8 @@ pub(super) const RULE: Rule = Rule { code: "helix-too-steep", severity: Severity
 const MOST: f64 = 20.0;
 /// And this part of the diameter.
 const STEEPEST: f64 = 0.8;
+/// So many turns make a hole, degrees; a thread has one.
+const TURNS: f64 = 720.0;
 /// Less than this is a way into a floor, mm.
 const SHALLOW: f64 = 3.0;
 
@@ -31,12 +36,26 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(modal) = facts.run.before(index) else { continue };
         let width = tools.as_ref().and_then(|tools| tools.get(modal.loaded)).map(|tool| 2.0 * tool.radius);
         let most = width.map_or(MOST * unit, |width| STEEPEST * width).min(MOST * unit);
+        if depth > 0.0 && angle.abs() >= TURNS && is_floor(facts, facts.program.blocks().get(index + 1..)) {
+            let finding = rule.at(facts, facts.content(block)).arg("what", "up").arg("value", Arg::Number(depth));
+            found.push(finding.arg("other", Arg::Number(most)));
+        }
         let each = -depth * 360.0 / angle.abs();
         if depth < -SHALLOW * unit && angle != 0.0 && each > most + unit / 1e3 {
-            let finding = rule.at(facts, facts.content(block)).arg("value", Arg::Number((each * 1e3).round() / 1e3));
+            let finding = rule.at(facts, facts.content(block)).arg("what", "steep");
+            let finding = finding.arg("value", Arg::Number((each * 1e3).round() / 1e3));
             found.push(finding.arg("other", Arg::Number(most)));
         }
     }
+}
+
+/// Whether blocks begin with a full circle at the height that was reached.
+fn is_floor(facts: &Facts<'_>, blocks: Option<&[Block]>) -> bool {
+    let next = blocks.and_then(|blocks| blocks.iter().find(|block| !is_silent(block)));
+    let Some(BlockKind::Motion(motion)) = next.map(|block| &block.kind) else { return false };
+    let words = motion.words();
+    let angle = incremental(facts, &words, Axis::Pa);
+    motion.path() == Path::Cp && words.coord(Axis::Z).is_none() && angle.is_some_and(|angle| angle.abs() == 360.0)
 }
 
 fn incremental(facts: &Facts<'_>, words: &Motion, axis: Axis) -> Option<f64> {

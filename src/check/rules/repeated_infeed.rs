@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::program::is_silent;
-use crate::check::{Facts, Rule};
+use crate::check::{Aspect, Facts, Modal, Rule, Tri};
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensates, Coord, Motion, Path};
 use crate::spec::Group;
 
@@ -68,7 +68,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.arg("value", Arg::Number(times)));
             continue;
         }
-        let usual = facts.run.before(index).is_some_and(|modal| is_unmoved(&modal));
+        let usual = facts.run.before(index).is_some_and(|modal| is_level_frame(facts, &modal));
         let part = blocks.get(start + 1..index).filter(|_| usual);
         let Some(pass) = part.and_then(|part| pass(facts, part, start + 1, &mut levels)) else {
             continue;
@@ -97,6 +97,28 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ => {}
         }
     }
+}
+
+/// Whether heights are those of the blank: nothing moves coordinates but shifts in the plane.
+fn is_level_frame(facts: &Facts<'_>, modal: &Modal) -> bool {
+    const OTHERS: [Aspect; 5] =
+        [Aspect::Rotation, Aspect::Mirroring, Aspect::Scaling, Aspect::AxisScaling, Aspect::Tilting];
+    // A row of a datum table may have a height, too.
+    let upwards = |word: &str| {
+        let rest = word.trim_start_matches(['I', 'i']).strip_prefix(['Z', 'z', 'P', 'p', '#']);
+        rest.is_some_and(|rest| {
+            !rest.is_empty() && !rest.starts_with(char::is_alphabetic) || rest.starts_with(['Q', 'q'])
+        })
+    };
+    let shifts = || {
+        let blocks = facts.program.blocks();
+        let all = facts.definitions.iter().filter(|own| {
+            own.related_cycle().is_none_or(|cycle| matches!(cycle.file.group, Group::Transforms | Group::Datum))
+        });
+        let mut lines = all.filter_map(|own| blocks.get(own.view.first..=own.view.last)).flatten();
+        lines.any(|block| facts.text(facts.content(block)).split_ascii_whitespace().any(upwards))
+    };
+    is_unmoved(modal) || OTHERS.iter().all(|own| modal.is(*own) == Tri::No) && !shifts()
 }
 
 /// Whether a part calls cycles and defines a transformation, and all of it is absolute: from its second pass on it does the
@@ -183,12 +205,14 @@ fn pass(facts: &Facts<'_>, part: &[Block], start: usize, levels: &mut BTreeMap<u
                 (pass.feeds, pass.compensates) = (true, true);
                 continue;
             }
+            _ if block.is_blend() => continue,
             _ => return None,
         };
         let words = motion.words();
-        let plain =
-            matches!(words.path, Path::L | Path::C | Path::Cr | Path::Cc | Path::Cp | Path::Ct | Path::Rnd | Path::Chf)
-                || matches!(words.path, Path::Appr(_) | Path::Dep(_));
+        let plain = matches!(
+            words.path,
+            Path::L | Path::Lp | Path::C | Path::Cr | Path::Cc | Path::Cp | Path::Ct | Path::Rnd | Path::Chf
+        ) || matches!(words.path, Path::Appr(_) | Path::Dep(_));
         if block.skip || !plain || words.functions.iter().any(|own| !matches!(own.number, 3 | 4 | 8 | 9 | 13 | 14)) {
             return None;
         }

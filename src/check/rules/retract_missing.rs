@@ -3,9 +3,12 @@
 //! A PLANE with TURN directly after a cycle that leaves the tool just above its surface, or the only turn of the axes after a
 //! retraction that is far less than before all others.
 //!
+//! Also the only line of a surface after which the tool goes on at rapid without the retraction that all other lines have.
+//!
 //! Places are followed from label to label in programs with a box as their blank. Silent while the control holds the tool
 //! tip in its place (M128, FUNCTION TCPM). Each is said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::check::blank;
 use crate::check::incident::Incident;
 use crate::check::program::{is_silent, number};
 use crate::check::travel::incidents;
@@ -42,6 +45,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         found.push(rule.at(facts, span).arg("what", "turn").arg("value", Arg::Number(height)));
         turn = true;
     }
+    if let Some((block, height)) = unlifted(facts) {
+        let finding = rule.at(facts, facts.content(block)).arg("what", "rapid");
+        found.push(finding.arg("value", Arg::Number(height)));
+    }
     if let Some((block, height)) = unlike_others(facts).filter(|_| !turn) {
         let what = if height.is_some() { "others" } else { "unretracted" };
         let finding = rule.at(facts, facts.content(block)).arg("what", what);
@@ -59,6 +66,46 @@ fn turned_after_cycle(facts: &Facts<'_>) -> Option<(Span, f64)> {
         (own.kind == StatementKind::Plane && turns && free).then_some(())?;
         Some((span, left_at(facts, index)?))
     })
+}
+
+/// The only line of a surface from which the tool goes on at rapid in the plane, with its height; it is lifted after at least
+/// three others.
+fn unlifted<'a>(facts: &Facts<'a>) -> Option<(&'a Block, f64)> {
+    const OTHERS: usize = 3;
+    /// So many points have a line of a surface.
+    const POINTS: usize = 3;
+    let top = blank::top(facts.program)?;
+    let blocks = facts.program.blocks();
+    let (mut lifted, mut found) = (0, Vec::new());
+    // The points of the line, and its last height.
+    let (mut points, mut last) = (0, None);
+    for block in blocks.iter().take(MOST).filter(|block| !is_silent(block)) {
+        let BlockKind::Motion(motion) = &block.kind else {
+            points = 0;
+            continue;
+        };
+        let words = motion.words();
+        let height = words.coord(Axis::Z);
+        let across = words.coords.iter().any(|own| matches!(own.axis, Axis::X | Axis::Y));
+        if !motion.outline().is_rapid() {
+            let number = height.filter(|own| !own.incremental).and_then(|own| facts.number(&own.value));
+            last = if height.is_some() { number } else { last };
+            points = if across && height.is_some() { points + 1 } else { 0 };
+            continue;
+        }
+        let low = last.filter(|height| std::mem::take(&mut points) >= POINTS && *height < top);
+        match low {
+            Some(low) if height.is_none() && across && !motion.has_functions() && !block.skip => {
+                found.push((block, low));
+            }
+            Some(low) if height.and_then(|own| facts.number(&own.value)).is_some_and(|to| to > low) => lifted += 1,
+            _ => {}
+        }
+    }
+    match found.as_slice() {
+        [only] if lifted >= OTHERS => Some(*only),
+        _ => None,
+    }
 }
 
 /// The height at which the last cycle has left the tool, if that is just above its surface and nothing has moved the

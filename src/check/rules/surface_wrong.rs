@@ -3,12 +3,17 @@
 //!
 //! Also a pattern that sets another surface than the cycle which it calls: that of the pattern acts.
 //!
+//! Also a cycle for holes, pockets or contours that meets nothing although it goes below the top of the blank, where an
+//! execution shows it: a tool that the table knows has removed all of it before.
+//!
 //! Only where numbers say all of it, in programs with a box as their blank; not after transformations.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
+use crate::check::incident::Incident;
 use crate::check::program::number;
+use crate::check::travel::first_incident;
 use crate::check::{Facts, Pending, Rule};
 use crate::spec::Group;
 
@@ -73,6 +78,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             floors.push(surface + depth);
         }
         surfaces.push((surface, item.value_span));
+    }
+    let in_air = first_incident(facts, |own| match own {
+        Incident::InAir(height) => Some(height),
+        _ => None,
+    });
+    if let Some((span, height)) = in_air.filter(|_| !reported) {
+        let finding = rule.at(facts, span).arg("what", "air").arg("value", Arg::Number(height));
+        found.push(finding.arg("other", Arg::Number(blank.high[2])));
     }
     let top = blank.high[2];
     let same = |one: f64, other: f64| (one - other).abs() <= 1e-6;

@@ -4,12 +4,14 @@
 //! At least two others, and all of them equal. Coordinates, angles and choices are not compared. The clearance heights of
 //! all touch-probe cycles are compared with each other, and so are those of all that measure tools. Of polar coordinates
 //! in a row of blocks the radius is compared, and the angle, if it grows by the same in all the others. The feeds of cycles
-//! and of contours are compared with that of the tool call. Each is reported.
+//! and of contours are compared with that of the tool call. Each is reported. So is the one point of a path of many points
+//! that sticks out of it, where such a slip brings it back.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::program::{is_silent, number, with_meaning};
 use crate::check::slip::is_slip;
+use crate::check::spikes;
 use crate::check::{Facts, Loaded, Pending, Rule};
 use crate::program::syntax::{Amount, Axis, BlockKind, Compensates, CycleForm, FeedKind, Path, ValueKind};
 use crate::spec::{CycleKey, Group, Quantity, Reference};
@@ -77,6 +79,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         .filter(|own| own.code == rule.code)
         .filter_map(|own| own.place.as_ref().map(|place| place.span.start))
         .collect();
+    for (span, value, other) in spikes::of(facts).into_iter().filter(|(span, ..)| !told.contains(&span.start)) {
+        let finding = rule.at(facts, span).arg("what", "path").arg("value", Arg::Number(value));
+        found.push(finding.arg("other", Arg::Number(other)));
+    }
     for (span, value, other) in feeds(facts).into_iter().filter(|(span, ..)| !told.contains(&span.start)) {
         let finding = rule.at(facts, span).arg("what", "feed").arg("value", Arg::Number(value));
         found.push(finding.arg("other", Arg::Number(other)));

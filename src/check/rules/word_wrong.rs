@@ -1,5 +1,6 @@
 //! A word of a block with a value that it does not take, or that contradicts another word: SPA+400, MOVE and TURN, an
-//! error number of FN 14 that does not exist, a tool number below 0, `FN 4 … / …` for DIV.
+//! error number of FN 14 that does not exist, a tool number below 0, `FN 4 … / …` for DIV. Also an undersize of millimetres for
+//! the length of a tool: it then goes so much deeper.
 //!
 //! What words take is in the file of the language. Parameters are passed over.
 use std::collections::BTreeMap;
@@ -19,6 +20,8 @@ pub(super) const RULE: Rule = Rule { code: "word-wrong", severity: Severity::War
 const TOOL: f64 = 32767.9;
 /// The greatest oversize of a tool in mm.
 const OVERSIZE: f64 = 99.9999;
+/// No tool is so much shorter than the table says, mm.
+const SHORTER: f64 = 2.0;
 
 /// Where the findings go.
 struct Telling<'t, 'f, 'a> {
@@ -46,6 +49,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 for (word, value) in oversizes.into_iter().filter_map(|(word, own)| Some((word, own.as_ref()?))) {
                     reported.number(word, value, -OVERSIZE, OVERSIZE);
                 }
+                reported.shorter(call.dl.as_ref());
                 continue;
             }
             BlockKind::ToolDef(own) => {
@@ -165,6 +169,14 @@ impl Telling<'_, '_, '_> {
     fn number(&mut self, word: &str, value: &Operand, least: f64, greatest: f64) {
         if let Some(number) = self.facts.number(value) {
             self.limit(word, number, value.span, least, greatest);
+        }
+    }
+
+    /// The oversize of a tool in length, if it makes the tool much shorter.
+    fn shorter(&mut self, value: Option<&Operand>) {
+        let Some((value, length)) = value.and_then(|own| Some((own, self.facts.number(own)?))) else { return };
+        if (-OVERSIZE..-SHORTER * self.facts.millimetre()).contains(&length) {
+            self.report("shorter", value.span, "DL", Arg::Number(length));
         }
     }
 

@@ -78,7 +78,8 @@ impl DryRun<'_> {
             // What was found by reading is not said a second time.
             let again = |known: &Diagnostic| {
                 let same = [is_rapid, is_of_contour].iter().any(|is| is(known.code) && is(finding.code));
-                known.code == finding.code || same
+                let air = finding.code == works::IDLE && known.code == "surface-wrong";
+                known.code == finding.code || same || air
             };
             if !found.iter().any(again) {
                 found.push(finding);
@@ -190,7 +191,7 @@ impl Part {
         let mut found = of_material(&self.machining.finish().1.findings, &self.sight.threaded, file);
         found.extend(idle.and_then(|(number, key)| {
             let place = Place::new(file.program.source(), line(&file.program, number)?);
-            Some(Diagnostic::warning("cycle-removes-nothing", place).arg("cycle", key.to_string()))
+            Some(Diagnostic::warning(works::IDLE, place).arg("cycle", key.to_string()))
         }));
         found
     }

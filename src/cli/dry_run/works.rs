@@ -11,6 +11,8 @@ use crate::program::fields::key;
 use crate::program::syntax::{CycleForm, Program, ValueKind};
 use crate::spec::{Catalogue, Cycle, CycleKey, Group, Keyword, OnControl, Param};
 
+/// The code of a cycle that removes nothing.
+pub(super) const IDLE: &str = "cycle-removes-nothing";
 /// The meaning of the choice between roughing and finishing, and the values of it that rough.
 const OPERATION: &str = "machining-operation";
 const ROUGHS: [f64; 2] = [0.0, 1.0];

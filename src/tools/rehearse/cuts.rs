@@ -11,6 +11,8 @@ use crate::spec::CycleKey;
 /// A feed so many times that of the tool call is one for positioning, and one at which the tool cuts is hardly above it.
 const POSITIONING: f64 = 3.0;
 const CUTTING: f64 = 1.1;
+/// A floor beside a stud lies so far below the place where a milled thread begins, mm.
+const FLOOR: f64 = 6.0;
 
 impl Watcher<'_> {
     /// A movement at feed straight down into material: how much it takes per revolution.
@@ -80,6 +82,38 @@ impl Watcher<'_> {
         };
         let incident = Incident::HoleTooShallow { tap: self.at.z * self.unit, hole: solid.z * self.unit };
         self.report(self.line, incident);
+    }
+
+    /// A thread that is milled outside of a stud: the tool must not go into the floor around it.
+    pub(super) fn mills_into_floor(&mut self, key: Option<CycleKey>, places: &[DVec3]) {
+        let outside = key.and_then(|key| self.cycle(key)).is_some_and(super::work::mills_thread_outside);
+        let Some(start) = self.work.as_ref().map(|own| own.start.z).filter(|_| outside) else { return };
+        let floor = |place: &DVec3| place.z + self.remains.above(*place);
+        let into = places.iter().filter(|place| self.is_solid(**place)).map(floor).find(|own| *own < start - FLOOR);
+        if let Some(floor) = into {
+            let lowest = places.iter().map(|place| place.z).fold(self.at.z, f64::min);
+            self.report(self.line, Incident::ThreadIntoFloor { thread: lowest * self.unit, floor: floor * self.unit });
+        }
+    }
+
+    /// Takes away what the tool may cut at places.
+    pub(super) fn cut(&mut self, places: &[DVec3]) {
+        let flat = self.flat.iter().find(|(number, _)| Some(*number) == self.tool).map(|(_, radius)| *radius);
+        let pointed = [ToolKind::Drill, ToolKind::Spot, ToolKind::Chamfer, ToolKind::Ball, ToolKind::Engraver];
+        let sure = flat.filter(|_| self.kind().is_none_or(|kind| !pointed.contains(&kind)));
+        self.remains.cut(places, (self.radius(), sure.unwrap_or_default()), self.up());
+    }
+
+    /// Notes whether what a cycle does may meet material.
+    pub(super) fn meets(&mut self, places: &[DVec3], known: bool) {
+        if self.work.as_ref().is_none_or(|own| own.meets) {
+            return;
+        }
+        let radius = self.width().map(|width| width / 2.0).filter(|_| known && !self.remains.open);
+        let meets = radius.is_none_or(|radius| self.remains.may_meet(places, radius));
+        if let Some(work) = &mut self.work {
+            work.meets = meets;
+        }
     }
 
     /// The feed of the last tool call, mm/min.

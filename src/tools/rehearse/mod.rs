@@ -27,8 +27,8 @@ use crate::base::diag::Source;
 use crate::check::{Observed, ToolKind};
 use crate::engine::geometry::Axis;
 use crate::engine::run::{Engine, Limits, NoTexts, Programs};
-use crate::engine::scene::Scene;
 use crate::engine::scene::guess::{Guess, GuessedTool, Origin};
+use crate::engine::scene::{ParameterValue, Scene};
 use crate::engine::stock::Blank;
 use crate::program::fields::key;
 use crate::program::syntax::{self, Amount, BlockKind, CallForm, FeedKind, Program, ToolRef};
@@ -81,10 +81,15 @@ impl Rehearsal<'_> {
         text.push_str(&any_preset());
         text.push_str(&goes_on());
         let mut scene = Scene::parse(&Source::new("scene", text), self.files).ok()?;
+        // A tool that cuts at its centre plunges in any way.
+        if let Some(name) = on.datum("suppress_plunge_err") {
+            scene.machine_parameters.push((name.to_owned(), ParameterValue::Number(1.0)));
+        }
         beside(&mut scene);
         let mut watcher = Watcher::new((on, self.catalogue), program, body, &scene);
         for tool in guess.tools.iter().filter(|tool| tool.origin != Origin::Assumed && tool.size[1] > 0.0) {
             watcher.radii.push((tool.number, tool.size[1]));
+            watcher.flat.extend(self.flat(tool).map(|radius| (tool.number, radius)));
         }
         watcher.kinds = guess.tools.iter().filter_map(|tool| Some((tool.number, self.kind(program, tool)?))).collect();
         watcher.probes = guess.tools.iter().filter(|tool| tool.probes).map(|tool| tool.number).collect();
@@ -98,6 +103,14 @@ impl Rehearsal<'_> {
         };
         engine.observe(&mut |event| watcher.see(event));
         Some(watcher.found)
+    }
+
+    /// The radius within which a tool is flat at its end, as the table has it.
+    fn flat(&self, tool: &GuessedTool) -> Option<f64> {
+        let table = self.tools?;
+        let value = |column| table.number(tool.number, column).ok().flatten();
+        (value("T-ANGLE").unwrap_or_default() == 0.0).then_some(())?;
+        Some(value("R")? - value("R2").unwrap_or_default())
     }
 
     /// What a tool is called: in the table, in the program, or in the comment beside its call.

@@ -1,6 +1,7 @@
 //! What may be left of the blank: a height for each column of cells along the tool axis.
 //!
 //! Invariant: never more than what is left. Whatever a tool may have removed is gone, so what is found here is material.
+//! Beside it the heights above which there is certainly none: only what a tool that is known has removed is gone from them.
 use glam::DVec3;
 
 use super::body::{Body, SKIN};
@@ -17,6 +18,8 @@ pub(super) struct Remains {
     body: Option<Body>,
     /// The height down to which the blank is there, by rows of cells.
     tops: Vec<f64>,
+    /// The heights above which certainly nothing is left.
+    most: Vec<f64>,
     /// How wide a cell is, mm.
     pub(super) cell: f64,
     columns: usize,
@@ -33,7 +36,8 @@ impl Remains {
         let columns = (size.x / cell).ceil().max(1.0) as usize;
         let rows = (size.y / cell).ceil().max(1.0) as usize;
         let tops = vec![body.map_or(0.0, |body| body.high.z); columns * rows];
-        Self { body, tops, cell, columns, places: 0, open: false }
+        let most = tops.clone();
+        Self { body, tops, most, cell, columns, places: 0, open: false }
     }
 
     fn index(&self, body: &Body, x: f64, y: f64) -> Option<usize> {
@@ -55,11 +59,13 @@ impl Remains {
         top.filter(|_| self.is_solid(place)).map_or(0.0, |top| top - place.z)
     }
 
-    /// Takes away what a tool of a radius may cut at places; `up` is the way along its axis.
-    pub(super) fn cut(&mut self, places: &[DVec3], radius: f64, up: DVec3) {
+    /// Takes away what a tool of a radius may cut at places, and certainly cuts within another one; `up` is the way along its
+    /// axis.
+    pub(super) fn cut(&mut self, places: &[DVec3], (radius, sure): (f64, f64), up: DVec3) {
         let Some(body) = self.body else { return };
         let flat = up.truncate().length();
         if flat <= 1e-9 && up.z > 0.0 {
+            self.clear(&body, places, sure);
             return self.lower(&body, places, radius, 0.0);
         }
         if up.z < LEANS {
@@ -81,6 +87,53 @@ impl Remains {
                 return;
             }
         }
+    }
+
+    /// Whether a tool of a radius may meet material at places.
+    pub(super) fn may_meet(&self, places: &[DVec3], radius: f64) -> bool {
+        let Some(body) = self.body else { return true };
+        let reach = radius + self.cell;
+        places.iter().any(|place| self.around(&body, *place, reach).any(|at| self.is_higher(at, place.z)))
+    }
+
+    fn is_higher(&self, at: usize, height: f64) -> bool {
+        self.most.get(at).is_some_and(|most| *most > height + SKIN)
+    }
+
+    /// Notes what a tool certainly removes: the columns that lie wholly under it.
+    fn clear(&mut self, body: &Body, places: &[DVec3], radius: f64) {
+        // The middle of a column is so far from its corners.
+        let radius = radius - self.cell / std::f64::consts::SQRT_2;
+        if radius <= 0.0 || self.places + places.len() > MOST_PLACES {
+            return;
+        }
+        for place in places {
+            let under: Vec<usize> = self.around(body, *place, radius).collect();
+            for at in under {
+                if let Some(most) = self.most.get_mut(at) {
+                    *most = most.min(place.z);
+                }
+            }
+        }
+    }
+
+    /// The columns whose middle is so near to a place.
+    fn around(&self, body: &Body, place: DVec3, reach: f64) -> impl Iterator<Item = usize> {
+        let (cell, columns) = (self.cell, self.columns);
+        let rows = self.tops.len() / columns;
+        let from = (place - body.low).truncate();
+        let span = |value: f64, count: usize| {
+            let first = ((value - reach) / cell).floor().max(0.0) as usize;
+            first..(((value + reach) / cell).floor() + 1.0).clamp(0.0, count as f64) as usize
+        };
+        let across = span(from.x, columns);
+        span(from.y, rows).flat_map(move |row| across.clone().map(move |column| (row, column))).filter_map(
+            move |(row, column)| {
+                let middle = [column as f64 + 0.5, row as f64 + 0.5].map(|own| own * cell);
+                let near = libm::hypot(middle[0] - from.x, middle[1] - from.y) <= reach;
+                near.then_some(row * columns + column)
+            },
+        )
     }
 
     /// Lowers the columns about places to them, and by so much more.

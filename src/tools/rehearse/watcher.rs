@@ -91,6 +91,8 @@ pub(super) struct Watcher<'w> {
     /// Whether the operator was asked to go on after something was machined, and whether rows of holes were uncertain then.
     pub(super) stopped: Option<bool>,
     pub(super) radii: Vec<(f64, f64)>,
+    /// The radii within which tools are flat at their end.
+    pub(super) flat: Vec<(f64, f64)>,
     /// What tools are called.
     pub(super) kinds: Vec<(f64, ToolKind)>,
     pub(super) probes: Vec<f64>,
@@ -165,6 +167,7 @@ impl<'w> Watcher<'w> {
             worked: false,
             stopped: None,
             radii: Vec::new(),
+            flat: Vec::new(),
             kinds: Vec::new(),
             probes: Vec::new(),
             tool: None,
@@ -452,6 +455,7 @@ impl<'w> Watcher<'w> {
         // Enough places of an arc to see how far it reaches.
         let round: Vec<DVec3> = (0..=ROUND).map(|at| self.place(path.at(f64::from(at) / f64::from(ROUND)))).collect();
         self.note(key, line, &round, certain && begun);
+        self.meets(&places, certain && begun);
         if let Some(body) = self.body.filter(|_| certain) {
             // The way to a contour and away from it is no part of it.
             let plain = block.is_none_or(|own| match &own.kind {
@@ -521,6 +525,7 @@ impl<'w> Watcher<'w> {
         }
         if solid && group == Some(Group::Threads) {
             self.mills_thread(key, from, places);
+            self.mills_into_floor(key, places);
         }
         if solid {
             self.bites(from, places, feed);
@@ -667,12 +672,11 @@ impl<'w> Watcher<'w> {
         self.remains.is_solid(place)
     }
 
-    /// Takes away what the tool may cut at places.
-    fn cut(&mut self, places: &[DVec3]) {
+    /// The way along the axis of the tool.
+    pub(super) fn up(&self) -> DVec3 {
         let up = self.plane.tool.unit();
         let up = self.to_blank.vector(self.parts.map_or(up, |parts| parts.vector(up)));
-        let up = self.plane.flat(up).extend(self.plane.tool.of(up));
-        self.remains.cut(places, self.radius(), up);
+        self.plane.flat(up).extend(self.plane.tool.of(up))
     }
 }
 

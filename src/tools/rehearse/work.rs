@@ -11,6 +11,8 @@ use crate::spec::{Cycle, CycleKey, Group};
 const TIP: f64 = 25.0;
 /// The meaning of the value that says a thread is milled, and of one outside.
 const MILLED: &str = "milling-type";
+/// The meaning of the value that only cycles for boring bars have.
+const DISENGAGES: &str = "disengaging-direction";
 /// Two holes of one tool are no nearer to each other than so much of its diameter.
 const APART: f64 = 0.95;
 /// A reamer takes no more off the diameter than this, and this part of the diameter, mm.
@@ -36,6 +38,8 @@ pub(super) struct Work {
     known: bool,
     /// Whether it has met material that was certainly there.
     solid: bool,
+    /// Whether it may have met any.
+    pub(super) meets: bool,
     pub(super) low: DVec3,
     pub(super) high: DVec3,
 }
@@ -150,7 +154,19 @@ impl Watcher<'_> {
             self.finish();
         }
         let met = path.iter().skip(1).any(|place| self.is_solid(*place));
-        let new = Work { line, written, key, group, milled, start: from, known, solid: false, low: at, high: at };
+        let new = Work {
+            line,
+            written,
+            key,
+            group,
+            milled,
+            start: from,
+            known,
+            solid: false,
+            meets: false,
+            low: at,
+            high: at,
+        };
         let work = self.work.get_or_insert(new);
         work.solid |= met;
         // The way to the first place is none of its size.
@@ -186,6 +202,7 @@ impl Watcher<'_> {
         let hole = matches!(work.group, Group::Drilling | Group::Threads) && !work.milled;
         if let Some(body) = self.body {
             self.beside(&body, &work, hole);
+            self.in_air(&body, &work);
         }
         if hole {
             self.again(&work);
@@ -232,6 +249,15 @@ impl Watcher<'_> {
         };
         if outside {
             self.report(work.line, Incident::OutsideBlank([middle.x * self.unit, middle.y * self.unit]));
+        }
+    }
+
+    /// Whether everything was gone where it has cut, although it goes below the top of the blank.
+    fn in_air(&mut self, body: &Body, work: &Work) {
+        let cuts = matches!(work.group, Group::Drilling | Group::Threads | Group::Pockets | Group::Contours);
+        let inside = body.distance((work.low + work.high) / 2.0) <= 0.0 && work.low.z < body.high.z - SKIN;
+        if cuts && inside && !work.meets && self.holes_at(work.start).is_empty() {
+            self.report(work.line, Incident::InAir(work.low.z * self.unit));
         }
     }
 
@@ -299,6 +325,8 @@ impl Watcher<'_> {
             self.report(work.line, Incident::NothingLeft { tool: own * unit, hole: hole * unit });
         } else if reams && !self.holes.is_empty() {
             self.ream(work, &here);
+        } else {
+            self.bore(work, &here);
         }
         if let Some(width) = width.filter(|_| !reams) {
             let made = (self.calls, work.key);
@@ -340,6 +368,18 @@ impl Watcher<'_> {
         }
     }
 
+    /// A boring bar does not go deeper than its hole, into what is solid.
+    fn bore(&mut self, work: &Work, here: &[Hole]) {
+        let bores = self.cycle(work.key).is_some_and(|own| {
+            own.file.group == Group::Drilling && own.params.iter().any(|param| param.is.as_str() == DISENGAGES)
+        });
+        let Some(lowest) = lowest(here).filter(|_| bores && work.solid && !self.remains.open) else { return };
+        if !self.goes_through(&lowest) && work.low.z < lowest.bottom - SKIN {
+            let (value, other) = (work.low.z * self.unit, lowest.bottom * self.unit);
+            self.report(work.line, Incident::ReamedWrongly { what: "bored", value, other });
+        }
+    }
+
     /// A round hole that is milled, as wide as its ways and the tool.
     fn mill(&mut self, work: &Work) {
         let extent = work.high - work.low;
@@ -355,6 +395,11 @@ impl Watcher<'_> {
         let place = [work.start.x * self.unit, work.start.y * self.unit];
         let mut here = self.holes_at(work.start);
         if let Some(thread) = self.width().filter(|_| work.milled).map(|width| width + work.high.x - work.low.x) {
+            let wide = here.iter().filter(|own| own.bottom <= work.low.z + SKIN).filter_map(|own| own.width);
+            if let Some(hole) = wide.reduce(f64::max).filter(|hole| *hole >= thread - SAME) {
+                let incident = Incident::WideCore { thread: thread * self.unit, hole: hole * self.unit };
+                self.report(work.line, incident);
+            }
             // What is wider than a milled thread is no core hole of it: that one was there before.
             here.retain(|own| own.width.is_none_or(|hole| hole <= thread + SAME));
         }
@@ -400,6 +445,13 @@ pub(super) fn mills_thread_in_hole(cycle: &Cycle) -> bool {
     let mut depths = cycle.params.iter().filter(|param| param.is.as_str().contains("depth"));
     let mills = cycle.params.iter().any(|param| param.is.as_str() == MILLED);
     mills && depths.next().is_some() && depths.next().is_none()
+}
+
+/// Whether a cycle mills a thread on the outside of a stud: it has a depth at the front, but drills and countersinks nothing.
+pub(super) fn mills_thread_outside(cycle: &Cycle) -> bool {
+    let mut depths = cycle.params.iter().map(|param| param.is.as_str()).filter(|own| own.contains("depth"));
+    let mills = cycle.params.iter().any(|param| param.is.as_str() == MILLED);
+    mills && !mills_thread_in_hole(cycle) && depths.all(|own| matches!(own, "thread-depth" | "depth-at-front"))
 }
 
 /// The deepest of several holes.
