@@ -82,7 +82,7 @@ impl Rehearsal<'_> {
         text.push_str(&goes_on());
         let mut scene = Scene::parse(&Source::new("scene", text), self.files).ok()?;
         // A tool that cuts at its centre plunges in any way.
-        if let Some(name) = on.datum("suppress_plunge_err") {
+        if let Some(name) = on.datum("suppress-plunge-err") {
             scene.machine_parameters.push((name.to_owned(), ParameterValue::Number(1.0)));
         }
         beside(&mut scene);
