@@ -112,6 +112,7 @@ impl DryRun<'_> {
                 _ => {}
             }
         }
+        guess.assume_inserts(&scene.tools, &mut scene.turning_tools);
         execution::selected(path, file.program.source().text(), &mut scene).ok()?;
         let texts = LogTexts::new(self.locales.source()?, on.id(), self.files);
         let engine = Engine::new(run, on, &scene, &texts).with_limits(LIMITS);
