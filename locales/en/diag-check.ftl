@@ -300,7 +300,11 @@ diag-pattern-wrong =
         [same] { $word } repeats an earlier position.
        *[diameter] The diameter { $word } of a pitch circle must be greater than 0.
     }
-diag-pilot-hole-too-shallow = The deepened starting point is at { $value }, and the hole that is there ends at { $other }.
+diag-pilot-hole-too-shallow =
+    { $what ->
+        [bored] The tool turns inside down to { $value }, and the hole that was drilled ends at { $other }.
+       *[start] The deepened starting point is at { $value }, and the hole that is there ends at { $other }.
+    }
 diag-plane-incomplete = This PLANE lacks { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -433,11 +437,17 @@ diag-tool-missing = A cycle moves here, but no tool call has set the tool axis.
 diag-tool-not-changed = { $cycle } is called with the tool that has already been used for { $before }: it needs another tool.
 diag-tool-not-listed = The tool table has no tool { $tool }.
 diag-turning-start-wrong =
-    The turning cycle does not begin where the tool is: { $what ->
-        [positive] the contour goes to positive Z, away from the part
-        [z] the tool is beyond the end of the contour in Z
-       *[diameter] the tool is beyond the end diameter of the contour
-    }.
+    { $what ->
+        [positive] The turning cycle does not begin where the tool is: the contour goes to positive Z, away from the part.
+        [z] The turning cycle does not begin where the tool is: the tool is beyond the end of the contour in Z.
+        [bar] A tool for inside turns outside here: the cycle takes the side from the position of the tool.
+        [outer] A tool for outside turns inside here: the cycle takes the side from the position of the tool.
+        [inwards] This tool has turned outside before and turns inside here: the cycle takes the side from the position of the tool.
+        [outwards] This tool has turned inside before and turns outside here: the cycle takes the side from the position of the tool.
+        [start] Turning inside begins at the diameter { $value }, and the hole is only { $other } wide: the tool goes into solid material.
+        [thick] The bar is { $value } wide, and the hole only { $other }.
+       *[diameter] The turning cycle does not begin where the tool is: the tool is beyond the end diameter of the contour.
+    }
 diag-uncalculable-contour =
     The control cannot calculate the contour here: { $what ->
         [open] data are missing that determine this element

@@ -123,6 +123,8 @@ diag-turned-contour-wrong =
         [deep] The recess is { $value } deep, and the tool cuts only { $limit }.
         [ridge] The face rises to the diameter { $value } and falls to { $limit } at once: an edge without any width stays.
         [corner] A corner of the contour lies at Z { $value }, beyond the end of the blank at { $limit }, and the contour comes back from there.
+        [wall] The tool cuts through the wall of the part here: on its other side the diameter is { $limit }.
+        [air] The cycle turns only in the air: it comes to the diameter { $value }, and the part has the diameter { $limit } there.
        *[rounding] The rounding { $value } needs more of a line than there is; at most { $limit } is possible.
     }
 diag-called-program-wants =

@@ -300,7 +300,11 @@ diag-pattern-wrong =
         [same] { $word } toistaa aiemman paikan.
        *[diameter] Jakoympyrän halkaisijan { $word } on oltava suurempi kuin 0.
     }
-diag-pilot-hole-too-shallow = Syvennetty aloituspiste on arvossa { $value }, mutta siinä oleva reikä päättyy arvoon { $other }.
+diag-pilot-hole-too-shallow =
+    { $what ->
+        [bored] Työkalu sorvaa sisäpuolelta arvoon { $value } asti, mutta porattu reikä päättyy arvoon { $other }.
+       *[start] Syvennetty aloituspiste on arvossa { $value }, mutta siinä oleva reikä päättyy arvoon { $other }.
+    }
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -432,11 +436,17 @@ diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään työk
 diag-tool-not-changed = { $cycle } kutsutaan työkalulla, jolla on jo suoritettu { $before }: se tarvitsee toisen työkalun.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
 diag-turning-start-wrong =
-    Sorvaustyökierto ei ala siitä, missä työkalu on: { $what ->
-        [positive] muoto kulkee positiiviseen Z-suuntaan, poispäin kappaleesta
-        [z] työkalu on muodon lopun takana Z-akselilla
-       *[diameter] työkalu on muodon loppuhalkaisijan takana
-    }.
+    { $what ->
+        [positive] Sorvaustyökierto ei ala siitä, missä työkalu on: muoto kulkee positiiviseen Z-suuntaan, poispäin kappaleesta.
+        [z] Sorvaustyökierto ei ala siitä, missä työkalu on: työkalu on muodon lopun takana Z-akselilla.
+        [bar] Sisäsorvaustyökalu sorvaa tässä ulkopuolelta: työkierto määrää puolen työkalun asemasta.
+        [outer] Ulkosorvaustyökalu sorvaa tässä sisäpuolelta: työkierto määrää puolen työkalun asemasta.
+        [inwards] Tämä työkalu on sorvannut aiemmin ulkopuolelta ja sorvaa tässä sisäpuolelta: työkierto määrää puolen työkalun asemasta.
+        [outwards] Tämä työkalu on sorvannut aiemmin sisäpuolelta ja sorvaa tässä ulkopuolelta: työkierto määrää puolen työkalun asemasta.
+        [start] Sisäsorvaus alkaa halkaisijasta { $value }, mutta reikä on vain { $other } leveä: työkalu ajaa umpinaiseen aineeseen.
+        [thick] Sorvaustanko on { $value } leveä, mutta reikä vain { $other }.
+       *[diameter] Sorvaustyökierto ei ala siitä, missä työkalu on: työkalu on muodon loppuhalkaisijan takana.
+    }
 diag-uncalculable-contour =
     Ohjaus ei voi laskea muotoa tässä: { $what ->
         [open] tämän elementin määräävät tiedot ovat vajaat

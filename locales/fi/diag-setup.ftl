@@ -122,6 +122,8 @@ diag-turned-contour-wrong =
         [deep] Uran syvyys on { $value }, ja työkalu lastuaa vain { $limit }.
         [ridge] Otsapinta nousee halkaisijaan { $value } ja laskee heti halkaisijaan { $limit }: jäljelle jää terävä harja.
         [corner] Muodon nurkka on kohdassa Z { $value }, aihion pään { $limit } ulkopuolella, ja muoto palaa sieltä.
+        [wall] Työkalu lastuaa tässä kappaleen seinämän läpi: sen toisella puolella halkaisija on { $limit }.
+        [air] Työkierto sorvaa vain ilmaa: se ulottuu halkaisijaan { $value }, mutta kappaleen halkaisija on siinä { $limit }.
        *[rounding] Pyöristykselle { $value } suora on liian lyhyt; suurin mahdollinen on { $limit }.
     }
 diag-called-program-wants =

@@ -300,7 +300,11 @@ diag-pattern-wrong =
         [same] { $word } ripete una posizione precedente.
        *[diameter] Il diametro { $word } di un cerchio parziale deve essere maggiore di 0.
     }
-diag-pilot-hole-too-shallow = Il punto di partenza abbassato è a { $value }, e il foro esistente termina a { $other }.
+diag-pilot-hole-too-shallow =
+    { $what ->
+        [bored] L’utensile tornisce all’interno fino a { $value }, e il foro eseguito termina a { $other }.
+       *[start] Il punto di partenza abbassato è a { $value }, e il foro esistente termina a { $other }.
+    }
 diag-plane-incomplete = In questo PLANE manca { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -432,11 +436,17 @@ diag-tool-missing = Qui un ciclo esegue movimenti, ma nessuna chiamata utensile 
 diag-tool-not-changed = { $cycle } viene chiamato con l’utensile già usato per { $before }: richiede un altro utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
 diag-turning-start-wrong =
-    Il ciclo di tornitura non inizia dove si trova l’utensile: { $what ->
-        [positive] il profilo va verso Z positivo, lontano dal pezzo
-        [z] in Z l’utensile è oltre la fine del profilo
-       *[diameter] l’utensile è oltre il diametro finale del profilo
-    }.
+    { $what ->
+        [positive] Il ciclo di tornitura non inizia dove si trova l’utensile: il profilo va verso Z positivo, lontano dal pezzo.
+        [z] Il ciclo di tornitura non inizia dove si trova l’utensile: in Z l’utensile è oltre la fine del profilo.
+        [bar] Qui un utensile per interni tornisce all’esterno: il ciclo ricava il lato dalla posizione dell’utensile.
+        [outer] Qui un utensile per esterni tornisce all’interno: il ciclo ricava il lato dalla posizione dell’utensile.
+        [inwards] Questo utensile prima ha tornito all’esterno e qui tornisce all’interno: il ciclo ricava il lato dalla posizione dell’utensile.
+        [outwards] Questo utensile prima ha tornito all’interno e qui tornisce all’esterno: il ciclo ricava il lato dalla posizione dell’utensile.
+        [start] La tornitura interna inizia al diametro { $value }, e il foro è largo solo { $other }: l’utensile entra nel pieno.
+        [thick] Il bareno è largo { $value }, e il foro solo { $other }.
+       *[diameter] Il ciclo di tornitura non inizia dove si trova l’utensile: l’utensile è oltre il diametro finale del profilo.
+    }
 diag-uncalculable-contour =
     Qui il controllo non può calcolare il profilo: { $what ->
         [open] mancano dati che determinano questo elemento

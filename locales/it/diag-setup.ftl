@@ -123,6 +123,8 @@ diag-turned-contour-wrong =
         [deep] La gola è profonda { $value }, e l’utensile taglia solo { $limit }.
         [ridge] La faccia sale al diametro { $value } e scende subito a { $limit }: resta uno spigolo senza larghezza.
         [corner] Un angolo del profilo è a Z { $value }, oltre la fine del pezzo grezzo a { $limit }, e il profilo torna indietro da lì.
+        [wall] Qui l’utensile taglia la parete del pezzo da parte a parte: sull’altro lato il diametro è { $limit }.
+        [air] Il ciclo tornisce solo a vuoto: arriva al diametro { $value }, e lì il pezzo ha il diametro { $limit }.
        *[rounding] Per l’arrotondamento { $value } la retta è troppo corta; è possibile al massimo { $limit }.
     }
 diag-called-program-wants =

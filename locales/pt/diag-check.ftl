@@ -300,7 +300,11 @@ diag-pattern-wrong =
         [same] { $word } repete uma posição anterior.
        *[diameter] O diâmetro { $word } de um círculo teórico tem de ser maior do que 0.
     }
-diag-pilot-hole-too-shallow = O ponto de partida aprofundado está em { $value }, e o furo existente termina em { $other }.
+diag-pilot-hole-too-shallow =
+    { $what ->
+        [bored] A ferramenta torneia no interior até { $value }, e o furo feito termina em { $other }.
+       *[start] O ponto de partida aprofundado está em { $value }, e o furo existente termina em { $other }.
+    }
 diag-plane-incomplete = Neste PLANE falta { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -433,11 +437,17 @@ diag-tool-missing = Aqui um ciclo faz movimentos, mas nenhuma chamada da ferrame
 diag-tool-not-changed = { $cycle } é chamado com a ferramenta já usada para { $before }: precisa de outra ferramenta.
 diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
 diag-turning-start-wrong =
-    O ciclo de torneamento não começa onde a ferramenta está: { $what ->
-        [positive] o contorno vai para Z positivo, afastando-se da peça
-        [z] em Z, a ferramenta está além do fim do contorno
-       *[diameter] a ferramenta está além do diâmetro final do contorno
-    }.
+    { $what ->
+        [positive] O ciclo de torneamento não começa onde a ferramenta está: o contorno vai para Z positivo, afastando-se da peça.
+        [z] O ciclo de torneamento não começa onde a ferramenta está: em Z, a ferramenta está além do fim do contorno.
+        [bar] Aqui uma ferramenta para interiores torneia no exterior: o ciclo deduz o lado da posição da ferramenta.
+        [outer] Aqui uma ferramenta para exteriores torneia no interior: o ciclo deduz o lado da posição da ferramenta.
+        [inwards] Esta ferramenta torneou antes no exterior e aqui torneia no interior: o ciclo deduz o lado da posição da ferramenta.
+        [outwards] Esta ferramenta torneou antes no interior e aqui torneia no exterior: o ciclo deduz o lado da posição da ferramenta.
+        [start] O torneamento interior começa no diâmetro { $value }, e o furo só tem { $other } de largura: a ferramenta entra em material maciço.
+        [thick] A barra tem { $value } de largura, e o furo só { $other }.
+       *[diameter] O ciclo de torneamento não começa onde a ferramenta está: a ferramenta está além do diâmetro final do contorno.
+    }
 diag-uncalculable-contour =
     O comando não consegue calcular aqui o contorno: { $what ->
         [open] faltam dados que determinam este elemento

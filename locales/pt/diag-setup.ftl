@@ -123,6 +123,8 @@ diag-turned-contour-wrong =
         [deep] A ranhura tem { $value } de profundidade, e a ferramenta só corta { $limit }.
         [ridge] A face sobe ao diâmetro { $value } e desce logo a { $limit }: fica uma aresta sem largura.
         [corner] Uma esquina do contorno fica em Z { $value }, para lá do fim do bloco em { $limit }, e o contorno volta de lá.
+        [wall] Aqui a ferramenta corta a parede da peça de lado a lado: do outro lado o diâmetro é { $limit }.
+        [air] O ciclo só torneia em vazio: chega ao diâmetro { $value }, e aí a peça tem o diâmetro { $limit }.
        *[rounding] Para o arredondamento { $value } a reta é demasiado curta; é possível no máximo { $limit }.
     }
 diag-called-program-wants =

@@ -304,7 +304,11 @@ diag-pattern-wrong =
         [same] { $word } ponovi prejšnji položaj.
        *[diameter] Premer { $word } delnega kroga mora biti večji od 0.
     }
-diag-pilot-hole-too-shallow = Poglobljena začetna točka je pri { $value }, vrtina, ki je tam, pa se konča pri { $other }.
+diag-pilot-hole-too-shallow =
+    { $what ->
+        [bored] Orodje struži znotraj do { $value }, izvrtana vrtina pa se konča pri { $other }.
+       *[start] Poglobljena začetna točka je pri { $value }, vrtina, ki je tam, pa se konča pri { $other }.
+    }
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -436,11 +440,17 @@ diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni d
 diag-tool-not-changed = { $cycle } se prikliče z orodjem, ki je že izvedlo { $before }: potrebuje drugo orodje.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
 diag-turning-start-wrong =
-    Cikel za struženje se ne začne tam, kjer je orodje: { $what ->
-        [positive] kontura gre v pozitivno smer Z, stran od obdelovanca
-        [z] orodje je v smeri Z za koncem konture
-       *[diameter] orodje je za končnim premerom konture
-    }.
+    { $what ->
+        [positive] Cikel za struženje se ne začne tam, kjer je orodje: kontura gre v pozitivno smer Z, stran od obdelovanca.
+        [z] Cikel za struženje se ne začne tam, kjer je orodje: orodje je v smeri Z za koncem konture.
+        [bar] Orodje za notranje struženje tukaj struži zunaj: cikel določi stran po položaju orodja.
+        [outer] Orodje za zunanje struženje tukaj struži znotraj: cikel določi stran po položaju orodja.
+        [inwards] To orodje je prej stružilo zunaj, tukaj pa struži znotraj: cikel določi stran po položaju orodja.
+        [outwards] To orodje je prej stružilo znotraj, tukaj pa struži zunaj: cikel določi stran po položaju orodja.
+        [start] Notranje struženje se začne pri premeru { $value }, vrtina pa je široka le { $other }: orodje gre v polni material.
+        [thick] Drog je širok { $value }, vrtina pa le { $other }.
+       *[diameter] Cikel za struženje se ne začne tam, kjer je orodje: orodje je za končnim premerom konture.
+    }
 diag-uncalculable-contour =
     Krmiljenje tukaj ne more izračunati konture: { $what ->
         [open] manjkajo podatki, ki določajo ta element

@@ -125,6 +125,8 @@ diag-turned-contour-wrong =
         [deep] Vbod je globok { $value }, orodje pa reže samo { $limit }.
         [ridge] Čelna ploskev se dvigne na premer { $value } in takoj pade na { $limit }: ostane rob brez širine.
         [corner] Vogal konture je pri Z { $value }, zunaj konca surovca pri { $limit }, in kontura se od tam vrne.
+        [wall] Orodje tukaj prereže steno obdelovanca: na drugi strani je premer { $limit }.
+        [air] Cikel struži samo v zraku: pride do premera { $value }, obdelovanec pa ima tam premer { $limit }.
        *[rounding] Za zaokrožitev { $value } je premica prekratka; možno je največ { $limit }.
     }
 diag-called-program-wants =

@@ -194,6 +194,36 @@ pub enum Incident {
     CornerOfRectangleOff([f64; 2]),
     /// A hole that the edge of the blank cuts.
     HoleCutByEdge([f64; 2]),
+    /// A tool that turns inside or outside, and is named or was used for the other side: which of these.
+    TurnedOnOtherSide(&'static str),
+    /// A bar that goes below the bottom of the hole which was drilled.
+    BoredBelowHole {
+        /// How deep it goes.
+        bar: f64,
+        /// The bottom of the hole.
+        hole: f64,
+    },
+    /// A bar that is wider than its hole, or begins to turn beside it.
+    BarBesideHole {
+        /// Which of these.
+        what: &'static str,
+        /// The diameter of the bar, or that at which it begins.
+        bar: f64,
+        /// That of the hole.
+        hole: f64,
+    },
+    /// A turning tool that cuts through the wall of the part.
+    WallTurnedThrough {
+        /// The diameter of the other side.
+        other: f64,
+    },
+    /// A cycle that turns only where nothing of the part is.
+    TurnedInAir {
+        /// The diameter at which it comes nearest.
+        tool: f64,
+        /// That of the part.
+        part: f64,
+    },
     /// A movement for which the feed 0 is active.
     NoFeed,
     /// A tool drills or mills while the spindle turns counter-clockwise.

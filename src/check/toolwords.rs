@@ -42,7 +42,7 @@ const WORDS: [(ToolKind, &[&str], &[&str]); 13] = [
     (ToolKind::Tap, &["TAP", "GB"], &["TAPPING", "GEWINDEBOHR", "GEWBOHR", "MASCHIO", "MACHO", "KIERRETAP"]),
     (ToolKind::Reamer, &["REAM"], &["REAMER", "REIBAHL", "ALESATOR", "ALARGADOR", "KALVI", "POVRTAL"]),
     (ToolKind::BackBoring, &[], &["BACKBOR", "BACKSPOT"]),
-    (ToolKind::Boring, &[], &["BORINGBAR", "BORING", "BOHRSTANGE"]),
+    (ToolKind::Boring, &[], &["BORINGBAR", "BORBAR", "BORING", "BOHRSTANGE"]),
     (ToolKind::Spot, &["SPOT", "CENT"], &["SPOTDRILL", "CENTERDR", "CENTREDR", "ZENTRIER", "ANBOHR"]),
     (ToolKind::Probe, &["TS"], &["PROBE", "TASTER", "TOUCHPROBE"]),
     (ToolKind::FaceMill, &["FACE"], &["FACEMILL", "PLANFR"]),
@@ -139,6 +139,41 @@ impl ToolKind {
             Group::Contours => matches!(self, Self::Tap | Self::Reamer),
             Group::Pockets | Group::Surfaces => self.only_along_axis(),
             _ => false,
+        }
+    }
+}
+
+/// The side of a workpiece for which a tool is that turns it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TurnedPart {
+    /// Outside.
+    Outside,
+    /// Inside, in a hole.
+    Inside,
+}
+
+impl TurnedPart {
+    /// The side that words name; nothing if they name both.
+    pub fn named(words: &str) -> Option<Self> {
+        const OUTSIDE: (&[&str], &[&str]) =
+            (&["OUT", "EXT"], &["OUTSIDE", "OUTER", "EXTERN", "EXTERIOR", "AUSSEN", "ESTERN", "ULKO", "ZUNAN"]);
+        const INSIDE: (&[&str], &[&str]) = (
+            &["INT", "BORING"],
+            &[
+                "INSIDE", "INNER", "INTERN", "INTERIOR", "INNEN", "SISÄ", "SISA", "NOTRAN", "BAREN", "MANDRIL",
+                "BOREBAR", "BORBAR", "BORINGB", "BOHRST",
+            ],
+        );
+        let words = words.to_uppercase();
+        let parts = || words.split(|sign: char| !sign.is_alphabetic()).filter(|part| !part.is_empty());
+        let is = |(whole, stems): (&[&str], &[&str])| {
+            parts().any(|part| whole.contains(&part) || stems.iter().any(|stem| part.starts_with(stem)))
+        };
+        let bar = parts().zip(parts().skip(1)).any(|pair| matches!(pair, ("BORING" | "BORE" | "BOR", "BAR")));
+        match (is(OUTSIDE), is(INSIDE) || bar) {
+            (true, false) => Some(Self::Outside),
+            (false, true) => Some(Self::Inside),
+            _ => None,
         }
     }
 }

@@ -1,7 +1,9 @@
 //! A deepened starting point below the bottom of the hole that is there: the tool comes down to it at the feed for
-//! pre-positioning, or at the slow speed for entering, in solid material.
+//! pre-positioning, or at the slow speed for entering, in solid material. Also a tool that turns inside and goes deeper
+//! than the hole that was drilled in the middle.
 //!
-//! Only at places that are known, in programs with a box as their blank and without transformations. Said once a program.
+//! Only at places that are known, in programs with a box as their blank and without transformations; turning in an execution with a
+//! round blank. Each is said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
 use crate::check::travel::first_incident;
@@ -15,6 +17,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some((span, (start, bottom))) = first {
-        found.push(rule.at(facts, span).arg("value", Arg::Number(start)).arg("other", Arg::Number(bottom)));
+        let finding = rule.at(facts, span).arg("what", "start").arg("value", Arg::Number(start));
+        found.push(finding.arg("other", Arg::Number(bottom)));
+    }
+    let bored = first_incident(facts, |own| match own {
+        Incident::BoredBelowHole { bar, hole } => Some((bar, hole)),
+        _ => None,
+    });
+    if let Some((span, (bar, hole))) = bored {
+        let finding = rule.at(facts, span).arg("what", "bored").arg("value", Arg::Number(bar));
+        found.push(finding.arg("other", Arg::Number(hole)));
     }
 }

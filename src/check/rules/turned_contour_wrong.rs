@@ -1,6 +1,7 @@
 //! Turning to a contour that cannot be meant: its end or a corner of it is above the blank, a recess is narrower than the tool, the same tool
 //! recesses inwards and outwards, a contour without undercuts falls below the diameter with which it begins, a rounding
 //! needs more of a line than there is, a recess is deeper than the tool is long, a face ends in an edge without any width.
+//! Where an execution shows it, also turning through the wall of the part, and a cycle that turns only in the air.
 //!
 //! The width of the tool is that of the table of turning tools. The tool position that a cycle takes as the start of the
 //! contour is known where movements directly before the call name it as numbers.
@@ -9,8 +10,10 @@ use std::collections::HashMap;
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::top;
 use crate::check::contours::{listed, moved, wanted};
+use crate::check::incident::Incident;
 use crate::check::program::{is_silent, number, with_meaning};
 use crate::check::tools::named;
+use crate::check::travel::first_incident;
 use crate::check::{CycleCall, Defined, Definition, Facts, Loaded, Pending, Rule};
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, Path};
 use crate::spec::{Group, MM_PER_INCH};
@@ -82,6 +85,26 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
     }
     contours(rule, facts, unit, found);
+    executed(rule, facts, found);
+}
+
+/// What an execution shows of the part.
+fn executed(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let shown = first_incident(facts, |own| match own {
+        Incident::WallTurnedThrough { other } => Some(("wall", 0.0, other)),
+        _ => None,
+    });
+    let shown = shown.or_else(|| {
+        first_incident(facts, |own| match own {
+            Incident::TurnedInAir { tool, part } => Some(("air", tool, part)),
+            _ => None,
+        })
+    });
+    // What is said of a contour explains what comes after.
+    if let Some((span, (what, value, limit))) = shown.filter(|_| found.iter().all(|own| own.code != rule.code)) {
+        let finding = rule.at(facts, span).arg("what", what).arg("value", Arg::Number(rounded(value)));
+        found.push(finding.arg("limit", Arg::Number(rounded(limit))));
+    }
 }
 
 /// The start and the end of a contour that parameters describe: diameter and Z.
@@ -173,7 +196,9 @@ fn contours(rule: &Rule, facts: &Facts<'_>, unit: f64, found: &mut Vec<Diagnosti
                 let finding = rule.at(facts, facts.content(block)).arg("what", what.to_owned());
                 finding.arg("value", Arg::Number(rounded(value))).arg("limit", Arg::Number(rounded(limit)))
             };
-            if let Some((top, (block, z))) = top(facts.program).and_then(|top| Some((top, beyond(&lines, top + ABOVE / unit)?))) {
+            if let Some((top, (block, z))) =
+                top(facts.program).and_then(|top| Some((top, beyond(&lines, top + ABOVE / unit)?)))
+            {
                 found.push(report(block, "corner", z, top));
                 continue;
             }

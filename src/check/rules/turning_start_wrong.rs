@@ -1,12 +1,16 @@
 //! A turning cycle that begins elsewhere than where the tool is: the tool is beyond the end of the contour, or the contour
-//! ends at a positive Z and leads away from the part.
+//! ends at a positive Z and leads away from the part. Also, where an execution shows it: a tool whose name says that it is
+//! for inside, or that has turned there, turns outside, or the other way round; turning inside begins beside the hole that
+//! is there, or with a bar that is wider.
 //!
 //! Only where the last movements before the call say where the tool is, and no datum shift is active. A contour is only
 //! looked at if its cycle names its corners (TNC 640, 001: 7404-7560): those of subprograms may begin anywhere.
 use std::collections::BTreeSet;
 
-use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::check::incident::Incident;
 use crate::check::program::{is_silent, number, with_meaning};
+use crate::check::travel::first_incident;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{Axis, BlockKind};
 use crate::spec::Group;
@@ -51,8 +55,29 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.iter().any(|own| own.code == OTHER && own.place.as_ref().is_some_and(|p| p.span == span))
         };
         if let Some((what, span)) = wrong.filter(|(_, span)| !known(*span)) {
-            found.push(rule.at(facts, span).arg("what", what));
+            found.push(rule.at(facts, span).arg("what", what).arg("value", "").arg("other", ""));
         }
+    }
+    sides(rule, facts, found);
+}
+
+/// What an execution shows of the side on which tools turn.
+fn sides(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let other = first_incident(facts, |own| match own {
+        Incident::TurnedOnOtherSide(what) => Some(what),
+        _ => None,
+    });
+    if let Some((span, what)) = other {
+        found.push(rule.at(facts, span).arg("what", what).arg("value", "").arg("other", ""));
+        return;
+    }
+    let beside = first_incident(facts, |own| match own {
+        Incident::BarBesideHole { what, bar, hole } => Some((what, bar, hole)),
+        _ => None,
+    });
+    if let Some((span, (what, bar, hole))) = beside {
+        let finding = rule.at(facts, span).arg("what", what).arg("value", Arg::Number(bar));
+        found.push(finding.arg("other", Arg::Number(hole)));
     }
 }
 

@@ -149,6 +149,7 @@ impl DryRun<'_> {
                 _ => {}
             }
         }
+        guess.assume_inserts(&scene.tools, &mut scene.turning_tools);
         execution::selected(path, file.program.source().text(), &mut scene).ok()?;
         Some(scene)
     }

@@ -24,6 +24,8 @@ pub const BALL: f64 = 2.0;
 pub const INSERT: [f64; 3] = [0.8, 95.0, 80.0];
 /// What is assumed of an insert for recesses: its width and the radius of its corners, mm.
 pub const RECESSING: [f64; 2] = [3.0, 0.2];
+/// The same of a tool that the tool table has, but not its insert: narrow enough for any recess.
+const NARROW: [f64; 2] = [1.5, 0.1];
 /// Machines on which a program that turns can run, the best first: the workpiece turns without end on them.
 const TURNING_MACHINES: [&str; 2] = ["mill-turn", "mill-table-c"];
 /// The machine for programs that move B and not A.
@@ -169,6 +171,21 @@ impl Guess {
     /// machine, which is assumed.
     pub const fn positions_rotary_axes(&self) -> bool {
         self.positioned
+    }
+
+    /// Gives tools that recess, and that the tool table has without a cutting width, an insert in the table of turning tools.
+    pub fn assume_inserts(&self, tools: &Table, turning: &mut Table) {
+        let [width, nose] = NARROW;
+        for tool in self.tools.iter().filter(|tool| tool.recesses && tools.has_row(tool.number)) {
+            let listed = tools.number(tool.number, "CUTWIDTH").is_ok_and(|width| width.is_some_and(|own| own > 0.0));
+            if listed || turning.has_row(tool.number) || turning.add_row(tool.number).is_err() {
+                continue;
+            }
+            for (column, value) in [("ZL", tool.size[0]), ("RS", nose), ("CUTWIDTH", width)] {
+                // A table without the column says nothing of it, as before.
+                let _ = turning.set(tool.number, column, &Cell::Number(value));
+            }
+        }
     }
 
     fn read(&mut self, on: &OnControl, program: &Program, table: Option<&Table>) {

@@ -44,6 +44,11 @@ impl Body {
         self.bore.is_some()
     }
 
+    /// The radius of the bore of a cylinder, 0 without one.
+    pub(super) fn bore(&self) -> f64 {
+        self.bore.unwrap_or_default()
+    }
+
     /// How far a place is beside it in the plane; 0 inside.
     pub(super) fn distance(&self, place: DVec3) -> f64 {
         if let Some(bore) = self.bore {

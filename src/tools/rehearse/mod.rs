@@ -8,7 +8,7 @@
 //! without a blank only holes and the use of its tools are followed.
 //!
 //! `mod.rs` sets up the run, `body.rs` is the blank, `remains.rs` what is left of it, `watcher.rs` follows the events, `cuts.rs` judges movements that cut, `work.rs` what a cycle has done,
-//! `path.rs` what plain movements have, `series.rs` the holes of the whole program together.
+//! `path.rs` what plain movements have, `tilted.rs` what is done in a tilted plane, `turned.rs` what is turned, `series.rs` the holes of the whole program together.
 //!
 //! Invariant: a run is bounded, and ends where the engine cannot go on; what was seen before that holds.
 mod body;
@@ -17,6 +17,8 @@ mod path;
 pub mod presets;
 mod remains;
 mod series;
+mod tilted;
+mod turned;
 mod watcher;
 mod work;
 
@@ -24,7 +26,7 @@ use self::body::Body;
 use self::presets::{any_preset, goes_on};
 use self::watcher::Watcher;
 use crate::base::diag::Source;
-use crate::check::{Observed, ToolKind};
+use crate::check::{Observed, ToolKind, TurnedPart, diameter_of};
 use crate::engine::geometry::Axis;
 use crate::engine::run::{Engine, Limits, NoTexts, Programs};
 use crate::engine::scene::guess::{Guess, GuessedTool, Origin};
@@ -85,6 +87,7 @@ impl Rehearsal<'_> {
         if let Some(name) = on.datum("suppress-plunge-err") {
             scene.machine_parameters.push((name.to_owned(), ParameterValue::Number(1.0)));
         }
+        guess.assume_inserts(&scene.tools, &mut scene.turning_tools);
         beside(&mut scene);
         let mut watcher = Watcher::new((on, self.catalogue), program, body, &scene);
         for tool in guess.tools.iter().filter(|tool| tool.origin != Origin::Assumed && tool.size[1] > 0.0) {
@@ -92,6 +95,10 @@ impl Rehearsal<'_> {
             watcher.flat.extend(self.flat(tool).map(|radius| (tool.number, radius)));
         }
         watcher.kinds = guess.tools.iter().filter_map(|tool| Some((tool.number, self.kind(program, tool)?))).collect();
+        let turning = || guess.tools.iter().filter(|tool| tool.turns);
+        let named = turning().filter_map(|tool| Some((tool.number, self.said(program, tool, &TurnedPart::named)?)));
+        watcher.turned.named = named.collect();
+        watcher.turned.bars = turning().filter_map(|tool| Some((tool.number, self.bar(program, tool)?))).collect();
         watcher.probes = guess.tools.iter().filter(|tool| tool.probes).map(|tool| tool.number).collect();
         let engine = Engine::new(program, on, &scene, &NoTexts)
             .with_catalogue(self.catalogue)
@@ -113,11 +120,23 @@ impl Rehearsal<'_> {
         Some(value("R")? - value("R2").unwrap_or_default())
     }
 
-    /// What a tool is called: in the table, in the program, or in the comment beside its call.
+    /// What a tool is called.
     fn kind(&self, program: &Program, tool: &GuessedTool) -> Option<ToolKind> {
+        self.said(program, tool, &ToolKind::named)
+    }
+
+    /// How wide a bar for turning inside is, by its name.
+    fn bar(&self, program: &Program, tool: &GuessedTool) -> Option<f64> {
+        let inside = self.said(program, tool, &TurnedPart::named) == Some(TurnedPart::Inside);
+        let name = self.tools.and_then(|table| table.text(tool.number, "NAME").ok()).or(tool.name.as_deref())?;
+        diameter_of(name).filter(|_| inside)
+    }
+
+    /// What is read off the words for a tool: in the table, in the program, or in the comment beside its call.
+    fn said<T>(&self, program: &Program, tool: &GuessedTool, read: &dyn Fn(&str) -> Option<T>) -> Option<T> {
         let cell = |column| self.tools.and_then(|table| table.text(tool.number, column).ok());
-        let named = cell("NAME").and_then(ToolKind::named);
-        named.or_else(|| tool.name.as_deref().and_then(ToolKind::named)).or_else(|| {
+        let named = cell("NAME").and_then(read);
+        named.or_else(|| tool.name.as_deref().and_then(read)).or_else(|| {
             program.blocks().iter().find_map(|block| {
                 let called = match &block.kind {
                     BlockKind::ToolCall(call) => call.tool?,
@@ -126,7 +145,7 @@ impl Rehearsal<'_> {
                 };
                 let own = matches!(called, ToolRef::Number(own) if own.amount == Amount::Number(tool.number));
                 let comment = block.comment().filter(|_| own)?;
-                ToolKind::named(program.slice(comment))
+                read(program.slice(comment))
             })
         })
     }

@@ -8,6 +8,7 @@ use super::path::Ways;
 use super::presets::UNNAMED_PRESET;
 use super::remains::Remains;
 use super::series::Rows;
+use super::turned::Turned;
 use super::work::{Hole, Thread, Work};
 use crate::base::diag::{Arg, interned};
 use crate::check::{Incident, Observed, ToolKind, removes_material};
@@ -37,8 +38,6 @@ const FAR: f64 = 50.0;
 const SCALED: f64 = 20.0;
 /// So many blocks in a row may show nothing.
 const SEVERAL: usize = 64;
-/// So far outside of the blank a hole in a tilted plane still meets it, mm.
-const MEETS: f64 = 1.0;
 
 /// What is known while a program runs.
 pub(super) struct Watcher<'w> {
@@ -58,10 +57,12 @@ pub(super) struct Watcher<'w> {
     datum: DVec3,
     plane: WorkingPlane,
     pub(super) remains: Remains,
+    /// What turning leaves.
+    pub(super) turned: Turned,
     /// Whether the blank is elsewhere from now on.
     pub(super) lost: bool,
     /// Whether the plane is tilted, be it without the axes.
-    tilted: bool,
+    pub(super) tilted: bool,
     /// The tilt of the plane, spatial angles.
     tilt: DVec3,
     /// Whether the tool has another axis than the blank.
@@ -72,7 +73,7 @@ pub(super) struct Watcher<'w> {
     pub(super) at: DVec3,
     /// The same in machine coordinates.
     machine_at: DVec3,
-    known: [bool; 3],
+    pub(super) known: [bool; 3],
     /// The line of the program itself that is executed, or from which another one was called.
     pub(super) line: usize,
     pub(super) angles: Vec<(RotaryAxis, f64)>,
@@ -81,9 +82,9 @@ pub(super) struct Watcher<'w> {
     start: DVec3,
     parts: Option<Frame>,
     /// A cycle for holes in the tilted plane: its block, and whether it has met the blank.
-    tilted_holes: Option<(usize, bool)>,
+    pub(super) tilted_holes: Option<(usize, bool)>,
     /// The first movement at feed in the tilted plane, and whether any has come to the blank.
-    tilted_ways: Option<(usize, bool)>,
+    pub(super) tilted_ways: Option<(usize, bool)>,
     /// Whether this tool has gone sideways through solid material at the feed of its call.
     pub(super) cuts: bool,
     preset: Option<f64>,
@@ -146,6 +147,7 @@ impl<'w> Watcher<'w> {
             datum: DVec3::ZERO,
             plane: WorkingPlane::of_tool_axis(body.map_or(Axis::Z, |body| body.axis)),
             remains: Remains::of(body),
+            turned: Turned::of(body),
             lost: false,
             tilted: false,
             tilt: DVec3::ZERO,
@@ -209,6 +211,7 @@ impl<'w> Watcher<'w> {
         if own && self.unknown.is_some_and(|line| line < event.at.line) {
             // What it drills and mills is not known.
             (self.remains.open, self.series.open, self.others) = (true, true, true);
+            self.turned.open = true;
         }
         let key = event.at.cycle.as_ref().map(|(key, _)| *key).filter(|key| key.keyword == Keyword::CyclDef);
         if self.work.as_ref().is_some_and(|work| Some(work.key) != key || work.written != event.at.line) {
@@ -221,7 +224,11 @@ impl<'w> Watcher<'w> {
                 self.series.open |= turned.is_some();
                 let block = self.blocks.get(&self.line).copied().filter(|_| own && key.is_none());
                 self.go(path, (!rapid).then_some(*feed), key, (event.at.line, block));
+                if turned.is_some() {
+                    self.turn(key, event.at.line, &self.places_turned(path), rapid);
+                }
             }
+            EventKind::Insert(insert) => self.hold_insert(*insert),
             EventKind::Turn { axes, .. } => {
                 for turned in axes {
                     self.angles.retain(|(axis, _)| *axis != turned.axis);
@@ -241,6 +248,7 @@ impl<'w> Watcher<'w> {
             EventKind::Error(fault) => self.fault(fault, key),
             EventKind::End(Status::Done) => {
                 self.finish();
+                self.judge_turned();
                 self.judge_tilted();
                 self.judge_tilted_ways();
                 self.judge_rows();
@@ -298,7 +306,7 @@ impl<'w> Watcher<'w> {
         self.lost || self.tilted || self.across || self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6)
     }
 
-    fn is_probe(&self) -> bool {
+    pub(super) fn is_probe(&self) -> bool {
         self.tool.is_some_and(|tool| self.probes.contains(&tool))
     }
 
@@ -320,6 +328,7 @@ impl<'w> Watcher<'w> {
             (self.known, self.started) = ([false; 3], false);
         }
         self.judge_tilted_ways();
+        self.release_insert();
         self.across = *axis != self.plane.tool;
         self.tool = Some(tool.number);
         if let Some(radius) = self.width().map(|width| width / 2.0).filter(|radius| tool.deltas.0 > *radius) {
@@ -348,6 +357,7 @@ impl<'w> Watcher<'w> {
         let other = self.preset.is_some_and(|before| before != now.preset);
         self.clamp_again(other);
         self.lost |= other && self.worked;
+        self.turned.open |= other && self.worked;
         if other || self.preset.is_none() {
             self.preset = Some(now.preset);
         }
@@ -355,7 +365,8 @@ impl<'w> Watcher<'w> {
         if !self.worked {
             self.datum = now.origin;
         }
-        self.lost |= (now.origin - self.datum).length() > SAME || now.basic_rotation.length() > SAME;
+        let elsewhere = (now.origin - self.datum).length() > SAME || now.basic_rotation.length() > SAME;
+        (self.lost, self.turned.open) = (self.lost || elsewhere, self.turned.open || elsewhere);
     }
 
     /// The run ends with a fault of the program, or with a message of a cycle whose tool is known.
@@ -464,7 +475,8 @@ impl<'w> Watcher<'w> {
             });
             self.look_at(&body, (key, plain), begun, from, feed, &places);
         }
-        self.others |= self.is_milling(key) && self.top().is_none_or(|top| self.at.z < top);
+        let mills = self.is_milling(key) && self.top().is_none_or(|top| self.at.z < top);
+        (self.others, self.turned.open) = (self.others || mills, self.turned.open || mills);
         self.cut(&places);
     }
 
@@ -553,58 +565,6 @@ impl<'w> Watcher<'w> {
         }
     }
 
-    /// A movement while nothing is said of where the tool goes: what it may remove, if that is known.
-    fn cut_tilted(&mut self, path: &Path, feeds: bool, plain: bool) {
-        if !feeds || self.is_probe() {
-            return;
-        }
-        self.worked = true;
-        // Without a tilted plane, where tool and workpiece are to each other depends on the machine.
-        if self.lost || self.across || !self.tilted || self.known != [true; 3] {
-            self.remains.open = true;
-            self.tilted_ways = None;
-        } else {
-            let places = self.places_of(path);
-            if let Some(body) = self.body {
-                let reach = self.radius() + MEETS;
-                let met = !plain || places.iter().any(|place| body.holds(*place, -reach));
-                let (line, before) = self.tilted_ways.unwrap_or((self.line, false));
-                self.tilted_ways = Some((line, before || met));
-            }
-            self.cut(&places);
-        }
-    }
-
-    /// All that was done in a tilted plane, or with a tool in it, is over.
-    fn judge_tilted_ways(&mut self) {
-        if let Some((line, false)) = self.tilted_ways.take() {
-            self.report(line, Incident::OutsideBlank([self.at.x * self.unit, self.at.y * self.unit]));
-        }
-    }
-
-    /// A movement in a tilted plane to which the rotary axes have turned: whether a cycle for holes meets the blank at all.
-    fn drill_tilted(&mut self, path: &Path, feeds: bool, key: Option<CycleKey>) {
-        let turned = self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6);
-        let certain = self.tilted && turned && !self.lost && !self.across && self.known == [true; 3];
-        let drills = key.and_then(|key| self.cycle(key)).is_some_and(|own| {
-            matches!(super::work::job(own), Some(super::work::Job::Hole | super::work::Job::Thread))
-        });
-        if !drills || self.tilted_holes.is_some_and(|(line, _)| line != self.line) {
-            self.judge_tilted();
-        }
-        let Some(body) = self.body.filter(|_| drills && feeds && certain && !self.is_probe()) else { return };
-        let met = self.places_of(path).into_iter().any(|place| body.holds(place, -MEETS));
-        let (_, before) = self.tilted_holes.unwrap_or((self.line, false));
-        self.tilted_holes = Some((self.line, before || met));
-    }
-
-    /// A cycle for holes in the tilted plane is over.
-    fn judge_tilted(&mut self) {
-        if let Some((line, false)) = self.tilted_holes.take() {
-            self.report(line, Incident::MissesBlankInTiltedPlane);
-        }
-    }
-
     /// A tool cuts with a cycle: whether it is called something else, or has done a job before that no such tool does.
     fn use_tool(&mut self, tool: f64, key: CycleKey) {
         let Some(cycle) = self.cycle(key) else { return };
@@ -657,12 +617,12 @@ impl<'w> Watcher<'w> {
     }
 
     /// A place of the machine in the coordinates of the blank, the tool axis last.
-    fn place(&self, machine: DVec3) -> DVec3 {
+    pub(super) fn place(&self, machine: DVec3) -> DVec3 {
         let own = self.to_blank.point(self.parts.map_or(machine, |parts| parts.point(machine)) - self.datum);
         self.plane.flat(own).extend(self.plane.tool.of(own))
     }
 
-    fn places_of(&self, path: &Path) -> Vec<DVec3> {
+    pub(super) fn places_of(&self, path: &Path) -> Vec<DVec3> {
         let count = (path.length() / self.remains.cell).ceil().clamp(1.0, PLACES);
         (0..=count as usize).map(|at| self.place(path.at(at as f64 / count))).collect()
     }

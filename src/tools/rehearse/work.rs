@@ -118,7 +118,7 @@ impl Watcher<'_> {
         self.finish();
         if self.worked && self.stopped.is_none() {
             self.stopped = Some(self.series.open);
-            self.lost = true;
+            (self.lost, self.turned.open) = (true, true);
             self.series.open = true;
         }
     }
@@ -181,6 +181,7 @@ impl Watcher<'_> {
         let Some(work) = self.work.take() else { return };
         let drills = matches!(work.group, Group::Drilling | Group::Threads);
         let down = work.low.z < work.start.z - SKIN;
+        self.leave_middle(&work, down);
         if self.away() {
             // What the tool makes along its axis has a place in the setting of the machine.
             let straight = down && !work.milled && (work.high - work.low).truncate().length() <= SAME;
