@@ -148,6 +148,15 @@ diag-doubtful-value =
        *[positive] the value is positive and leads away from the workpiece
     }.
 diag-duplicate-parameter = { $parameter } is given twice in { $cycle }.
+diag-early-cycle-wrong =
+    { $what ->
+        [clearance] The set-up clearance { $value } is negative: the cycle would begin below its surface.
+        [infeed] With a plunging depth of 0 the cycle cannot machine.
+        [feed] The feed rate of the cycle is 0.
+        [narrow] The tool with the diameter { $other } does not fit into a slot or pocket of { $value }.
+        [pitch] The thread has a pitch of { $value }, but the tap has { $other }.
+       *[tapped] A feed rate of { $value } does not fit the tap: pitch times spindle speed is { $other }.
+    }
 diag-empty-word = This { $word } has no value and does nothing.
 diag-feed-negative = The feed is negative here.
 diag-feed-zero = The feed is zero here.
@@ -624,6 +633,8 @@ diag-surface-wrong =
         [opposite] The surface at { $value } is above the blank; others begin or end at { $other }.
         [pattern] The surface of the pattern is at { $value }, that of the cycle which it calls at { $other }: the one of the pattern acts.
         [air] The cycle works in the air here: it goes down to { $value }, where everything has been milled away before.
+        [high] The cycle works from where it is called, at { $value }: its surface then lies at { $other }, above the blank.
+        [low] The cycle is called inside the blank, at { $value }, and nothing has been machined down to its surface at { $other }.
        *[faced] The surface is at { $value }, but the face was milled down to { $other }.
     }
 diag-turned-thread-wrong =

@@ -26,6 +26,7 @@ diag-machining-outside-blank =
         [above] The cycle goes no lower than { $value }, which is above the blank: it removes nothing.
         [below] The tool cuts at a height of { $value }, far below the blank.
         [over] What is machined at { $value }, { $other } goes over the edge of the blank.
+        [contour] The contour is called at { $value }, above the blank, and elsewhere inside of it: it removes nothing here.
        *[outside] What is machined at { $value }, { $other } is far from the blank.
     }
 diag-milling-deeper-than-edges = The tool mills { $value } deep here, which is more than its cutting edges are long (LCUTS).

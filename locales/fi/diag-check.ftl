@@ -148,6 +148,15 @@ diag-doubtful-value =
        *[positive] arvo on positiivinen ja vie poispäin työkappaleesta
     }.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
+diag-early-cycle-wrong =
+    { $what ->
+        [clearance] Varmuusetäisyys { $value } on negatiivinen: työkierto alkaisi yläpintansa alapuolelta.
+        [infeed] Asetussyvyydellä 0 työkierto ei voi koneistaa.
+        [feed] Työkierron syöttöarvo on 0.
+        [narrow] Työkalu, jonka halkaisija on { $other }, ei mahdu uraan tai taskuun, jonka mitta on { $value }.
+        [pitch] Kierteen nousu on { $value }, mutta kierretapin { $other }.
+       *[tapped] Syöttöarvo { $value } ei sovi kierretapille: nousu kertaa karan kierrosluku on { $other }.
+    }
 diag-empty-word = Tässä sanassa { $word } ei ole arvoa, eikä se tee mitään.
 diag-feed-negative = Syöttöarvo on tässä negatiivinen.
 diag-feed-zero = Syöttöarvo on tässä nolla.
@@ -623,6 +632,8 @@ diag-surface-wrong =
         [opposite] Pinta { $value } on aihion yläpuolella; muut alkavat tai päättyvät arvoon { $other }.
         [pattern] Kuvion pinta on { $value }, sen kutsuman työkierron pinta { $other }: kuvion pinta on voimassa.
         [air] Työkierto työstää tässä ilmaa: se menee arvoon { $value }, missä kaikki on jyrsitty pois jo aiemmin.
+        [high] Työkierto alkaa kutsupaikastaan { $value }: sen yläpinta on silloin { $other }, aihion yläpuolella.
+        [low] Työkierto kutsutaan aihion sisällä korkeudella { $value }, eikä mikään ole koneistettu sen yläpintaan { $other } asti.
        *[faced] Pinta on { $value }, mutta taso on jyrsitty arvoon { $other }.
     }
 diag-turned-thread-wrong =

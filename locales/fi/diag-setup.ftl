@@ -26,6 +26,7 @@ diag-machining-outside-blank =
         [above] Työkierto ei laskeudu alemmas kuin { $value }, joka on aihion yläpuolella: se ei poista mitään.
         [below] Työkalu lastuaa korkeudella { $value }, kaukana aihion alapuolella.
         [over] Kohdassa { $value }; { $other } koneistus ulottuu aihion reunan yli.
+        [contour] Muoto kutsutaan korkeudella { $value }, aihion yläpuolella, ja muualla aihion sisällä: tässä se ei poista mitään.
        *[outside] Koneistettava kohta { $value }; { $other } on kaukana aihiosta.
     }
 diag-milling-deeper-than-edges = Työkalu jyrsii tässä syvyyteen { $value }, mikä on enemmän kuin sen terien pituus (LCUTS).

@@ -148,6 +148,15 @@ diag-doubtful-value =
        *[positive] il valore è positivo e allontana l’utensile dal pezzo
     }.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
+diag-early-cycle-wrong =
+    { $what ->
+        [clearance] La distanza di sicurezza { $value } è negativa: il ciclo inizierebbe sotto la sua superficie.
+        [infeed] Con una profondità incremento di 0 il ciclo non può lavorare.
+        [feed] L’avanzamento del ciclo è 0.
+        [narrow] L’utensile con il diametro di { $other } non entra in una scanalatura o tasca di { $value }.
+        [pitch] La filettatura ha un passo di { $value }, ma il maschio ha { $other }.
+       *[tapped] Un avanzamento di { $value } non è adatto al maschio: passo per numero di giri dà { $other }.
+    }
 diag-empty-word = Questa { $word } è senza valore e non fa nulla.
 diag-feed-negative = Qui l’avanzamento è negativo.
 diag-feed-zero = Qui l’avanzamento è zero.
@@ -623,6 +632,8 @@ diag-surface-wrong =
         [opposite] La superficie a { $value } è sopra il pezzo grezzo; altre lavorazioni iniziano o finiscono a { $other }.
         [pattern] La superficie della sagoma è a { $value }, quella del ciclo che essa chiama a { $other }: vale quella della sagoma.
         [air] Qui il ciclo lavora a vuoto: scende a { $value }, dove tutto è già stato asportato.
+        [high] Il ciclo parte da dove viene chiamato, a { $value }: la sua superficie è quindi a { $other }, sopra il pezzo grezzo.
+        [low] Il ciclo viene chiamato dentro il pezzo grezzo, a { $value }, e nulla è stato lavorato fino alla sua superficie a { $other }.
        *[faced] La superficie è a { $value }, ma la faccia è stata fresata fino a { $other }.
     }
 diag-turned-thread-wrong =

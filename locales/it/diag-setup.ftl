@@ -26,6 +26,7 @@ diag-machining-outside-blank =
         [above] Il ciclo non scende sotto { $value }, cioè resta sopra il pezzo grezzo: non asporta nulla.
         [below] L’utensile taglia all’altezza { $value }, molto al di sotto del pezzo grezzo.
         [over] Ciò che viene lavorato in { $value }; { $other } oltrepassa il bordo del pezzo grezzo.
+        [contour] Il profilo viene chiamato a { $value }, sopra il pezzo grezzo, e altrove dentro di esso: qui non asporta nulla.
        *[outside] Ciò che viene lavorato in { $value }; { $other } è lontano dal pezzo grezzo.
     }
 diag-milling-deeper-than-edges = Qui l’utensile fresa a una profondità di { $value }, maggiore della lunghezza dei suoi taglienti (LCUTS).

@@ -148,6 +148,15 @@ diag-doubtful-value =
        *[positive] o valor é positivo e afasta a ferramenta da peça
     }.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
+diag-early-cycle-wrong =
+    { $what ->
+        [clearance] A distância de segurança { $value } é negativa: o ciclo começaria abaixo da sua superfície.
+        [infeed] Com uma profundidade de passo de 0 o ciclo não pode maquinar.
+        [feed] O avanço do ciclo é 0.
+        [narrow] A ferramenta com o diâmetro { $other } não cabe numa ranhura ou caixa de { $value }.
+        [pitch] A rosca tem um passo de { $value }, mas o macho tem { $other }.
+       *[tapped] Um avanço de { $value } não serve para o macho: passo vezes rotações dá { $other }.
+    }
 diag-empty-word = Este { $word } não tem valor e não faz nada.
 diag-feed-negative = O avanço é aqui negativo.
 diag-feed-zero = O avanço é aqui zero.
@@ -624,6 +633,8 @@ diag-surface-wrong =
         [opposite] A superfície em { $value } está acima do bloco; outras maquinações começam ou terminam em { $other }.
         [pattern] A superfície do padrão está em { $value }, a do ciclo que ele chama em { $other }: vale a do padrão.
         [air] O ciclo trabalha aqui no ar: desce até { $value }, onde já tudo foi fresado antes.
+        [high] O ciclo parte de onde é chamado, em { $value }: a sua superfície fica então em { $other }, acima do bloco.
+        [low] O ciclo é chamado dentro do bloco, em { $value }, e nada foi maquinado até à sua superfície em { $other }.
        *[faced] A superfície está em { $value }, mas a face foi fresada até { $other }.
     }
 diag-turned-thread-wrong =

@@ -26,6 +26,7 @@ diag-machining-outside-blank =
         [above] O ciclo não desce abaixo de { $value }, que fica acima do bloco: não remove nada.
         [below] A ferramenta corta à altura { $value }, muito abaixo do bloco.
         [over] O que é maquinado em { $value }; { $other } ultrapassa o bordo do bloco.
+        [contour] O contorno é chamado em { $value }, acima do bloco, e noutro lugar dentro dele: aqui não remove nada.
        *[outside] O que é maquinado em { $value }; { $other } está longe do bloco.
     }
 diag-milling-deeper-than-edges = Aqui a ferramenta fresa a uma profundidade de { $value }, maior do que a longitude das suas navalhas (LCUTS).

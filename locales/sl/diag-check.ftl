@@ -148,6 +148,15 @@ diag-doubtful-value =
        *[positive] vrednost je pozitivna in vodi proč od obdelovanca
     }.
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
+diag-early-cycle-wrong =
+    { $what ->
+        [clearance] Varnostna razdalja { $value } je negativna: cikel bi se začel pod svojo površino.
+        [infeed] Z globino primika 0 cikel ne more obdelovati.
+        [feed] Pomik cikla je 0.
+        [narrow] Orodje s premerom { $other } ne gre v utor ali žep mere { $value }.
+        [pitch] Navoj ima korak { $value }, navojni sveder pa { $other }.
+       *[tapped] Pomik { $value } ne ustreza navojnemu svedru: korak krat število vrtljajev je { $other }.
+    }
 diag-empty-word = Beseda { $word } tu nima vrednosti in ne naredi ničesar.
 diag-feed-negative = Pomik je tu negativen.
 diag-feed-zero = Pomik je tu enak nič.
@@ -627,6 +636,8 @@ diag-surface-wrong =
         [opposite] Površina pri { $value } je nad surovcem; druge obdelave se začnejo ali končajo pri { $other }.
         [pattern] Površina vzorca je pri { $value }, površina cikla, ki ga kliče, pa pri { $other }: velja tista iz vzorca.
         [air] Cikel tu dela v zraku: gre do { $value }, kjer je bilo vse že prej odrezkano.
+        [high] Cikel začne tam, kjer je priklican, pri { $value }: njegova površina je potem pri { $other }, nad surovcem.
+        [low] Cikel je priklican v surovcu, pri { $value }, do njegove površine pri { $other } pa ni bilo obdelano nič.
        *[faced] Površina je pri { $value }, ploskev pa je bila rezkana do { $other }.
     }
 diag-turned-thread-wrong =

@@ -28,6 +28,7 @@ diag-machining-outside-blank =
         [above] Cikel ne gre nižje od { $value }, kar je nad surovcem: ničesar ne odstrani.
         [below] Orodje reže na višini { $value }, daleč pod surovcem.
         [over] Kar se obdeluje na { $value }; { $other }, sega čez rob surovca.
+        [contour] Kontura je priklicana pri { $value }, nad surovcem, drugje pa v njem: tu ničesar ne odstrani.
        *[outside] Kar se obdeluje na { $value }; { $other }, je daleč od surovca.
     }
 diag-milling-deeper-than-edges = Orodje tukaj rezka { $value } globoko, kar je več od dolžine njegovih rezil (LCUTS).

@@ -81,6 +81,21 @@ impl ToolKind {
         None
     }
 
+    /// The kind that the column TYP of a tool table names, if it leaves no doubt.
+    pub fn of_type(word: &str) -> Option<Self> {
+        Some(match word.to_ascii_uppercase().as_str() {
+            "DRILL" => Self::Drill,
+            "CENT" => Self::Spot,
+            "REAM" => Self::Reamer,
+            "TAP" => Self::Tap,
+            "MILL_FACE" => Self::FaceMill,
+            "MILL" | "MILL_R" | "MILL_F" | "MILL_SIDE" | "TORUS" => Self::EndMill,
+            "BALL" => Self::Ball,
+            "MILL_CHAMFER" | "CSINK" => Self::Chamfer,
+            _ => return None,
+        })
+    }
+
     /// What the column TYP of a tool table calls it, as it is known best.
     pub const fn word(self) -> &'static str {
         match self {
@@ -216,4 +231,14 @@ pub fn diameter_of(name: &str) -> Option<f64> {
     let mut all = parts().filter_map(number);
     let first = all.next()?;
     all.next().is_none().then_some(first)
+}
+
+/// Whether words name the left hand, in any of the languages.
+pub fn is_left(words: &str) -> bool {
+    const WHOLE: [&str; 5] = ["L", "LH", "LI", "SX", "IZQ"];
+    const STEMS: [&str; 7] = ["LEFT", "LINK", "SINIST", "ESQUERD", "VASEN", "VASUR", "LEV"];
+    let words = words.to_uppercase();
+    // M8LH, too.
+    let parts = words.split(|sign: char| !sign.is_alphabetic());
+    parts.into_iter().any(|part| WHOLE.contains(&part) || STEMS.iter().any(|stem| part.starts_with(stem)))
 }

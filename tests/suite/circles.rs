@@ -59,6 +59,7 @@ const CHECKER: &[&str] = &[
     "facts",
     "speech",
     "tools",
+    "early",
     "guards",
     "blank",
     "contours",

@@ -5,7 +5,7 @@ use super::state::{Known, Pending, State, Values};
 use crate::base::diag::Span;
 use crate::base::expr::{QKind, QRef};
 use crate::check::cycle::{Aspect, Effect, Then, Tri, removes_material};
-use crate::check::program::{Defined, Definition, Reading};
+use crate::check::program::{Defined, Definition, Reading, Work};
 use crate::program::syntax::{CycleForm, CycleKeyword, CycleView, NamedWord, OldCycleLine, Program, ValueKind};
 use crate::spec::{CycleKey, Known as Of, ParameterKind};
 
@@ -37,9 +37,14 @@ impl<'f, 'a> Effects<'f, 'a> {
         for (index, definition) in definitions.iter().enumerate() {
             if definition.kept.is_none() {
                 let known = definition.related_cycle().map_or(definition.known, Of::Described);
-                others
-                    .entry(definition.key)
-                    .or_insert_with(|| Effect::of(known, definition.key.keyword, is_old(definition)));
+                others.entry(definition.key).or_insert_with(|| {
+                    let works = Work::of(reading.program, definition).is_some();
+                    let mut effect = Effect::of(known, definition.key.keyword, is_old(definition) || works);
+                    if works {
+                        effect.pends = Some(true);
+                    }
+                    effect
+                });
             }
             let names = names(reading, definition);
             if !names.is_empty() {
@@ -51,7 +56,15 @@ impl<'f, 'a> Effects<'f, 'a> {
 
     /// Whether a call of the definition of that index machines the workpiece.
     pub(super) fn cuts(&self, index: u32) -> bool {
-        self.definitions.get(index as usize).is_some_and(|own| own.related_cycle().is_some_and(removes_material))
+        let works = |own: &Defined<'a>| Work::of(self.program, own).is_some();
+        let removes = |own: &Defined<'a>| own.related_cycle().is_some_and(removes_material) || works(own);
+        self.definitions.get(index as usize).is_some_and(removes)
+    }
+
+    /// Whether the definition of that index is one of an early cycle that taps and turns the spindle itself.
+    pub(super) fn taps_rigidly(&self, index: u32) -> bool {
+        let own = self.definitions.get(index as usize);
+        own.and_then(|own| Work::of(self.program, own)) == Some(Work::RigidTapping)
     }
 
     /// Whether the spindle is stopped after a call of the definition of that index.

@@ -36,6 +36,11 @@ impl<'f, 'a> Steps<'f, 'a> {
             state.modal.set(Aspect::Spindle, Tri::No);
             state.modal.set(Aspect::Stopped, Tri::Yes);
         }
+        if let Pending::Definition(index) = state.modal.pending
+            && self.effects.taps_rigidly(index)
+        {
+            state.modal.set(Aspect::Spindle, Tri::Unknown);
+        }
         match state.modal.pending {
             Pending::Definition(index) if self.effects.cuts(index) => state.modal.set(Aspect::Cut, Tri::Yes),
             Pending::Definition(_) | Pending::None => {}
@@ -265,6 +270,11 @@ impl<'f, 'a> Steps<'f, 'a> {
                 }
                 tool_unknown(&mut state.modal);
                 state.modal.loaded = Loaded::Unknown;
+            }
+            Hides::Machining => {
+                state.modal.pending = Pending::Unknown;
+                state.modal.set(Aspect::Feed, Tri::Unknown);
+                state.modal.set(Aspect::Compensation, Tri::Unknown);
             }
             Hides::Assignment(parameters) => parameters.into_iter().for_each(|q| state.set(q, Known::Unknown)),
             // A definition of a cycle sets no centre.

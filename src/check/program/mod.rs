@@ -10,6 +10,7 @@ mod reading;
 mod unread;
 mod values;
 pub(super) mod words;
+mod work;
 
 pub(super) use blocks::{calls_in, each_function, is_silent, needs_feed, reads, stops};
 pub(super) use definition::with_meaning;
@@ -20,3 +21,4 @@ pub use reading::{Flow, Reading};
 pub use unread::Unread;
 pub(super) use unread::{Hides, hides, names_end};
 pub(super) use values::{bits, each_refused, kind, number, refused, refused_by_all, shown};
+pub(super) use work::Work;

@@ -257,6 +257,7 @@ impl<'a> Reading<'a> {
             Hides::Movement => self.flow.unread.movements = true,
             Hides::Tool => self.flow.unread.tools = true,
             Hides::Assignment(_) => self.flow.unread.assignments = true,
+            Hides::Machining => {}
             Hides::Anything => self.flow.unread.anything = true,
         }
     }

@@ -3,6 +3,7 @@
 //! The one place that says: the word at its beginning says which kind of block it was to be, and such a block can hide
 //! no more than a block of its kind does. Invariant: a block of which the kind is not certain may do anything.
 use super::blocks::content;
+use super::work::Work;
 use crate::base::expr::{QKind, QRef};
 use crate::program::syntax::{Block, BlockKind, IsoBlock, IsoKind, Program, ValueKind};
 
@@ -15,6 +16,8 @@ pub(in crate::check) enum Hides {
     Tool,
     /// An assignment to these parameters.
     Assignment(Vec<QRef>),
+    /// A machining cycle of the first controls, which only acts when it is called.
+    Machining,
     /// Anything.
     Anything,
 }
@@ -69,6 +72,7 @@ fn of_iso(program: &Program, own: &IsoBlock) -> Hides {
             Hides::Movement
         }
         IsoKind::ToolCall | IsoKind::ToolDef => Hides::Tool,
+        IsoKind::Cycle(_) if Work::of_iso(own).is_some() => Hides::Machining,
         IsoKind::Function(0..=8 | 13) => {
             let named = own.words.iter().filter_map(|word| match word.value.kind {
                 ValueKind::Q { q, .. } => Some(q),

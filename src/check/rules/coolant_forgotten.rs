@@ -1,14 +1,20 @@
 //! One tool that cuts without coolant, although all the others of the program have it.
 //!
 //! Only where each of at least two other tools turns it on itself and it is off again when the tool is called. Probes and
-//! tools that do not cut are not looked at, nor programs in which M functions of the machine builder may turn it on.
+//! tools that do not cut are not looked at, nor those of cycles that turn it on themselves, nor programs in which M
+//! functions of the machine builder may turn it on.
+use std::collections::BTreeSet;
+
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::removes_material;
-use crate::check::program::each_function;
-use crate::check::{Facts, Pending, Rule};
+use crate::check::program::{each_function, with_meaning};
+use crate::check::{CycleCall, Facts, Loaded, Pending, Rule};
 use crate::program::syntax::{Block, BlockKind, Compensates};
 
 pub(super) const RULE: Rule = Rule { code: "coolant-forgotten", severity: Severity::Warning, run };
+
+/// The meaning of the M function with which a cycle turns it on itself.
+const OWN_COOLANT: &str = "coolant-on-function";
 
 /// So many others have it.
 const OTHERS: usize = 2;
@@ -48,11 +54,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // What works through a pattern is not looked at: holes are often centred dry.
     let calls = facts.run.calls.iter().filter(|call| facts.definition_at(call.block).is_none());
     let cuts: Vec<usize> = calls.filter(|call| removes(facts, call.modal.pending)).map(|call| call.block).collect();
+    let cooling: BTreeSet<usize> = facts.run.calls.iter().filter_map(|call| cools(facts, call)).collect();
     for (index, block) in facts.program.blocks().iter().enumerate() {
         if let BlockKind::ToolCall(call) = &block.kind
             && call.tool.is_some()
         {
-            parts.push(Part { call: index, before: on, on, cuts: false });
+            let cools = cooling.contains(&index);
+            parts.push(Part { call: index, before: on, on: on || cools, cuts: false });
         }
         each_function(block, |number| {
             match number {
@@ -78,6 +86,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if let Some(block) = facts.program.blocks().get(only.call) {
         found.push(rule.at(facts, facts.content(block)));
     }
+}
+
+/// The tool call with whose tool a cycle works that turns the coolant on itself.
+fn cools(facts: &Facts<'_>, call: &CycleCall) -> Option<usize> {
+    let (Pending::Definition(index), Loaded::By(block)) = (call.modal.pending, call.modal.loaded) else { return None };
+    let cycle = facts.definitions.get(index as usize)?.related_cycle()?;
+    with_meaning(cycle, OWN_COOLANT).is_some().then_some(block as usize)
 }
 
 fn removes(facts: &Facts<'_>, pending: Pending) -> bool {

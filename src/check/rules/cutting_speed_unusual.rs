@@ -2,15 +2,17 @@
 //!
 //! Only where a tool table or a TOOL DEF gives the diameter. The limits are far beyond what is usual: 400 m/min for
 //! drills, 80 for taps, 120 for reamers, 2500 for anything else; 2.5 m/min for drills and mills, 0.8 for taps. What a tool
-//! is, its name or a comment beside its call says. Also a mill that cuts many times as fast as the fastest of the others, and a fast
-//! tap that turns faster than the drill of its core hole. Also a reamer that takes so little per revolution that a digit of its
-//! speed or of its feed is wrong.
+//! is, its name or a comment beside its call says. Silent of tools with which a cycle works that has its own speed. Also a
+//! mill that cuts many times as fast as the fastest of the others, and a fast tap that turns faster than the drill of its
+//! core hole. Also a reamer that takes so little per revolution that a digit of its speed or of its feed is wrong.
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
+use super::spindle_off::turns_spindle;
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::program::number;
 use crate::check::tools::{Tools, kind_of_call};
-use crate::check::{Aspect, Facts, Loaded, Pending, Rule, ToolKind, Tri};
+use crate::check::{Aspect, CycleCall, Facts, Loaded, Pending, Rule, ToolKind, Tri};
 use crate::program::syntax::BlockKind;
 use crate::spec::MM_PER_INCH;
 
@@ -39,8 +41,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // The taps also with their turns, and the drills by diameter.
     let mut taps: Vec<(f64, f64, f64, Span)> = Vec::new();
     let mut drills: Vec<(f64, f64)> = Vec::new();
+    let own_speeds = own_speeds(facts);
     for (index, block) in facts.marked() {
         let BlockKind::ToolCall(call) = &block.kind else { continue };
+        if own_speeds.contains(&index) {
+            continue;
+        }
         let (Some(_), Some(speed), None) = (call.tool, call.speed, call.cutting_speed) else { continue };
         let turning = facts.run.before(index).is_none_or(|modal| modal.is(Aspect::Turning) != Tri::No);
         let Some(tool) = u32::try_from(index).ok().and_then(|own| tools.get(Loaded::By(own))) else { continue };
@@ -117,4 +123,16 @@ fn reamed(facts: &Facts<'_>, tools: &Tools) -> Option<(Span, f64, f64)> {
         let few = diameter > 3.0 && turn < REAMED * diameter;
         few.then_some((item.value_span, (turn * 1e4).round() / 1e4, diameter))
     })
+}
+
+/// The calls of the tools with which a cycle turns the spindle at its own speed.
+fn own_speeds(facts: &Facts<'_>) -> BTreeSet<usize> {
+    let own = |call: &CycleCall| {
+        let (Pending::Definition(index), Loaded::By(block)) = (call.modal.pending, call.modal.loaded) else {
+            return None;
+        };
+        let cycle = facts.definitions.get(index as usize)?.related_cycle()?;
+        turns_spindle(cycle).then_some(block as usize)
+    };
+    facts.run.calls.iter().filter_map(own).collect()
 }

@@ -1,16 +1,20 @@
 //! A pocket, a stud, a slot or a place of a contour that is so far from the blank that nothing of it is machined there, a
 //! round pocket that the edge of the blank cuts, a rectangular one that leaves nothing of it or goes far beyond it at both
 //! ends; a cycle that stays above the blank, and a movement that cuts far below it, where an execution shows them; a cycle of
-//! the old form that no manual describes and that is called far above the blank: it works from where the tool is.
+//! the old form that no manual describes and that is called far above the blank: it works from where the tool is; a
+//! contour that is called above the blank, and elsewhere inside of it.
 //!
 //! Only at places that are known, in programs with a box as their blank and without transformations. Each is said once a
 //! program.
+use std::collections::BTreeMap;
+
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank::Blank;
 use crate::check::incident::Incident;
+use crate::check::program::is_silent;
 use crate::check::travel::incidents;
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
-use crate::program::syntax::{Axis, Block, BlockKind, CycleForm, Path, ValueKind};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensates, CycleForm, Path, ValueKind};
 use crate::spec::{Keyword, Known};
 
 pub(super) const RULE: Rule = Rule { code: "machining-outside-blank", severity: Severity::Warning, run };
@@ -37,10 +41,63 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.arg("other", Arg::Number(y)));
         }
     }
+    if let Some((span, height)) = called_above(facts).filter(|_| !above) {
+        let finding = rule.at(facts, span).arg("what", "contour").arg("value", Arg::Number(height));
+        found.push(finding.arg("other", Arg::Number(0.0)));
+    }
     if let Some((span, height)) = old_cycle(facts).filter(|_| !above) {
         let finding = rule.at(facts, span).arg("what", "above").arg("value", Arg::Number(height));
         found.push(finding.arg("other", Arg::Number(0.0)));
     }
+}
+
+/// The first call of a contour directly after a movement at feed to a height above the blank, if it is called at a height
+/// inside of the blank elsewhere.
+fn called_above(facts: &Facts<'_>) -> Option<(Span, f64)> {
+    let top = Blank::of(facts.program)?.high[2];
+    // By the blocks of their labels: the lowest height, and the first one above the blank.
+    let mut heights: BTreeMap<usize, (f64, Option<(Span, f64)>)> = BTreeMap::new();
+    let blocks = facts.program.blocks();
+    for (index, block) in facts.marked().filter(|(_, block)| matches!(block.kind, BlockKind::CallLbl(_))) {
+        let Some(label) = facts.run.graph.called_from(index) else { continue };
+        let before = blocks.get(..index).and_then(|before| before.iter().rfind(|block| !is_silent(block)));
+        let Some((place, height)) = before.filter(|own| !own.skip && !block.skip).and_then(|own| plunge(facts, own))
+        else {
+            continue;
+        };
+        let own = heights.entry(label).or_insert((height, None));
+        own.0 = own.0.min(height);
+        if height > top && own.1.is_none() {
+            own.1 = Some((place, height));
+        }
+    }
+    let wrong = heights.into_iter().filter(|(label, (lowest, _))| *lowest < top && is_contour(facts, *label));
+    wrong.filter_map(|(_, (_, above))| above).min_by_key(|(span, _)| span.start)
+}
+
+/// The height to which a block goes at feed along the tool axis alone.
+fn plunge(facts: &Facts<'_>, block: &Block) -> Option<(Span, f64)> {
+    let BlockKind::Motion(motion) = &block.kind else { return None };
+    let words = motion.words();
+    let [own] = words.coords.as_slice() else { return None };
+    let Amount::Number(height) = own.value.amount else { return None };
+    let down = own.axis == Axis::Z && !own.incremental && !motion.outline().is_rapid();
+    down.then_some((facts.content(block), height))
+}
+
+/// Whether a subprogram begins with a contour at the height where it is called.
+fn is_contour(facts: &Facts<'_>, label: usize) -> bool {
+    for block in facts.subprogram(label).unwrap_or_default() {
+        let BlockKind::Motion(motion) = &block.kind else { continue };
+        let outline = motion.outline();
+        if outline.has_functions() || motion.words().coord(Axis::Z).is_some() {
+            return false;
+        }
+        if outline.compensates() == Compensates::Beside {
+            return true;
+        }
+    }
+    false
 }
 
 /// The first call of a cycle of the old form far above the blank, with its height.

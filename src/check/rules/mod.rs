@@ -66,6 +66,7 @@ mod digitizing_wrong;
 mod division_by_zero;
 mod doubtful_value;
 mod duplicate_parameter;
+mod early_cycle_wrong;
 mod empty_word;
 mod error_branch_entered;
 mod feed_missing;
@@ -293,6 +294,7 @@ pub const RULES: &[&Rule] = &[
     &division_by_zero::RULE,
     &doubtful_value::RULE,
     &duplicate_parameter::RULE,
+    &early_cycle_wrong::RULE,
     &empty_word::RULE,
     &error_branch_entered::RULE,
     &feed_missing::RULE,

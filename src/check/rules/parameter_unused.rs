@@ -1,14 +1,14 @@
-//! A parameter that is given a number and read nowhere: what reads in its place has another number, or the calculation was
-//! not finished.
+//! A parameter that is given a number, or the result of a calculation, and read nowhere: what reads in its place has
+//! another number, or the calculation was not finished.
 //!
 //! Only Q0 to Q99 and local parameters, in whole programs that call no others and machine by themselves: what others read
 //! is not known. Any other mention of the parameter outside of comments counts as reading it.
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Diagnostic, Severity, Span};
-use crate::base::expr::{Node, QKind, QRef};
+use crate::base::expr::{QKind, QRef};
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{BlockKind, FnOp, StatementKind};
+use crate::program::syntax::{BlockKind, StatementKind};
 use crate::spec::{Known, ParameterKind};
 
 pub(super) const RULE: Rule = Rule { code: "parameter-unused", severity: Severity::Warning, run };
@@ -45,19 +45,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if hidden || !tool {
         return;
     }
-    // The assignments of numbers, and how often each parameter is written at all.
+    // Where each parameter is given a value first, and how often.
     let mut set: BTreeMap<QRef, (Span, usize)> = BTreeMap::new();
     for (_, block) in facts.marked() {
-        let (q, plain) = match &block.kind {
-            BlockKind::FnAssign(own) => (own.target, own.op == FnOp::Set),
-            BlockKind::Formula(own) => (own.target, matches!(own.expr.node, Node::Number(_) | Node::Unary(..))),
+        let q = match &block.kind {
+            BlockKind::FnAssign(own) => own.target,
+            BlockKind::Formula(own) => own.target,
             _ => continue,
         };
         if !is_own(q) {
             continue;
         }
-        let place = set.entry(q).or_insert((facts.content(block), 0));
-        place.1 = if plain { place.1 + 1 } else { usize::MAX / 2 };
+        set.entry(q).or_insert((facts.content(block), 0)).1 += 1;
     }
     set.retain(|_, (_, times)| *times == 1);
     if set.is_empty() {

@@ -7,17 +7,23 @@
 //! and after M305 again, in programs that turn it on with M303 or M304 elsewhere.
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::cycle::{probes, removes_material, stops_spindle};
+use crate::check::early::{FirstWay, Spindle};
 use crate::check::incident::Incident;
-use crate::check::program::{each_function, with_meaning};
+use crate::check::program::{Work, each_function, with_meaning};
 use crate::check::travel::incidents;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, Tri};
 use crate::program::syntax::{Block, BlockKind, Compensates, StatementKind};
-use crate::spec::Group;
+use crate::spec::{Cycle, Group};
 
 pub(super) const RULE: Rule = Rule { code: "spindle-off", severity: Severity::Warning, run };
 
 /// The meaning of the speed that a cycle drills with itself.
 const OWN_SPEED: &str = "drilling-speed";
+
+/// Whether a cycle has its own drilling speed: it turns the spindle itself (TNC 640, 001: 2281-2300).
+pub(super) fn turns_spindle(cycle: &Cycle) -> bool {
+    with_meaning(cycle, OWN_SPEED).is_some()
+}
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Spindle) == Tri::No).filter(|call| {
@@ -25,8 +31,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(cycle) = facts.definitions.get(index as usize).and_then(Defined::related_cycle) else { return false };
         // What has stopped the spindle itself also starts it.
         let again = call.modal.is(Aspect::Stopped) == Tri::Yes && stops_spindle(cycle);
-        // A cycle that has its own drilling speed starts the spindle itself (TNC 640, 001: 2281-2300).
-        let again = again || with_meaning(cycle, OWN_SPEED).is_some();
+        let again = again || turns_spindle(cycle);
         (removes_material(cycle) || cycle.file.group == Group::Turning) && !again
     });
     let standing =
@@ -34,8 +39,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let standing = standing.map(|(span, _)| *span);
     let still = incidents(facts).iter().find(|(_, own)| *own == Incident::CutsWithoutSpindle { unstarted: false });
     let still = still.map(|(span, _)| *span);
+    let way = FirstWay::of(facts);
+    let early = way.called().filter(|(call, own)| {
+        call.spindle == Spindle::Stopped && own.work != Work::RigidTapping && own.clearance.is_some()
+    });
     let all = calls
         .map(|call| call.span)
+        .chain(early.map(|(call, _)| call.span))
         .chain(contour(facts))
         .chain(standing)
         .chain(still)

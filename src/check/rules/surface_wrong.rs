@@ -1,7 +1,9 @@
 //! A cycle that begins at a height at which there is no material or still is some: above a face that the program has milled
 //! lower, or above the blank where the same height with the other sign is the floor on which others work.
 //!
-//! Also a pattern that sets another surface than the cycle which it calls: that of the pattern acts.
+//! Also a cycle of the first controls, whose surface lies by the set-up clearance below the place where it is called, and
+//! which is called far too high, or at a height inside of the blank; and a pattern that sets another surface than the cycle
+//! which it calls: that of the pattern acts.
 //!
 //! Also a cycle for holes, pockets or contours that meets nothing although it goes below the top of the blank, where an
 //! execution shows it: a tool that the table knows has removed all of it before.
@@ -11,10 +13,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
+use crate::check::cycle::removes_material;
+use crate::check::early::FirstWay;
 use crate::check::incident::Incident;
 use crate::check::program::number;
 use crate::check::travel::first_incident;
 use crate::check::{Facts, Pending, Rule};
+use crate::program::syntax::{Amount, Axis, BlockKind, StatementKind};
 use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "surface-wrong", severity: Severity::Warning, run };
@@ -40,6 +45,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
     let unit = facts.millimetre();
     patterns(rule, facts, blank.high[2], found);
+    early(rule, facts, &blank, found);
     let mut seen = std::collections::HashSet::new();
     // The lowest face over the whole blank, and the surfaces and floors of the cycles.
     let mut face: Option<f64> = None;
@@ -127,5 +133,80 @@ fn patterns(rule: &Rule, facts: &Facts<'_>, top: f64, found: &mut Vec<Diagnostic
             found.push(finding.arg("other", Arg::Number(other)));
             return;
         }
+    }
+}
+
+/// An early cycle takes the place where it is called for the set-up clearance above the surface: one that is called so
+/// high that its surface is in the air, or inside of the blank where nothing has that height as its floor.
+fn early(rule: &Rule, facts: &Facts<'_>, blank: &Blank, found: &mut Vec<Diagnostic>) {
+    let way = FirstWay::of(facts);
+    let unit = facts.millimetre();
+    let heights = || Heights::of(facts, &way);
+    let mut said = BTreeSet::new();
+    for (call, own) in way.called() {
+        let (Some(z), Some((clearance, _)), Some((depth, _))) = (call.place[2], own.clearance, own.depth) else {
+            continue;
+        };
+        if clearance <= 0.0 || depth >= 0.0 {
+            continue;
+        }
+        let (surface, top) = (z - clearance, blank.high[2]);
+        // What removes nothing at all is found elsewhere.
+        if surface + depth >= top && facts.definition_at(own.first).is_some() {
+            continue;
+        }
+        let beside = matches!(call.place, [Some(x), Some(y), _] if blank.lacks(x, y));
+        let what = match () {
+            () if surface > top + clearance.max(HIGHER * unit) => "high",
+            () if z < top && !beside && heights().is_some_and(|all| !all.has(surface, unit)) => "low",
+            () => continue,
+        };
+        if said.insert((call.early, what)) {
+            let finding = rule.at(facts, call.span).arg("what", what).arg("value", Arg::Number(z));
+            found.push(finding.arg("other", Arg::Number(surface)));
+        }
+    }
+}
+
+/// The heights down to which a program machines.
+struct Heights(Vec<f64>);
+
+impl Heights {
+    /// All of them; nothing where one is not known.
+    fn of(facts: &Facts<'_>, way: &FirstWay) -> Option<Self> {
+        let mut all = Vec::new();
+        for block in facts.program.blocks() {
+            match &block.kind {
+                BlockKind::Motion(motion) => {
+                    let words = motion.words();
+                    let Some(coord) = words.coord(Axis::Z) else { continue };
+                    let Amount::Number(value) = coord.value.amount else { return None };
+                    match coord.incremental {
+                        false => all.push(value),
+                        // It only lifts the tool.
+                        true if value > 0.0 => {}
+                        true => return None,
+                    }
+                }
+                BlockKind::Statement(own) if own.kind != StatementKind::BlkForm => return None,
+                BlockKind::CallPgm(_) | BlockKind::Unknown(_) => return None,
+                _ => {}
+            }
+        }
+        for (call, own) in way.called() {
+            all.push(call.place[2]? - own.clearance?.0 + own.depth?.0);
+        }
+        for own in facts.definitions.iter().filter(|own| own.related_cycle().is_some_and(removes_material)) {
+            let related = own.as_related_cycle();
+            let read = facts.read(&related);
+            let value = |meaning: &str| read.item(meaning).and_then(number);
+            all.push(value(SURFACE)? + DEPTHS.into_iter().find_map(value)?);
+        }
+        Some(Self(all))
+    }
+
+    /// Whether a height is one of them, give or take a millimetre.
+    fn has(&self, height: f64, unit: f64) -> bool {
+        self.0.iter().any(|own| (own - height).abs() <= HIGHER * unit)
     }
 }

@@ -2,9 +2,12 @@
 //! outside of a stud that goes into the floor around it.
 //!
 //! Only where the places and depths of all holes are known, in programs with a box as their blank and without
-//! transformations. A hole that goes through the blank is deep enough. Each is said once a program.
+//! transformations; of cycles of the first controls also only without repetitions. A hole that goes through the blank is deep enough. Each is said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::blank::Blank;
+use crate::check::early::{EarlyCall, FirstWay};
 use crate::check::incident::Incident;
+use crate::check::program::Work;
 use crate::check::travel::incidents;
 use crate::check::{Facts, Rule};
 
@@ -28,5 +31,49 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
             _ => {}
         }
+    }
+    early(rule, facts, found);
+}
+
+/// Holes so close are the same one, mm.
+const NEAR: f64 = 0.1;
+
+/// The same of holes that early cycles drill and tap.
+fn early(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let way = FirstWay::of(facts);
+    let Some(blank) = Blank::of(facts.program).filter(|_| way.complete && way.only && !way.others) else { return };
+    let place = |call: &EarlyCall| Some([call.place[0]?, call.place[1]?]);
+    let near = |one: [f64; 2], other: [f64; 2]| {
+        (0..2).all(|axis| (one[axis] - other[axis]).abs() <= NEAR * facts.millimetre())
+    };
+    // Their places, and how deep they go.
+    let (mut holes, mut taps) = (Vec::new(), Vec::new());
+    for (call, own) in way.called() {
+        let Some(place) = place(call) else { return };
+        let bottom =
+            call.place[2].zip(own.clearance).zip(own.depth).map(|((z, (above, _)), (depth, _))| z - above + depth);
+        match own.work {
+            Work::Tapping | Work::RigidTapping => taps.push((place, bottom, call.span)),
+            Work::Drilling => holes.push((place, bottom)),
+            Work::Milling => holes.push((place, None)),
+        }
+    }
+    let over = |place: [f64; 2]| holes.iter().filter(move |(own, _)| near(*own, place));
+    if !taps.iter().any(|(place, ..)| over(*place).next().is_some()) {
+        return;
+    }
+    if let Some(([x, y], _, span)) = taps.iter().find(|(place, ..)| over(*place).next().is_none()) {
+        let finding = rule.at(facts, *span).arg("what", "missing").arg("value", Arg::Number(*x));
+        found.push(finding.arg("other", Arg::Number(*y)));
+    }
+    let short = taps.iter().find_map(|(place, tap, span)| {
+        let bottoms: Option<Vec<f64>> = over(*place).map(|(_, bottom)| *bottom).collect();
+        let lowest = bottoms?.into_iter().reduce(f64::min)?;
+        let tap = tap.filter(|tap| *tap < lowest && lowest > blank.low[2])?;
+        Some((*span, tap, lowest))
+    });
+    if let Some((span, tap, hole)) = short {
+        let finding = rule.at(facts, span).arg("what", "shallow").arg("value", Arg::Number(tap));
+        found.push(finding.arg("other", Arg::Number(hole)));
     }
 }

@@ -10,11 +10,14 @@ use std::collections::HashSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::cycle::{probes, removes_material};
+use crate::check::early::FirstWay;
 use crate::check::incident::Incident;
-use crate::check::program::{number, with_meaning};
-use crate::check::tools::named;
+use crate::check::program::{Work, number, with_meaning};
+use crate::check::tools::{kind_of_call, named};
 use crate::check::travel::first_incident;
-use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolKind, ToolName, Tri, diameter_of};
+use crate::check::{
+    Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolKind, ToolName, Tri, diameter_of, is_left,
+};
 use crate::program::syntax::{BlockKind, Compensates, ToolRef};
 use crate::spec::{Cycle, Group, MM_PER_INCH};
 
@@ -60,6 +63,7 @@ enum Use {
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     by_table(rule, facts, found);
+    early(rule, facts, found);
     observed(rule, facts, found);
 }
 
@@ -113,6 +117,28 @@ fn by_table(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
     }
     sizes(rule, facts, project, found);
+}
+
+/// Calls of early cycles, of which only their name or code says what they do, with a tool that is not there for that.
+fn early(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut reported = HashSet::new();
+    let way = FirstWay::of(facts);
+    for (call, own) in way.called() {
+        let what = match own.work {
+            Work::Drilling => Use::Drilling,
+            Work::Tapping | Work::RigidTapping => Use::Tapping,
+            Work::Milling => Use::Milling,
+        };
+        let Some(block) = call.tool else { continue };
+        let Some(loaded) = u32::try_from(block).ok().map(Loaded::By) else { continue };
+        let Some(tool) = called(facts, loaded) else { continue };
+        let listed = named(facts, tool).and_then(|name| facts.project?.tool_word(name, "TYP"));
+        let Some(kind) = listed.or_else(|| kind_of_call(facts, block).map(ToolKind::word)) else { continue };
+        if !fits(what, kind) && reported.insert(block) {
+            let finding = rule.at(facts, call.span).arg("what", "type").arg("tool", shown(facts, tool));
+            found.push(finding.arg("value", own.name.clone()).arg("other", kind.to_owned()));
+        }
+    }
 }
 
 /// What an execution shows: a tool that cuts with a cycle for which its name does not fit.
@@ -288,16 +314,6 @@ fn left_hand(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut 
             found.push(finding.arg("value", Arg::Number(pitch)).arg("other", ""));
         }
     }
-}
-
-/// Whether words name the left hand, in any of the languages.
-fn is_left(words: &str) -> bool {
-    const WHOLE: [&str; 5] = ["L", "LH", "LI", "SX", "IZQ"];
-    const STEMS: [&str; 7] = ["LEFT", "LINK", "SINIST", "ESQUERD", "VASEN", "VASUR", "LEV"];
-    let words = words.to_uppercase();
-    // M8LH, too.
-    let parts = words.split(|sign: char| !sign.is_alphabetic());
-    parts.into_iter().any(|part| WHOLE.contains(&part) || STEMS.iter().any(|stem| part.starts_with(stem)))
 }
 
 /// Whether a tool of a type can be used so; types that leave a doubt can.

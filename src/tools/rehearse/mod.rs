@@ -177,6 +177,9 @@ pub fn without_obstacles(program: &Program) -> Option<Program> {
     if edits.is_empty() {
         return None;
     }
+    // What else is left of DIN/ISO must not be passed over as a comment: the execution ends there.
+    let left = program.blocks().iter().filter(|block| matches!(block.kind, BlockKind::Iso(_)) && !block.is_blend());
+    edits.extend(left.filter_map(|block| block.comment()).map(|span| (span.start..span.start + 1, '?')));
     let mut text = source.as_bytes().to_vec();
     for (place, sign) in edits {
         text.get_mut(place)?.fill(sign as u8);

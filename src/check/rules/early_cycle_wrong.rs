@@ -1,0 +1,70 @@
+//! A machining cycle of the first controls, which no manual here describes, with a value that it cannot work with: a
+//! negative set-up clearance, a plunging depth or a feed of 0, a slot or pocket that is narrower than the tool, a pitch or
+//! a feed that is not that of the tap.
+//!
+//! What its words mean, their order says. Tools count as far as a tool table or a TOOL DEF gives their data, a pitch also
+//! where their name does.
+use std::collections::BTreeSet;
+
+use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::early::{Early, FirstWay, Placed};
+use crate::check::program::Work;
+use crate::check::tools::{Tool, Tools};
+use crate::check::{Facts, Loaded, Rule};
+
+pub(super) const RULE: Rule = Rule { code: "early-cycle-wrong", severity: Severity::Warning, run };
+
+/// So much of the pitch one may differ from the other, and so much a floating tap holder makes up for.
+const SAME: f64 = 0.02;
+const FLOATING: f64 = 0.1;
+/// By how much a tool must be wider, mm or inch.
+const TOLERANCE: f64 = 1e-3;
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let way = FirstWay::of(facts);
+    let mut tell = |what: &'static str, (value, span): Placed, other: f64| {
+        let finding = rule.at(facts, span).arg("what", what).arg("value", Arg::Number(value));
+        found.push(finding.arg("other", Arg::Number(other)));
+    };
+    for own in &way.early {
+        if let Some(placed) = own.clearance.filter(|(value, _)| *value < 0.0) {
+            tell("clearance", placed, 0.0);
+        }
+        if let Some(placed) = own.infeed.filter(|(value, _)| *value == 0.0) {
+            tell("infeed", placed, 0.0);
+        }
+        if let Some(placed) = own.feeds.iter().find(|(value, _)| *value == 0.0) {
+            tell("feed", *placed, 0.0);
+        }
+    }
+    let Some(tools) = Tools::of(facts) else { return };
+    let mut seen = BTreeSet::new();
+    for (call, own) in way.called() {
+        let loaded = call.tool.and_then(|block| u32::try_from(block).ok()).map(Loaded::By);
+        let Some(tool) = loaded.and_then(|loaded| tools.get(loaded)) else { continue };
+        if let Some((what, placed, other)) = misfit(own, tool).filter(|_| seen.insert(call.early)) {
+            tell(what, placed, other);
+        }
+    }
+}
+
+/// What does not fit the tool, and what it has.
+fn misfit(own: &Early, tool: Tool) -> Option<(&'static str, Placed, f64)> {
+    let differs = |value: f64, pitch: f64, by: f64| (value.abs() - pitch).abs() > by * pitch;
+    match own.work {
+        Work::Milling => {
+            let narrowest = own.sides.iter().min_by(|one, other| one.0.abs().total_cmp(&other.0.abs()))?;
+            let diameter = 2.0 * tool.radius;
+            (narrowest.0.abs() < diameter - TOLERANCE).then_some(("narrow", *narrowest, diameter))
+        }
+        Work::RigidTapping => {
+            let (pitch, placed) = (tool.pitch?, own.pitch?);
+            differs(placed.0, pitch, SAME).then_some(("pitch", placed, pitch))
+        }
+        Work::Tapping => {
+            let (pitch, speed, placed) = (tool.pitch?, tool.speed.filter(|speed| *speed > 0.0)?, own.feeds.first()?);
+            differs(placed.0 / speed, pitch, FLOATING).then_some(("tapped", *placed, pitch * speed))
+        }
+        Work::Drilling => None,
+    }
+}

@@ -1,0 +1,5 @@
+BEGIN TOOL .T MM
+T       NAME             L          R          R2      DL      DR      DR2     TL  CUT   LCUTS   T-ANGLE   TYP     PITCH   ANGLE
+1       FACE_D60         100        30         0       0       0       0           2     60      0         MILL    0       0
+3       DRILL_D8         100        4          0       0       0       0           2     60      118         DRILL   0       0
+[END]
