@@ -1,6 +1,6 @@
 //! A machining cycle of the first controls, which no manual here describes, with a value that it cannot work with: a
-//! negative set-up clearance, a plunging depth or a feed of 0, a slot or pocket that is narrower than the tool, a pitch or
-//! a feed that is not that of the tap.
+//! set-up clearance with another sign than the others, a plunging depth or a feed of 0, a slot or pocket that is narrower
+//! than the tool, a pitch or a feed that is not that of the tap.
 //!
 //! What its words mean, their order says. Tools count as far as a tool table or a TOOL DEF gives their data, a pitch also
 //! where their name does.
@@ -26,8 +26,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = rule.at(facts, span).arg("what", what).arg("value", Arg::Number(value));
         found.push(finding.arg("other", Arg::Number(other)));
     };
+    // The oldest programs give the set-up clearance the sign of the depth.
+    let signed = !way.early.iter().any(|own| own.clearance.is_some_and(|(value, _)| value > 0.0));
     for own in &way.early {
-        if let Some(placed) = own.clearance.filter(|(value, _)| *value < 0.0) {
+        if let Some(placed) = own.clearance.filter(|(value, _)| *value < 0.0 && !signed) {
             tell("clearance", placed, 0.0);
         }
         if let Some(placed) = own.infeed.filter(|(value, _)| *value == 0.0) {

@@ -147,9 +147,11 @@ fn early(rule: &Rule, facts: &Facts<'_>, blank: &Blank, found: &mut Vec<Diagnost
         let (Some(z), Some((clearance, _)), Some((depth, _))) = (call.place[2], own.clearance, own.depth) else {
             continue;
         };
-        if clearance <= 0.0 || depth >= 0.0 {
+        if clearance == 0.0 || depth >= 0.0 {
             continue;
         }
+        // The oldest programs give it the sign of the depth.
+        let clearance = clearance.abs();
         let (surface, top) = (z - clearance, blank.high[2]);
         // What removes nothing at all is found elsewhere.
         if surface + depth >= top && facts.definition_at(own.first).is_some() {
@@ -194,7 +196,7 @@ impl Heights {
             }
         }
         for (call, own) in way.called() {
-            all.push(call.place[2]? - own.clearance?.0 + own.depth?.0);
+            all.push(call.place[2]? - own.clearance?.0.abs() + own.depth?.0);
         }
         for own in facts.definitions.iter().filter(|own| own.related_cycle().is_some_and(removes_material)) {
             let related = own.as_related_cycle();

@@ -50,8 +50,10 @@ fn early(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut holes, mut taps) = (Vec::new(), Vec::new());
     for (call, own) in way.called() {
         let Some(place) = place(call) else { return };
-        let bottom =
-            call.place[2].zip(own.clearance).zip(own.depth).map(|((z, (above, _)), (depth, _))| z - above + depth);
+        let bottom = call.place[2]
+            .zip(own.clearance)
+            .zip(own.depth.filter(|(depth, _)| *depth < 0.0))
+            .map(|((z, (above, _)), (depth, _))| z - above.abs() + depth);
         match own.work {
             Work::Tapping | Work::RigidTapping => taps.push((place, bottom, call.span)),
             Work::Drilling => holes.push((place, bottom)),
