@@ -1,6 +1,6 @@
 //! Holes of one tool that overlap: a spacing has lost a digit, or there are too many of them on a circle.
 //!
-//! Where an execution shows them and the diameter of the tool is known. Said once a program.
+//! Where an execution shows them and the diameter of the tool is known, be it after turning. Said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
 use crate::check::travel::first_incident;

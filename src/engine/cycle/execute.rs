@@ -57,7 +57,22 @@ impl<'e> Run<'_, 'e> {
         {
             return self.with_envelope(definition);
         }
-        self.execute_in_scene(definition)
+        if !self.settings.after_faults || definition.cycle.file.takes_effect != TakesEffect::OnCall {
+            return self.execute_in_scene(definition);
+        }
+        let before = (self.cycles.inside, self.drives.probing, self.drives.report.at().cycle.clone());
+        let place = (self.calls.depth(), self.calls.program, self.calls.block);
+        let done = self.execute_in_scene(definition);
+        let now = (self.calls.depth(), self.calls.program, self.calls.block);
+        match done {
+            // What the cycle still does is not known, but the blocks after it are there.
+            Err(Leave::Fault(fault)) if !matches!(fault.class, Class::Limit | Class::Internal) && now == place => {
+                self.drives.report.report(EventKind::Error(fault));
+                (self.cycles.inside, self.drives.probing, self.drives.report.at_mut().cycle) = before;
+                Ok(())
+            }
+            done => done,
+        }
     }
 
     /// Executes a cycle in the scene, or as a rehearsal.

@@ -74,6 +74,8 @@ pub(crate) struct Settings<'e> {
     pub(crate) skip_blocks: bool,
     /// Whether the envelopes of probing cycles are asked for.
     pub(crate) envelope: bool,
+    /// Whether the program goes on where it can: after a cycle that does not come to its end, or that nobody describes.
+    pub(crate) after_faults: bool,
     /// What stops the probe.
     pub(crate) touching: Touching,
     /// Other controls, for cycles that the manual of this one only names.

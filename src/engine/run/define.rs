@@ -21,7 +21,7 @@ use crate::program::syntax::{
     Axis, CycleDef, CycleForm, CycleView, NamedWord, OldCycleLine, Parameter, Value, ValueKind,
 };
 use crate::spec::{
-    self, Combined, Cycle, CycleKey, Group, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect,
+    self, Combined, Cycle, CycleKey, Group, Keyword, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect,
     Transformation,
 };
 
@@ -50,8 +50,9 @@ impl<'e> Run<'_, 'e> {
         if known.is_err() && self.transformation(key).is_some() {
             return self.activate(key, &view);
         }
-        let assumed = self.settings.only_assumes();
-        if assumed && matches!(view.form, CycleForm::Lines(_)) && known.as_ref().is_err_and(is_undescribed) {
+        let of_lines = matches!(view.form, CycleForm::Lines(_)) && self.settings.only_assumes();
+        let machines = key.keyword == Keyword::CyclDef && !key.is_builders() && self.settings.after_faults;
+        if (of_lines || machines) && known.as_ref().is_err_and(is_undescribed) {
             // It would machine when it is called: what, no one knows.
             (self.cycles.last, self.cycles.passed_over, self.modal.call_always) = (None, true, false);
             return Ok(());
@@ -97,20 +98,20 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The description of a cycle, and the control that it is for. A cycle that this control's manual only names is
-    /// taken from another control.
+    /// taken from another control; so is one that it lacks, in a run that goes on after faults.
     fn known(&self, key: CycleKey) -> Result<(&'e Cycle, &'e OnControl), Fault> {
         let on = self.settings.on;
         let about = |fault: Fault| fault.arg("cycle", key.to_string()).arg("control", on.id());
         match on.known(key) {
             Known::Described(cycle) => Ok((cycle, on)),
-            Known::Named(_) => {
+            Known::Builders => Err(about(Fault::unsupported("unsupported-cycle"))),
+            Known::Unknown if !self.settings.after_faults => Err(about(Fault::unsupported("cycle-unknown"))),
+            Known::Named(_) | Known::Unknown => {
                 let others = self.settings.others_on.iter();
                 let described = |other: &&'e OnControl| other.cycles.get(&key).map(|cycle| (cycle, *other));
                 let found = others.clone().find_map(described);
                 found.ok_or_else(|| about(Fault::unsupported("unsupported-cycle")))
             }
-            Known::Builders => Err(about(Fault::unsupported("unsupported-cycle"))),
-            Known::Unknown => Err(about(Fault::unsupported("cycle-unknown"))),
         }
     }
 
@@ -174,8 +175,9 @@ impl<'e> Run<'_, 'e> {
         let has = |q: QRef| written.parameters.iter().any(|own| own.q == q);
         let mut needed = cycle.params.iter().filter_map(|param| Some((param.q?, param.q_of_name())));
         let whole = needed.all(|(q, name)| has(q) || name.is_some_and(has));
+        let assumes = self.settings.after_faults;
         for parameter in &written.parameters {
-            if cycle.written(parameter.q).is_none() {
+            if cycle.written(parameter.q).is_none() && !assumes {
                 let fault = match whole {
                     true => Fault::unsupported("parameter-in-addition"),
                     false => Fault::program("parameter-unknown"),
@@ -200,6 +202,7 @@ impl<'e> Run<'_, 'e> {
                         }
                         None => Content::Number(value.parse().map_err(|_| missing(q))?),
                     },
+                    None if assumes && may_be_assumed(param) => Content::Number(0.0),
                     None => return Err(missing(q).into()),
                 },
             };
@@ -248,6 +251,7 @@ impl<'e> Run<'_, 'e> {
             Content::Number(_) if textual => Err(Fault::program("text-or-number")),
             Content::Number(number)
                 if !matches!(value.kind, ValueKind::Word)
+                    && !self.settings.after_faults
                     && spec::number_refusal_in(param, *number, self.drives.unit()).is_some() =>
             {
                 Err(Fault::program("parameter-out-of-range").arg("value", *number))
@@ -433,6 +437,12 @@ impl<'e> Run<'_, 'e> {
             }
         }
     }
+}
+
+/// Whether 0 stands for a value that a definition lacks where a run goes on after faults: places and depths say where the
+/// tool goes.
+fn may_be_assumed(param: &Param) -> bool {
+    param.quantity != Quantity::Length && spec::number_refusal_in(param, 0.0, 1.0).is_none()
 }
 
 /// Whether the value of a word, printed like that, is one that the field can hold.

@@ -40,6 +40,7 @@ impl<'e> Engine<'e> {
             limits: Limits::default(),
             skip_blocks: false,
             envelope: false,
+            after_faults: false,
             touching: Touching::AsScene,
             others_on: Vec::new(),
             watching: None,
@@ -97,6 +98,15 @@ impl<'e> Engine<'e> {
     #[must_use]
     pub const fn touching_as_expected(mut self) -> Self {
         self.settings.touching = Touching::AsExpected;
+        self
+    }
+
+    /// The same, and the program goes on where it can: a cycle that is called and does not come to its end is left with an
+    /// event that says why, one that nobody describes is passed over, and values that a definition has in addition, lacks or
+    /// has out of their range do not matter.
+    #[must_use]
+    pub const fn going_on_after_faults(mut self) -> Self {
+        self.settings.after_faults = true;
         self
     }
 

@@ -8,7 +8,8 @@
 //! without a blank only holes and the use of its tools are followed.
 //!
 //! `mod.rs` sets up the run, `body.rs` is the blank, `remains.rs` what is left of it, `watcher.rs` follows the events, `cuts.rs` judges movements that cut, `work.rs` what a cycle has done,
-//! `path.rs` what plain movements have, `tilted.rs` what is done in a tilted plane, `turned.rs` what is turned, `series.rs` the holes of the whole program together.
+//! `path.rs` what plain movements have, `tilted.rs` what is done in a tilted plane, `turned.rs` what is turned, `series.rs`
+//! the holes of the whole program together, `unsure.rs` forgets what is no longer known.
 //!
 //! Invariant: a run is bounded, and ends where the engine cannot go on; what was seen before that holds.
 mod body;
@@ -19,6 +20,7 @@ mod remains;
 mod series;
 mod tilted;
 mod turned;
+mod unsure;
 mod watcher;
 mod work;
 
@@ -35,7 +37,7 @@ use crate::engine::stock::Blank;
 use crate::program::fields::key;
 use crate::program::syntax::{self, Amount, BlockKind, CallForm, FeedKind, Program, ToolRef};
 use crate::program::table::Table;
-use crate::spec::{Catalogue, Known, OnControl};
+use crate::spec::{Catalogue, Keyword, Known, OnControl};
 
 /// Longer programs are not executed: posts write them, and their ways are all in the text.
 const MOST_BLOCKS: usize = 3_000;
@@ -103,7 +105,8 @@ impl Rehearsal<'_> {
         let engine = Engine::new(program, on, &scene, &NoTexts)
             .with_catalogue(self.catalogue)
             .with_limits(LIMITS)
-            .touching_as_expected();
+            .touching_as_expected()
+            .going_on_after_faults();
         let engine = match self.programs {
             Some(programs) => engine.with_programs(programs),
             None => engine,
@@ -204,6 +207,19 @@ pub fn describing<'c>(own: &'c OnControl, catalogue: &'c Catalogue, program: &Pr
     }
     let others = catalogue.controls.values().filter(|other| other.id() != own.id()).rev();
     std::iter::once(own).chain(others).min_by_key(|on| lacks(on)).unwrap_or(own)
+}
+
+/// The first lines of the definitions of cycles that no control describes: an execution passes over them.
+pub fn undescribed(program: &Program, on: &OnControl, catalogue: &Catalogue) -> Vec<usize> {
+    let mut lines = Vec::new();
+    program.each_cycle(|view| {
+        let own = key(view.keyword, view.number);
+        let described = on.cycles.contains_key(&own) || catalogue.describing(own).is_some();
+        if !described && own.keyword == Keyword::CyclDef {
+            lines.extend(program.blocks().get(view.first).map(|block| block.line));
+        }
+    });
+    lines
 }
 
 /// Whether a program calls a tool: without one, and without a blank, what is executed shows nothing.

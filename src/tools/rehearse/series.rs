@@ -67,6 +67,13 @@ pub(super) struct Rows {
     pub(super) open: bool,
 }
 
+impl Rows {
+    /// Whether there is any hole.
+    pub(super) const fn has_any(&self) -> bool {
+        self.count > 0
+    }
+}
+
 impl Row {
     fn has(&self, place: [f64; 2]) -> bool {
         self.places.iter().any(|(own, ..)| is_same(*own, place))

@@ -9,6 +9,7 @@ use super::presets::UNNAMED_PRESET;
 use super::remains::Remains;
 use super::series::Rows;
 use super::turned::Turned;
+use super::undescribed;
 use super::work::{Hole, Thread, Work};
 use crate::base::diag::{Arg, interned};
 use crate::check::{Incident, Observed, ToolKind, removes_material};
@@ -18,7 +19,6 @@ use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MessageKin
 use crate::engine::scene::Scene;
 use crate::engine::solid::Path;
 use crate::engine::stock::Blank;
-use crate::program::fields::key;
 use crate::program::syntax::{self, Block, BlockKind, Program};
 use crate::spec::{Catalogue, Cycle, CycleKey, Group, Keyword, MM_PER_INCH, OnControl};
 
@@ -48,8 +48,8 @@ pub(super) struct Watcher<'w> {
     pub(super) blocks: BTreeMap<usize, &'w Block>,
     /// A millimetre in the unit of the program.
     pub(super) unit: f64,
-    /// The first line of a cycle that no description says how to execute: it is passed over.
-    unknown: Option<usize>,
+    /// The first lines of the cycles that no description says how to execute: they are passed over.
+    pub(super) unknown: Vec<usize>,
     /// The blank, if its size is known.
     pub(super) body: Option<Body>,
     to_blank: Frame,
@@ -61,6 +61,10 @@ pub(super) struct Watcher<'w> {
     pub(super) turned: Turned,
     /// Whether the blank is elsewhere from now on.
     pub(super) lost: bool,
+    /// Whether the workpiece turns.
+    pub(super) turning: bool,
+    /// Whether a fault was the last that was seen: the run may go on after the cycle that has it.
+    pub(super) faulty: bool,
     /// Whether the plane is tilted, be it without the axes.
     pub(super) tilted: bool,
     /// The tilt of the plane, spatial angles.
@@ -139,7 +143,7 @@ impl<'w> Watcher<'w> {
             on,
             catalogue,
             program,
-            unknown: unknown(program, on, catalogue),
+            unknown: undescribed(program, on, catalogue),
             blocks: program.blocks().iter().rev().map(|block| (block.line, block)).collect(),
             unit: if inch { 1.0 / MM_PER_INCH } else { 1.0 },
             body,
@@ -149,6 +153,8 @@ impl<'w> Watcher<'w> {
             remains: Remains::of(body),
             turned: Turned::of(body),
             lost: false,
+            turning: false,
+            faulty: false,
             tilted: false,
             tilt: DVec3::ZERO,
             across: false,
@@ -202,16 +208,15 @@ impl<'w> Watcher<'w> {
     /// Sees what happens next.
     pub(super) fn see(&mut self, event: &Event) {
         let own = *event.at.program == *self.program.source().name();
+        if self.faulty && !matches!(event.kind, EventKind::End(_)) {
+            self.leave_cycle();
+        }
         if event.at.line > 0 {
             if own {
                 self.pass_over(event.at.line);
+                self.pass_undescribed(event.at.line);
             }
             self.line = if own { event.at.line } else { self.calling_line() };
-        }
-        if own && self.unknown.is_some_and(|line| line < event.at.line) {
-            // What it drills and mills is not known.
-            (self.remains.open, self.series.open, self.others) = (true, true, true);
-            self.turned.open = true;
         }
         let key = event.at.cycle.as_ref().map(|(key, _)| *key).filter(|key| key.keyword == Keyword::CyclDef);
         if self.work.as_ref().is_some_and(|work| Some(work.key) != key || work.written != event.at.line) {
@@ -220,8 +225,7 @@ impl<'w> Watcher<'w> {
         match &event.kind {
             EventKind::Move { kind, path, turned, feed, .. } => {
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
-                self.lost |= turned.is_some();
-                self.series.open |= turned.is_some();
+                self.note_turning(turned.is_some());
                 let block = self.blocks.get(&self.line).copied().filter(|_| own && key.is_none());
                 self.go(path, (!rapid).then_some(*feed), key, (event.at.line, block));
                 if turned.is_some() {
@@ -245,7 +249,10 @@ impl<'w> Watcher<'w> {
             }
             EventKind::Transform(coordinates) => self.preset(coordinates),
             EventKind::Message { kind: MessageKind::Stop, .. } => self.stop(),
-            EventKind::Error(fault) => self.fault(fault, key),
+            EventKind::Error(fault) => {
+                self.fault(fault, key);
+                self.faulty = true;
+            }
             EventKind::End(Status::Done) => {
                 self.finish();
                 self.judge_turned();
@@ -303,7 +310,8 @@ impl<'w> Watcher<'w> {
 
     /// Whether nothing can be said of where the tool goes.
     pub(super) fn away(&self) -> bool {
-        self.lost || self.tilted || self.across || self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6)
+        let leans = self.tilted || self.across || self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6);
+        self.lost || self.turning || leans
     }
 
     pub(super) fn is_probe(&self) -> bool {
@@ -638,15 +646,6 @@ impl<'w> Watcher<'w> {
         let up = self.to_blank.vector(self.parts.map_or(up, |parts| parts.vector(up)));
         self.plane.flat(up).extend(self.plane.tool.of(up))
     }
-}
-
-/// The line of the first definition with numbered lines of a cycle that no control describes.
-fn unknown(program: &Program, on: &OnControl, catalogue: &Catalogue) -> Option<usize> {
-    let described = |own: CycleKey| on.cycles.contains_key(&own) || catalogue.describing(own).is_some();
-    program.blocks().iter().find_map(|block| match &block.kind {
-        BlockKind::OldCycleLine(line) => (!described(key(line.keyword, line.number))).then_some(block.line),
-        _ => None,
-    })
 }
 
 /// An axis as programs write it.
