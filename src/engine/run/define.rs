@@ -175,7 +175,9 @@ impl<'e> Run<'_, 'e> {
         let mut needed = cycle.params.iter().filter_map(|param| Some((param.q?, param.q_of_name())));
         let whole = needed.all(|(q, name)| has(q) || name.is_some_and(has));
         for parameter in &written.parameters {
-            if cycle.written(parameter.q).is_none() {
+            // In a run that only assumes, what is 0 is taken for switched off.
+            let off = whole && self.settings.only_assumes() && parameter.value.kind == ValueKind::Number(0.0);
+            if cycle.written(parameter.q).is_none() && !off {
                 let fault = match whole {
                     true => Fault::unsupported("parameter-in-addition"),
                     false => Fault::program("parameter-unknown"),
