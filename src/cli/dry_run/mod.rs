@@ -119,6 +119,7 @@ impl DryRun<'_> {
         let name = |tool: f64| tools.and_then(|table| table.text(tool, "NAME").ok()).and_then(ToolKind::named);
         let kinds: Vec<_> = guess.tools.iter().filter_map(|tool| Some((tool.number, name(tool.number)?))).collect();
         let thread_mills = kinds.iter().filter(|(_, kind)| *kind == ToolKind::ThreadMill);
+        part.sight.knows_inserts = of_kind(TableKind::Turning).is_some();
         part.sight.thread_mills = thread_mills.map(|(tool, _)| *tool).collect();
         let column = part.machining.stock().cell().max_element();
         let mut works = Works::new((against.on, against.catalogue), &file.program, kinds, column);
@@ -214,6 +215,9 @@ struct Sight {
     threading: bool,
     threaded: BTreeSet<usize>,
     moved: bool,
+    /// Whether the inserts of turning tools are known, and whether something was turned.
+    knows_inserts: bool,
+    turned: bool,
     lost: bool,
     /// Axes of which it is not known where they are.
     unknown: [bool; 3],
@@ -235,6 +239,8 @@ impl Sight {
             threading: false,
             threaded: BTreeSet::new(),
             moved: false,
+            knows_inserts: false,
+            turned: false,
             lost: false,
             unknown: [false; 3],
         }
@@ -259,15 +265,18 @@ impl Sight {
             EventKind::Spindle { tool: Some((tool, _)), .. } => {
                 self.threading = self.thread_mills.contains(&tool.number)
             }
-            EventKind::Move { kind, from, to, .. } => {
+            EventKind::Move { kind, from, to, turned, .. } => {
                 self.moved = true;
+                self.turned |= turned.is_some();
                 if self.threading {
                     self.threaded.insert(event.at.line);
                 }
                 let of_machine = event.at.program == self.program && self.of_machine.contains(&event.at.line);
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
                 // What cuts is seen in any case: too much is gone rather than too little.
-                let hidden = rapid && (of_machine || self.unknown != [false; 3]);
+                // Inserts of which nothing is known may leave less on the workpiece than the stock has.
+                let shaped = self.turned && turned.is_none() && !self.knows_inserts;
+                let hidden = rapid && (of_machine || shaped || self.unknown != [false; 3]);
                 for (unknown, (from, to)) in self.unknown.iter_mut().zip(from.to_array().into_iter().zip(to.to_array()))
                 {
                     if from.to_bits() != to.to_bits() {

@@ -177,7 +177,9 @@ impl<'e> Run<'_, 'e> {
         let whole = needed.all(|(q, name)| has(q) || name.is_some_and(has));
         let assumes = self.settings.after_faults;
         for parameter in &written.parameters {
-            if cycle.written(parameter.q).is_none() && !assumes {
+            // In a run that only assumes, what is 0 is taken for switched off.
+            let off = whole && self.settings.only_assumes() && parameter.value.kind == ValueKind::Number(0.0);
+            if cycle.written(parameter.q).is_none() && !(off || assumes) {
                 let fault = match whole {
                     true => Fault::unsupported("parameter-in-addition"),
                     false => Fault::program("parameter-unknown"),
