@@ -69,7 +69,8 @@ pub enum Incident {
     HoleOffSurface(f64),
     /// A hole that goes through it, down to a height.
     HoleThroughBlank(f64),
-    /// A movement cuts while the spindle is stationary, or, if it is not started, was not turned on since the tool call.
+    /// A movement cuts while the spindle is stationary, or, if it is not started, was not turned on since the tool
+    /// call.
     CutsWithoutSpindle {
         /// Whether the spindle still turns for the tool before.
         unstarted: bool,

@@ -1,7 +1,7 @@
 //! The one point of a path of many points that lies beside its neighbours: no smooth path has such a spike.
 //!
-//! Invariant: a spike is far greater than the path bends anywhere else, and a slip of the keyboard brings it back between its
-//! neighbours.
+//! Invariant: a spike is far greater than the path bends anywhere else, and a slip of the keyboard brings it back
+//! between its neighbours.
 use super::Facts;
 use super::program::is_silent;
 use crate::base::diag::Span;

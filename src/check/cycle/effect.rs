@@ -125,8 +125,8 @@ impl Effect {
 
     /// What definitions of a cycle do.
     ///
-    /// An unknown cycle with numbered lines, or one whose name says that it machines (`old`), is one of the first controls:
-    /// those machine when they are called, and leave coordinates and modes alone.
+    /// An unknown cycle with numbered lines, or one whose name says that it machines (`old`), is one of the first
+    /// controls: those machine when they are called, and leave coordinates and modes alone.
     pub(in crate::check) fn of(known: Of<'_>, keyword: Keyword, old: bool) -> Self {
         let mut effect = Self::default();
         match known {

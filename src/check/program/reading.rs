@@ -65,7 +65,8 @@ pub struct Flow {
 }
 
 impl<'a> Reading<'a> {
-    /// Reads a program. Of the programs that it calls nothing is known here: `flow.programs` are known only for a fragment.
+    /// Reads a program. Of the programs that it calls nothing is known here: `flow.programs` are known only for a
+    /// fragment.
     pub(in crate::check) fn of(program: &'a Program, against: &Against<'a>) -> Self {
         let mut reading = Self {
             program,

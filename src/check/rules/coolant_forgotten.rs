@@ -1,7 +1,7 @@
 //! One tool that cuts without coolant, although all the others of the program have it.
 //!
-//! Only where each of at least two other tools turns it on itself and it is off again when the tool is called. Probes and
-//! tools that do not cut are not looked at, nor those of cycles that turn it on themselves, nor programs in which M
+//! Only where each of at least two other tools turns it on itself and it is off again when the tool is called. Probes
+//! and tools that do not cut are not looked at, nor those of cycles that turn it on themselves, nor programs in which M
 //! functions of the machine builder may turn it on.
 use std::collections::BTreeSet;
 

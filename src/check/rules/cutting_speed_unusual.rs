@@ -1,10 +1,11 @@
 //! A spindle speed that no tool of that diameter and kind turns at: a digit too many or too few.
 //!
 //! Only where a tool table or a TOOL DEF gives the diameter. The limits are far beyond what is usual: 400 m/min for
-//! drills, 80 for taps, 120 for reamers, 2500 for anything else; 2.5 m/min for drills and mills, 0.8 for taps. What a tool
-//! is, its name or a comment beside its call says. Silent of tools with which a cycle works that has its own speed. Also a
-//! mill that cuts many times as fast as the fastest of the others, and a fast tap that turns faster than the drill of its
-//! core hole. Also a reamer that takes so little per revolution that a digit of its speed or of its feed is wrong.
+//! drills, 80 for taps, 120 for reamers, 2500 for anything else; 2.5 m/min for drills and mills, 0.8 for taps. What a
+//! tool is, its name or a comment beside its call says. Silent of tools with which a cycle works that has its own
+//! speed. Also a mill that cuts many times as fast as the fastest of the others, and a fast tap that turns faster than
+//! the drill of its core hole. Also a reamer that takes so little per revolution that a digit of its speed or of its
+//! feed is wrong.
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
@@ -105,8 +106,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The first call of a cycle with a reamer that takes far too little per revolution, with that and the diameter; feeds of
-/// programs in inches may be in tenths of them.
+/// The first call of a cycle with a reamer that takes far too little per revolution, with that and the diameter; feeds
+/// of programs in inches may be in tenths of them.
 fn reamed(facts: &Facts<'_>, tools: &Tools) -> Option<(Span, f64, f64)> {
     facts.run.calls.iter().filter(|_| !facts.inch).find_map(|call| {
         let (Pending::Definition(index), Loaded::By(block)) = (call.modal.pending, call.modal.loaded) else {

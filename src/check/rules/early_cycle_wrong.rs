@@ -1,9 +1,9 @@
 //! A machining cycle of the first controls, which no manual here describes, with a value that it cannot work with: a
-//! set-up clearance with another sign than the others, a plunging depth or a feed of 0, a slot or pocket that is narrower
-//! than the tool, a pitch or a feed that is not that of the tap.
+//! set-up clearance with another sign than the others, a plunging depth or a feed of 0, a slot or pocket that is
+//! narrower than the tool, a pitch or a feed that is not that of the tap.
 //!
-//! What its words mean, their order says. Tools count as far as a tool table or a TOOL DEF gives their data, a pitch also
-//! where their name does.
+//! What its words mean, their order says. Tools count as far as a tool table or a TOOL DEF gives their data, a pitch
+//! also where their name does.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity};

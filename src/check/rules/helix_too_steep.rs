@@ -1,10 +1,11 @@
-//! A helix in material that goes down in one turn by more than four fifths of the width of the tool: a digit of the angle is missing, or the
-//! angle is that of a part of the turns.
+//! A helix in material that goes down in one turn by more than four fifths of the width of the tool: a digit of the
+//! angle is missing, or the angle is that of a part of the turns.
 //!
-//! Also a helix of several turns upwards that is followed by a full circle at its end, as one to a floor is: its sign is wrong.
+//! Also a helix of several turns upwards that is followed by a full circle at its end, as one to a floor is: its sign
+//! is wrong.
 //!
-//! Only polar helices with incremental numbers; in inch programs, and where the tool is not known, 20 mm in one turn are too
-//! much. Threads are milled with a feed of many revolutions, but no pitch is so large.
+//! Only polar helices with incremental numbers; in inch programs, and where the tool is not known, 20 mm in one turn
+//! are too much. Threads are milled with a feed of many revolutions, but no pitch is so large.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::program::is_silent;
 use crate::check::tools::Tools;

@@ -1,8 +1,9 @@
-//! A hole next to the blank or cut by its edge, one that begins well above it or below it, or one that goes far through it.
+//! A hole next to the blank or cut by its edge, one that begins well above it or below it, or one that goes far through
+//! it.
 //!
 //! Only cycles for holes at places that are known, in programs with a box as their blank and without transformations.
-//! An execution shows them through subprograms and patterns, in a round blank that was turned before, and after cycles that
-//! nobody describes. A hole next to the blank is said once a program, the others once a definition.
+//! An execution shows them through subprograms and patterns, in a round blank that was turned before, and after cycles
+//! that nobody describes. A hole next to the blank is said once a program, the others once a definition.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
 use crate::check::travel::incidents;

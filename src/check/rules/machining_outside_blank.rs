@@ -1,11 +1,11 @@
-//! A pocket, a stud, a slot or a place of a contour that is so far from the blank that nothing of it is machined there, a
-//! round pocket that the edge of the blank cuts, a rectangular one that leaves nothing of it or goes far beyond it at both
-//! ends; a cycle that stays above the blank, and a movement that cuts far below it, where an execution shows them; a cycle of
-//! the old form that no manual describes and that is called far above the blank: it works from where the tool is; a
-//! contour that is called above the blank, and elsewhere inside of it.
+//! A pocket, a stud, a slot or a place of a contour that is so far from the blank that nothing of it is machined there,
+//! a round pocket that the edge of the blank cuts, a rectangular one that leaves nothing of it or goes far beyond it at
+//! both ends; a cycle that stays above the blank, and a movement that cuts far below it, where an execution shows them;
+//! a cycle of the old form that no manual describes and that is called far above the blank: it works from where the
+//! tool is; a contour that is called above the blank, and elsewhere inside of it.
 //!
-//! Only at places that are known, in programs with a box as their blank and without transformations. Each is said once a
-//! program.
+//! Only at places that are known, in programs with a box as their blank and without transformations. Each is said once
+//! a program.
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
@@ -51,8 +51,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The first call of a contour directly after a movement at feed to a height above the blank, if it is called at a height
-/// inside of the blank elsewhere.
+/// The first call of a contour directly after a movement at feed to a height above the blank, if it is called at a
+/// height inside of the blank elsewhere.
 fn called_above(facts: &Facts<'_>) -> Option<(Span, f64)> {
     let top = Blank::of(facts.program)?.high[2];
     // By the blocks of their labels: the lowest height, and the first one above the blank.
@@ -127,8 +127,8 @@ fn old_cycle(facts: &Facts<'_>) -> Option<(Span, f64)> {
     })
 }
 
-/// How far below where the tool is the cycle of such a definition goes, a negative number: its first value is the clearance
-/// above the surface and its second one the depth.
+/// How far below where the tool is the cycle of such a definition goes, a negative number: its first value is the
+/// clearance above the surface and its second one the depth.
 fn reach(own: &Defined<'_>) -> Option<f64> {
     let CycleForm::Lines(lines) = &own.view.form else { return None };
     let value = |line: u32| {

@@ -1,8 +1,8 @@
 //! A tool that mills through material higher than its cutting edges are long (LCUTS): its shank rubs.
 //!
-//! Only where the tool table is named and the height of the material is known: what was cut before counts, arcs and cycles
-//! after which it is not known end that. Also a cycle that infeeds so far at once, or cuts a thread of such a depth in a
-//! single turn. Said once a program.
+//! Only where the tool table is named and the height of the material is known: what was cut before counts, arcs and
+//! cycles after which it is not known end that. Also a cycle that infeeds so far at once, or cuts a thread of such a
+//! depth in a single turn. Said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::incident::Incident;
 use crate::check::program::{number, with_meaning};

@@ -1,8 +1,8 @@
 //! A parameter that is given a number, or the result of a calculation, and read nowhere: what reads in its place has
 //! another number, or the calculation was not finished.
 //!
-//! Only Q0 to Q99 and local parameters, in whole programs that call no others and machine by themselves: what others read
-//! is not known. Any other mention of the parameter outside of comments counts as reading it.
+//! Only Q0 to Q99 and local parameters, in whole programs that call no others and machine by themselves: what others
+//! read is not known. Any other mention of the parameter outside of comments counts as reading it.
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Diagnostic, Severity, Span};

@@ -2,8 +2,8 @@
 //! pre-positioning, or at the slow speed for entering, in solid material. Also a tool that turns inside and goes deeper
 //! than the hole that was drilled in the middle.
 //!
-//! Only at places that are known, in programs with a box as their blank and without transformations; turning in an execution with a
-//! round blank. Each is said once a program.
+//! Only at places that are known, in programs with a box as their blank and without transformations; turning in an
+//! execution with a round blank. Each is said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
 use crate::check::travel::first_incident;

@@ -47,7 +47,8 @@ fn after_plane(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     found.extend(forgotten.map(|(_, block)| rule.at(facts, facts.content(block)).arg("what", "plane")));
 }
 
-/// A reset that leaves the rotary axes where a plane has positioned them, before a cycle or a subprogram that calls one.
+/// A reset that leaves the rotary axes where a plane has positioned them, before a cycle or a subprogram that calls
+/// one.
 fn after_reset(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.begins() || facts.flow.programs || facts.flow.unread.may_move() {
         return;
@@ -100,8 +101,8 @@ fn still(facts: &Facts<'_>, index: usize) -> Option<Range<usize>> {
     (!body.iter().any(moves)).then_some(label + 1..label + 1 + body.len())
 }
 
-/// Whether a cycle machines in a plane before an axis turns, though the program turns them after other planes; the axes may
-/// already be there for the same plane.
+/// Whether a cycle machines in a plane before an axis turns, though the program turns them after other planes; the axes
+/// may already be there for the same plane.
 fn is_forgotten(facts: &Facts<'_>, index: usize, block: &Block) -> bool {
     let blocks = facts.program.blocks();
     let words = |block: &Block| facts.text(facts.content(block)).to_ascii_uppercase();

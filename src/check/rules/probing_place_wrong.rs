@@ -1,6 +1,6 @@
-//! A place that is probed where the part cannot be: far beside the blank, or, of cycles that probe along the tool axis, next
-//! to it; a corner that gets the coordinates of another one of the blank; a centre that misses the only pocket or hole by a
-//! slip of the keyboard in one coordinate; a hole or pocket as large as the blank, or a stud larger than it.
+//! A place that is probed where the part cannot be: far beside the blank, or, of cycles that probe along the tool axis,
+//! next to it; a corner that gets the coordinates of another one of the blank; a centre that misses the only pocket or
+//! hole by a slip of the keyboard in one coordinate; a hole or pocket as large as the blank, or a stud larger than it.
 //!
 //! Only in programs with a box as their blank, without transformations, before another preset is set.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
@@ -140,8 +140,8 @@ fn milled(facts: &Facts<'_>) -> Vec<[f64; 2]> {
     places
 }
 
-/// A centre that is probed where nothing was milled, and differs in one coordinate, by a slip, from a place where something
-/// was: that coordinate, and the place.
+/// A centre that is probed where nothing was milled, and differs in one coordinate, by a slip, from a place where
+/// something was: that coordinate, and the place.
 fn missed(read: &Definition<'_>, milled: &[[f64; 2]]) -> Option<(Span, [f64; 2])> {
     /// Places that are so near are the same, mm or inch.
     const SAME: f64 = 1e-3;
@@ -158,8 +158,8 @@ fn missed(read: &Definition<'_>, milled: &[[f64; 2]]) -> Option<(Span, [f64; 2])
     })
 }
 
-/// A corner outside that is probed on one side of the blank and gets the coordinate of the other side: the point that says
-/// it, and the coordinate.
+/// A corner outside that is probed on one side of the blank and gets the coordinate of the other side: the point that
+/// says it, and the coordinate.
 fn corner(read: &Definition<'_>, blank: &Blank, unit: f64) -> Option<(&'static str, f64)> {
     let value = |meaning: &str| read.item(meaning).and_then(number);
     read.item(CORNER[0][1])?;

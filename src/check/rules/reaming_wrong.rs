@@ -1,5 +1,5 @@
-//! A reamer where no hole was made, one that goes deeper than its hole, or one whose hole is so narrow that it would have to
-//! drill; a boring bar that goes deeper than its hole, into what is solid.
+//! A reamer where no hole was made, one that goes deeper than its hole, or one whose hole is so narrow that it would
+//! have to drill; a boring bar that goes deeper than its hole, into what is solid.
 //!
 //! Where an execution shows it; the diameters only where they are known and the tool is called a reamer. Said once a
 //! program.

@@ -40,8 +40,8 @@ struct Pass {
     sum: f64,
     /// Whether the tool moves at feed.
     feeds: bool,
-    /// Whether it begins with a movement at feed along the tool axis alone, and does not lift the tool: what is repeated is an
-    /// infeed.
+    /// Whether it begins with a movement at feed along the tool axis alone, and does not lift the tool: what is
+    /// repeated is an infeed.
     plunges: bool,
     /// Whether it has radius compensation: such a contour may have a finishing pass.
     compensates: bool,
@@ -121,8 +121,8 @@ fn is_level_frame(facts: &Facts<'_>, modal: &Modal) -> bool {
     is_unmoved(modal) || OTHERS.iter().all(|own| modal.is(*own) == Tri::No) && !shifts()
 }
 
-/// Whether a part calls cycles and defines a transformation, and all of it is absolute: from its second pass on it does the
-/// same each time.
+/// Whether a part calls cycles and defines a transformation, and all of it is absolute: from its second pass on it does
+/// the same each time.
 fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>, known: &mut Known) -> bool {
     let mut works = facts.run.calls.iter().any(|call| part.contains(&call.block));
     let mut transforms = false;
@@ -267,8 +267,8 @@ fn note(facts: &Facts<'_>, words: &Motion, pass: &mut Pass) -> Option<()> {
     Some(())
 }
 
-/// Whether the tool is moved along its axis alone, at a feed, directly before a part that begins with such a movement: the
-/// height from which the part is to infeed.
+/// Whether the tool is moved along its axis alone, at a feed, directly before a part that begins with such a movement:
+/// the height from which the part is to infeed.
 fn is_led(facts: &Facts<'_>, blocks: &[Block], start: usize) -> bool {
     let plunge = |block: Option<&Block>| match block.map(|block| &block.kind) {
         Some(BlockKind::Motion(motion)) if motion.path() == Path::L && !motion.outline().is_rapid() => {

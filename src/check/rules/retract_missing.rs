@@ -1,12 +1,13 @@
 //! A tool call, a rotary axis that turns at rapid, a plane that is tilted with MOVE or the end of the program while the
 //! tool is inside of the blank, or just above it, or at the end of the program close beside it: it was not retracted.
-//! A PLANE with TURN directly after a cycle that leaves the tool just above its surface, or the only turn of the axes after a
-//! retraction that is far less than before all others.
+//! A PLANE with TURN directly after a cycle that leaves the tool just above its surface, or the only turn of the axes
+//! after a retraction that is far less than before all others.
 //!
-//! Also the only line of a surface after which the tool goes on at rapid without the retraction that all other lines have.
+//! Also the only line of a surface after which the tool goes on at rapid without the retraction that all other lines
+//! have.
 //!
-//! Places are followed from label to label in programs with a box as their blank. Silent while the control holds the tool
-//! tip in its place (M128, FUNCTION TCPM). Each is said once a program.
+//! Places are followed from label to label in programs with a box as their blank. Silent while the control holds the
+//! tool tip in its place (M128, FUNCTION TCPM). Each is said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank;
 use crate::check::incident::Incident;
@@ -68,8 +69,8 @@ fn turned_after_cycle(facts: &Facts<'_>) -> Option<(Span, f64)> {
     })
 }
 
-/// The only line of a surface from which the tool goes on at rapid in the plane, with its height; it is lifted after at least
-/// three others.
+/// The only line of a surface from which the tool goes on at rapid in the plane, with its height; it is lifted after at
+/// least three others.
 fn unlifted<'a>(facts: &Facts<'a>) -> Option<(&'a Block, f64)> {
     const OTHERS: usize = 3;
     /// So many points have a line of a surface.
@@ -158,8 +159,8 @@ enum Height {
     Over(f64),
 }
 
-/// The only block that turns the axes of a tilted plane, or back, after a retraction that is far less than that before all
-/// the others.
+/// The only block that turns the axes of a tilted plane, or back, after a retraction that is far less than that before
+/// all the others.
 fn unlike_others<'a>(facts: &Facts<'a>) -> Option<(&'a Block, Option<f64>)> {
     /// So many others make a rule.
     const OTHERS: usize = 2;

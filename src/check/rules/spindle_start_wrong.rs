@@ -1,9 +1,9 @@
 //! A tool that machines although nothing has turned the spindle on since it was called, or with a spindle that turns
 //! counter-clockwise: a mill or drill that nothing calls left-hand, or any tool where an execution shows it.
 //!
-//! Each is reported once for a tool call. Left-hand taps and milled threads may turn that way, a cycle that taps rigidly
-//! or has its own drilling speed turns the spindle itself, and nothing is said in turning or after M functions of the
-//! machine builder.
+//! Each is reported once for a tool call. Left-hand taps and milled threads may turn that way, a cycle that taps
+//! rigidly or has its own drilling speed turns the spindle itself, and nothing is said in turning or after M functions
+//! of the machine builder.
 use std::collections::HashSet;
 
 use super::spindle_off::{mills, turns_spindle};

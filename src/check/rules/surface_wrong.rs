@@ -1,9 +1,9 @@
-//! A cycle that begins at a height at which there is no material or still is some: above a face that the program has milled
-//! lower, or above the blank where the same height with the other sign is the floor on which others work.
+//! A cycle that begins at a height at which there is no material or still is some: above a face that the program has
+//! milled lower, or above the blank where the same height with the other sign is the floor on which others work.
 //!
-//! Also a cycle of the first controls, whose surface lies by the set-up clearance below the place where it is called, and
-//! which is called far too high, or at a height inside of the blank; and a pattern that sets another surface than the cycle
-//! which it calls: that of the pattern acts.
+//! Also a cycle of the first controls, whose surface lies by the set-up clearance below the place where it is called,
+//! and which is called far too high, or at a height inside of the blank; and a pattern that sets another surface than
+//! the cycle which it calls: that of the pattern acts.
 //!
 //! Also a cycle for holes, pockets or contours that meets nothing although it goes below the top of the blank, where an
 //! execution shows it: a tool that the table knows has removed all of it before.

@@ -1,8 +1,9 @@
-//! A tap where no hole was drilled, in a program that drills others; a tap that goes deeper than its hole; a thread mill
-//! outside of a stud that goes into the floor around it.
+//! A tap where no hole was drilled, in a program that drills others; a tap that goes deeper than its hole; a thread
+//! mill outside of a stud that goes into the floor around it.
 //!
 //! Only where the places and depths of all holes are known, in programs with a box as their blank and without
-//! transformations; of cycles of the first controls also only without repetitions. A hole that goes through the blank is deep enough. Each is said once a program.
+//! transformations; of cycles of the first controls also only without repetitions. A hole that goes through the blank
+//! is deep enough. Each is said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::Blank;
 use crate::check::early::{EarlyCall, FirstWay};

@@ -1,10 +1,11 @@
 //! A tool that is used otherwise than the tool table says: faster than its greatest speed (NMAX), although it is locked
-//! (TL) and no replacement tool is named (RT), for something that a tool of its type (TYP, of turning tools TYPE) is not
-//! there for, without a length among tools that have one, to be measured tooth by tooth without a number of teeth, for centring to a diameter without a point angle (T-ANGLE), or for a left-hand thread although nothing says that
-//! the tap is a left-hand one.
+//! (TL) and no replacement tool is named (RT), for something that a tool of its type (TYP, of turning tools TYPE) is
+//! not there for, without a length among tools that have one, to be measured tooth by tooth without a number of teeth,
+//! for centring to a diameter without a point angle (T-ANGLE), or for a left-hand thread although nothing says that the
+//! tap is a left-hand one.
 //!
-//! Only where the table is named (`--table`, `tables` in `ciklo.toml`) and has the columns. Of the types those are judged
-//! whose name leaves no doubt; each is reported once for a tool call.
+//! Only where the table is named (`--table`, `tables` in `ciklo.toml`) and has the columns. Of the types those are
+//! judged whose name leaves no doubt; each is reported once for a tool call.
 use std::cell::OnceCell;
 use std::collections::HashSet;
 
@@ -227,8 +228,8 @@ fn teeth(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<
     }
 }
 
-/// Turning cycles that are called with a turning tool of another type: threads are turned with one for threads only, and
-/// nothing else is; recesses with one for recesses or recess turning. Reported once for a tool call.
+/// Turning cycles that are called with a turning tool of another type: threads are turned with one for threads only,
+/// and nothing else is; recesses with one for recesses or recess turning. Reported once for a tool call.
 fn turned(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<Diagnostic>) {
     let mut reported = HashSet::new();
     for call in &facts.run.calls {

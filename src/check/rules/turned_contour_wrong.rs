@@ -1,10 +1,11 @@
-//! Turning to a contour that cannot be meant: its end or a corner of it is above the blank, a recess is narrower than the tool, the same tool
-//! recesses inwards and outwards, a contour without undercuts falls below the diameter with which it begins, a rounding
-//! needs more of a line than there is, a recess is deeper than the tool is long, a face ends in an edge without any width.
-//! Where an execution shows it, also turning through the wall of the part, and a cycle that turns only in the air.
+//! Turning to a contour that cannot be meant: its end or a corner of it is above the blank, a recess is narrower than
+//! the tool, the same tool recesses inwards and outwards, a contour without undercuts falls below the diameter with
+//! which it begins, a rounding needs more of a line than there is, a recess is deeper than the tool is long, a face
+//! ends in an edge without any width. Where an execution shows it, also turning through the wall of the part, and a
+//! cycle that turns only in the air.
 //!
-//! The width of the tool is that of the table of turning tools. The tool position that a cycle takes as the start of the
-//! contour is known where movements directly before the call name it as numbers.
+//! The width of the tool is that of the table of turning tools. The tool position that a cycle takes as the start of
+//! the contour is known where movements directly before the call name it as numbers.
 use std::collections::HashMap;
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
@@ -295,8 +296,8 @@ fn narrowest<'a>(points: &[Point<'a>]) -> Option<(&'a Block, f64)> {
     bottoms.min_by(|one, other| one.1.total_cmp(&other.1))
 }
 
-/// The first point at which a contour of lines that grows in all other places comes back at once from a face, so that an edge
-/// without any width stays: its block, its diameter and the one to which it falls.
+/// The first point at which a contour of lines that grows in all other places comes back at once from a face, so that
+/// an edge without any width stays: its block, its diameter and the one to which it falls.
 fn ridge<'a>(points: &[Point<'a>]) -> Option<(&'a Block, f64, f64)> {
     if !points.iter().all(|point| point.straight) {
         return None;

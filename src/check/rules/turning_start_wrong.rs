@@ -1,7 +1,7 @@
-//! A turning cycle that begins elsewhere than where the tool is: the tool is beyond the end of the contour, or the contour
-//! ends at a positive Z and leads away from the part. Also, where an execution shows it: a tool whose name says that it is
-//! for inside, or that has turned there, turns outside, or the other way round; turning inside begins beside the hole that
-//! is there, or with a bar that is wider.
+//! A turning cycle that begins elsewhere than where the tool is: the tool is beyond the end of the contour, or the
+//! contour ends at a positive Z and leads away from the part. Also, where an execution shows it: a tool whose name says
+//! that it is for inside, or that has turned there, turns outside, or the other way round; turning inside begins beside
+//! the hole that is there, or with a bar that is wider.
 //!
 //! Only where the last movements before the call say where the tool is, and no datum shift is active. A contour is only
 //! looked at if its cycle names its corners (TNC 640, 001: 7404-7560): those of subprograms may begin anywhere.

@@ -1,11 +1,11 @@
 //! A value that differs only by its sign, by a factor of ten or by two exchanged digits from the one that all other
 //! definitions of the same cycle have there, or a depth of a plain plunge that differs so from all others.
 //!
-//! At least two others, and all of them equal. Coordinates, angles and choices are not compared. The clearance heights of
-//! all touch-probe cycles are compared with each other, and so are those of all that measure tools. Of polar coordinates
-//! in a row of blocks the radius is compared, and the angle, if it grows by the same in all the others. The feeds of cycles
-//! and of contours are compared with that of the tool call. Each is reported. So is the one point of a path of many points
-//! that sticks out of it, where such a slip brings it back.
+//! At least two others, and all of them equal. Coordinates, angles and choices are not compared. The clearance heights
+//! of all touch-probe cycles are compared with each other, and so are those of all that measure tools. Of polar
+//! coordinates in a row of blocks the radius is compared, and the angle, if it grows by the same in all the others. The
+//! feeds of cycles and of contours are compared with that of the tool call. Each is reported. So is the one point of a
+//! path of many points that sticks out of it, where such a slip brings it back.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};

@@ -1,6 +1,6 @@
 //! A word of a block with a value that it does not take, or that contradicts another word: SPA+400, MOVE and TURN, an
-//! error number of FN 14 that does not exist, a tool number below 0, `FN 4 … / …` for DIV. Also an undersize of millimetres for
-//! the length of a tool: it then goes so much deeper.
+//! error number of FN 14 that does not exist, a tool number below 0, `FN 4 … / …` for DIV. Also an undersize of
+//! millimetres for the length of a tool: it then goes so much deeper.
 //!
 //! What words take is in the file of the language. Parameters are passed over.
 use std::collections::BTreeMap;

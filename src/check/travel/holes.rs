@@ -241,8 +241,8 @@ impl Walk<'_, '_> {
             || depth.zip(width).is_some_and(|(depth, width)| depth.abs() < width / 2.0)
     }
 
-    /// Whether a round pocket is cut by the edge of the blank, or a rectangular one covers all of it, or goes far beyond
-    /// it at both ends.
+    /// Whether a round pocket is cut by the edge of the blank, or a rectangular one covers all of it, or goes far
+    /// beyond it at both ends.
     fn goes_over(&self, read: &Definition<'_>, place: [f64; 2]) -> bool {
         let value = |meaning: &str| read.item(meaning).and_then(number);
         let room = OVER * self.unit;
@@ -267,8 +267,8 @@ impl Walk<'_, '_> {
             || sides.iter().any(|(axis, side)| beyond(*axis, *side, end))
     }
 
-    /// A cycle comes down at rapid to the set-up clearance above its surface, which must not be inside of the blank where
-    /// nothing has been cut.
+    /// A cycle comes down at rapid to the set-up clearance above its surface, which must not be inside of the blank
+    /// where nothing has been cut.
     fn come_down(&mut self, read: &Definition<'_>, place: [f64; 2]) {
         let value = |meaning: &str| read.item(meaning).and_then(number);
         let (Some(item), Some(surface), Some(clearance)) = (read.item(SURFACE), value(SURFACE), value(CLEARANCE))

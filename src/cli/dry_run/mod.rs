@@ -164,12 +164,7 @@ struct Part {
 
 impl Part {
     /// Before a run in a scene; a tool that leans takes long, so that columns are wider then.
-    fn new(
-        file: &Understood,
-        (run, scene): (&Program, &Scene),
-        knows_presets: bool,
-        leans: bool,
-    ) -> Option<Self> {
+    fn new(file: &Understood, (run, scene): (&Program, &Scene), knows_presets: bool, leans: bool) -> Option<Self> {
         let blank = Blank::find(run, scene).ok()?;
         let [min, max] = blank.bounds;
         let resolution = leans.then(|| (max - min).max_element() / OF_LEANING);
@@ -201,8 +196,9 @@ impl Part {
 
 /// How long the stock is where it is thought to be, and the tool.
 ///
-/// The second preset of a program whose presets are not known may be that of another face; where the workpiece is after a
-/// rotary axis was turned without tilting the plane, and where a position in machine coordinates is, depends on the machine.
+/// The second preset of a program whose presets are not known may be that of another face; where the workpiece is after
+/// a rotary axis was turned without tilting the plane, and where a position in machine coordinates is, depends on the
+/// machine.
 struct Sight {
     knows_presets: bool,
     /// The program, and the lines that name positions in machine coordinates.
@@ -210,7 +206,8 @@ struct Sight {
     of_machine: BTreeSet<usize>,
     preset: Option<f64>,
     tilted: bool,
-    /// The thread mills, which are narrower above their edges; whether one is in the spindle, and the lines where it has moved.
+    /// The thread mills, which are narrower above their edges; whether one is in the spindle, and the lines where it
+    /// has moved.
     thread_mills: Vec<f64>,
     threading: bool,
     threaded: BTreeSet<usize>,
@@ -303,8 +300,8 @@ fn is_rapid(code: &str) -> bool {
 /// What was found in the material, the first of each kind.
 fn of_material(all: &[Finding], threaded: &BTreeSet<usize>, file: &Understood) -> Vec<Diagnostic> {
     let source = file.program.source();
-    // Where the spindle is stationary in material, as when a boring bar retracts, the stock does not know the shape of the
-    // tool well enough.
+    // Where the spindle is stationary in material, as when a boring bar retracts, the stock does not know the shape of
+    // the tool well enough.
     let stationary = |finding: &Finding| {
         let same = |other: &Finding| other.kind == FindingKind::SpindleStopped && other.line == finding.line;
         all.iter().any(same)

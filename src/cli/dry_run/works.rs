@@ -1,8 +1,8 @@
 //! What cycles take away in an execution: one that mills or drills, and removes nothing at all, works in the air.
 //!
-//! Each call of a cycle is one piece of work, as are calls from one block in a row. Left out are cycles that finish, as they
-//! may take away less than the columns of the stock show; threads, reamed and bored holes for the same reason; tools that
-//! are hardly wider than a column; and what the stock could not follow.
+//! Each call of a cycle is one piece of work, as are calls from one block in a row. Left out are cycles that finish, as
+//! they may take away less than the columns of the stock show; threads, reamed and bored holes for the same reason;
+//! tools that are hardly wider than a column; and what the stock could not follow.
 use std::collections::BTreeSet;
 
 use crate::check::{ToolKind, is_reaming};
@@ -99,8 +99,8 @@ impl<'w> Works<'w> {
         }
     }
 
-    /// The first line at which a cycle removes nothing, with the cycle. `cuts` are the events that have removed something,
-    /// in their order.
+    /// The first line at which a cycle removes nothing, with the cycle. `cuts` are the events that have removed
+    /// something, in their order.
     pub(super) fn idle(&self, cuts: &[u64]) -> Option<(usize, CycleKey)> {
         let cuts_in = |work: &Work| {
             let from = cuts.partition_point(|event| *event < work.first);
@@ -111,7 +111,9 @@ impl<'w> Works<'w> {
 
     /// Whether a cycle takes away so much with this tool that the stock shows it.
     fn removes(&self, key: CycleKey) -> bool {
-        let Some(cycle) = self.cycle(key).filter(|_| self.wide && key.keyword == Keyword::CyclDef) else { return false };
+        let Some(cycle) = self.cycle(key).filter(|_| self.wide && key.keyword == Keyword::CyclDef) else {
+            return false;
+        };
         let has = |meaning: &str| parameter(cycle, meaning).is_some();
         match cycle.file.group {
             Group::Pockets => has(OPERATION) && !self.finishing.contains(&key),

@@ -85,7 +85,8 @@ pub(crate) struct Settings<'e> {
 }
 
 impl Settings<'_> {
-    /// Whether the run only assumes what a machine would find: then it writes no logs and passes over what it does not know.
+    /// Whether the run only assumes what a machine would find: then it writes no logs and passes over what it does not
+    /// know.
     pub(crate) fn only_assumes(&self) -> bool {
         self.touching == Touching::AsExpected
     }

@@ -93,17 +93,17 @@ impl<'e> Engine<'e> {
         self
     }
 
-    /// The same with a part that lies, and a tool that is, exactly as the cycles that probe them are entered, whatever the
-    /// scene has: each probing finds its touch point at the clearance of the cycle, and nothing collides.
+    /// The same with a part that lies, and a tool that is, exactly as the cycles that probe them are entered, whatever
+    /// the scene has: each probing finds its touch point at the clearance of the cycle, and nothing collides.
     #[must_use]
     pub const fn touching_as_expected(mut self) -> Self {
         self.settings.touching = Touching::AsExpected;
         self
     }
 
-    /// The same, and the program goes on where it can: a cycle that is called and does not come to its end is left with an
-    /// event that says why, one that nobody describes is passed over, and values that a definition has in addition, lacks or
-    /// has out of their range do not matter.
+    /// The same, and the program goes on where it can: a cycle that is called and does not come to its end is left with
+    /// an event that says why, one that nobody describes is passed over, and values that a definition has in addition,
+    /// lacks or has out of their range do not matter.
     #[must_use]
     pub const fn going_on_after_faults(mut self) -> Self {
         self.settings.after_faults = true;

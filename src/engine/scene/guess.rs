@@ -1,8 +1,8 @@
 //! A scene for programs that come without one: their tools with what they define themselves, their blank, a probe if
 //! they probe.
 //!
-//! Invariant: whatever the programs do not say is named as assumed; what comes out is the text of a scene file, which is
-//! read as any other.
+//! Invariant: whatever the programs do not say is named as assumed; what comes out is the text of a scene file, which
+//! is read as any other.
 use std::fmt::Write as _;
 
 use super::super::geometry::INCH;
@@ -167,13 +167,14 @@ impl Guess {
         guess
     }
 
-    /// Whether blocks name positions of rotary axes other than those of a tilted plane: where these lead to depends on the
-    /// machine, which is assumed.
+    /// Whether blocks name positions of rotary axes other than those of a tilted plane: where these lead to depends on
+    /// the machine, which is assumed.
     pub const fn positions_rotary_axes(&self) -> bool {
         self.positioned
     }
 
-    /// Gives tools that recess, and that the tool table has without a cutting width, an insert in the table of turning tools.
+    /// Gives tools that recess, and that the tool table has without a cutting width, an insert in the table of turning
+    /// tools.
     pub fn assume_inserts(&self, tools: &Table, turning: &mut Table) {
         let [width, nose] = NARROW;
         for tool in self.tools.iter().filter(|tool| tool.recesses && tools.has_row(tool.number)) {
@@ -371,8 +372,8 @@ impl GuessedTool {
     }
 }
 
-/// Whether a position of a rotary axis is 0, or the one that the control has calculated for the tilted plane (Q120 to Q122):
-/// these lead to the same place of the part on any machine.
+/// Whether a position of a rotary axis is 0, or the one that the control has calculated for the tilted plane (Q120 to
+/// Q122): these lead to the same place of the part on any machine.
 fn leads_to_plane(amount: Amount) -> bool {
     match amount {
         Amount::Number(number) => number == 0.0,
@@ -428,8 +429,8 @@ fn has(on: &OnControl, definition: &CycleDef, meaning: &str) -> bool {
     cycle.is_some_and(|cycle| cycle.params.iter().any(|param| param.is.as_str() == meaning))
 }
 
-/// Whether a cycle needs a touch probe for workpieces. Of one that no manual of the control describes the tool decides: it
-/// may measure the tool as well.
+/// Whether a cycle needs a touch probe for workpieces. Of one that no manual of the control describes the tool decides:
+/// it may measure the tool as well.
 fn probes(on: &OnControl, keyword: CycleKeyword, number: u32, is_probe: &dyn Fn() -> bool) -> bool {
     let cycle = key(keyword, number).and_then(|key| on.cycles.get(&key));
     keyword == CycleKeyword::TchProbe && cycle.map_or_else(is_probe, |cycle| cycle.file.group != Group::ToolMeasurement)

@@ -257,8 +257,8 @@ impl Machining {
         found
     }
 
-    /// The numbers of the events, from 1, whose moves have removed something since this was asked last, in their order; the
-    /// first question makes them be kept.
+    /// The numbers of the events, from 1, whose moves have removed something since this was asked last, in their order;
+    /// the first question makes them be kept.
     pub fn cuts(&mut self) -> Vec<u64> {
         self.settle();
         let mut cuts = self.cuts.replace(Vec::new()).unwrap_or_default();
@@ -296,8 +296,8 @@ impl Machining {
         }
     }
 
-    /// Follows the axis of the table on which the blank is clamped while it turns, alone or together with the last move.
-    /// Whether that could be done.
+    /// Follows the axis of the table on which the blank is clamped while it turns, alone or together with the last
+    /// move. Whether that could be done.
     fn follow_turn(&mut self, axes: &[Turned], turn: &TableTurn, at: &Place) -> bool {
         let Some(clamped) = self.machine.clamped_on().copied() else { return false };
         let alone = matches!(axes, [one] if one.axis == clamped.axis) && !self.tip_held;

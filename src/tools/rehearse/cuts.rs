@@ -8,7 +8,8 @@ use crate::check::{Incident, ToolKind};
 use crate::program::syntax::{Amount, BlockKind, FeedKind, Operand};
 use crate::spec::CycleKey;
 
-/// A feed so many times that of the tool call is one for positioning, and one at which the tool cuts is hardly above it.
+/// A feed so many times that of the tool call is one for positioning, and one at which the tool cuts is hardly above
+/// it.
 const POSITIONING: f64 = 3.0;
 const CUTTING: f64 = 1.1;
 /// A floor beside a stud lies so far below the place where a milled thread begins, mm.

@@ -1,15 +1,16 @@
-//! What a program does to its blank when it is executed, for the checker: the engine knows the ways through subprograms,
-//! called programs, patterns, transformations and parameters that the checker does not follow.
+//! What a program does to its blank when it is executed, for the checker: the engine knows the ways through
+//! subprograms, called programs, patterns, transformations and parameters that the checker does not follow.
 //!
-//! Tools of which nothing is known, presets and the way that the tool takes after a change are assumed, so only what does
-//! not depend on them is reported: what a tool has removed is taken for more than it may be, and what it meets is looked
-//! at along the line of its tip. Nothing is said while a rotary axis is away from zero, while the workpiece turns, while
-//! a probe is in the spindle, while a tool has another axis than the blank, and after a second preset. Of a program
-//! without a blank only holes and the use of its tools are followed.
+//! Tools of which nothing is known, presets and the way that the tool takes after a change are assumed, so only what
+//! does not depend on them is reported: what a tool has removed is taken for more than it may be, and what it meets is
+//! looked at along the line of its tip. Nothing is said while a rotary axis is away from zero, while the workpiece
+//! turns, while a probe is in the spindle, while a tool has another axis than the blank, and after a second preset. Of
+//! a program without a blank only holes and the use of its tools are followed.
 //!
-//! `mod.rs` sets up the run, `body.rs` is the blank, `remains.rs` what is left of it, `watcher.rs` follows the events, `cuts.rs` judges movements that cut, `work.rs` what a cycle has done,
-//! `path.rs` what plain movements have, `tilted.rs` what is done in a tilted plane, `turned.rs` what is turned, `series.rs`
-//! the holes of the whole program together, `unsure.rs` forgets what is no longer known.
+//! `mod.rs` sets up the run, `body.rs` is the blank, `remains.rs` what is left of it, `watcher.rs` follows the events,
+//! `cuts.rs` judges movements that cut, `work.rs` what a cycle has done, `path.rs` what plain movements have,
+//! `tilted.rs` what is done in a tilted plane, `turned.rs` what is turned, `series.rs` the holes of the whole program
+//! together, `unsure.rs` forgets what is no longer known.
 //!
 //! Invariant: a run is bounded, and ends where the engine cannot go on; what was seen before that holds.
 mod body;
@@ -154,9 +155,9 @@ impl Rehearsal<'_> {
     }
 }
 
-/// The program without what would end its execution and changes nothing of where the tool goes, if it has such: blocks that
-/// only round the way to a contour and from it are comments, since the manuals do not say where the tool goes there; a feed
-/// of some height stands for `FMAX` at the points of a table, which no control takes and a finding names.
+/// The program without what would end its execution and changes nothing of where the tool goes, if it has such: blocks
+/// that only round the way to a contour and from it are comments, since the manuals do not say where the tool goes
+/// there; a feed of some height stands for `FMAX` at the points of a table, which no control takes and a finding names.
 pub fn without_obstacles(program: &Program) -> Option<Program> {
     let source = program.source().text();
     let mut edits = Vec::new();

@@ -1,7 +1,8 @@
 //! What may be left of the blank: a height for each column of cells along the tool axis.
 //!
-//! Invariant: never more than what is left. Whatever a tool may have removed is gone, so what is found here is material.
-//! Beside it the heights above which there is certainly none: only what a tool that is known has removed is gone from them.
+//! Invariant: never more than what is left. Whatever a tool may have removed is gone, so what is found here is
+//! material. Beside it the heights above which there is certainly none: only what a tool that is known has removed is
+//! gone from them.
 use glam::DVec3;
 
 use super::body::{Body, SKIN};
@@ -59,8 +60,8 @@ impl Remains {
         top.filter(|_| self.is_solid(place)).map_or(0.0, |top| top - place.z)
     }
 
-    /// Takes away what a tool of a radius may cut at places, and certainly cuts within another one; `up` is the way along its
-    /// axis.
+    /// Takes away what a tool of a radius may cut at places, and certainly cuts within another one; `up` is the way
+    /// along its axis.
     pub(super) fn cut(&mut self, places: &[DVec3], (radius, sure): (f64, f64), up: DVec3) {
         let Some(body) = self.body else { return };
         let flat = up.truncate().length();

@@ -1,8 +1,8 @@
-//! The holes of a whole program together: what was centred and what drilled, what was drilled and what tapped, and circles
-//! of holes that lack one.
+//! The holes of a whole program together: what was centred and what drilled, what was drilled and what tapped, and
+//! circles of holes that lack one.
 //!
-//! Invariant: only of programs of which all holes are known: those that came to their end, or to a block after which nothing
-//! is drilled.
+//! Invariant: only of programs of which all holes are known: those that came to their end, or to a block after which
+//! nothing is drilled.
 use super::body::{Body, SAME};
 use super::watcher::Watcher;
 use super::work::Work;
@@ -53,8 +53,8 @@ struct Row {
     places: Vec<([f64; 2], usize, usize)>,
 }
 
-/// The preset, its place and its turn, the tilt of the plane and the rotary axes: places of the machine in the same setting
-/// are places of one workpiece.
+/// The preset, its place and its turn, the tilt of the plane and the rotary axes: places of the machine in the same
+/// setting are places of one workpiece.
 type Setting = Vec<i64>;
 
 /// The rows of a program.
@@ -246,8 +246,8 @@ fn stray(rows: &[Row]) -> Option<(usize, [f64; 2])> {
     })
 }
 
-/// The first hole of a row of which only a part is tapped or reamed though all are as wide as the tap or reamer needs, with
-/// the line of that, and whether it is a reamer.
+/// The first hole of a row of which only a part is tapped or reamed though all are as wide as the tap or reamer needs,
+/// with the line of that, and whether it is a reamer.
 fn unfinished(rows: &[Row]) -> Option<(usize, [f64; 2], bool)> {
     for (at, finishes) in rows.iter().enumerate().filter(|(_, row)| row.finishes()) {
         for drilled in rows.iter().take(at).filter(|row| row.kind == Kind::Drilled) {
@@ -294,7 +294,8 @@ impl Watcher<'_> {
         self.holes.iter().any(|own| is_same(own.at, place))
     }
 
-    /// The only hole of a row that was not centred, or the only centred place of a row to which no tool comes, with its line.
+    /// The only hole of a row that was not centred, or the only centred place of a row to which no tool comes, with its
+    /// line.
     fn left_out(&self, rows: &[Row], kind: Kind) -> Option<(usize, [f64; 2])> {
         rows.iter().enumerate().filter(|(_, row)| row.kind == kind && row.places.len() >= SEVERAL).find_map(
             |(at, row)| {
@@ -311,8 +312,8 @@ impl Watcher<'_> {
         )
     }
 
-    /// The first place of a row that is tapped or reamed without a hole, while holes of another row that are as wide as it
-    /// needs stay as they are.
+    /// The first place of a row that is tapped or reamed without a hole, while holes of another row that are as wide as
+    /// it needs stay as they are.
     fn beside_holes(&self, rows: &[Row]) -> Option<(usize, [f64; 2], bool)> {
         for (at, finishes) in rows.iter().enumerate().filter(|(_, row)| row.finishes()) {
             let before = || rows.iter().take(at);
@@ -345,8 +346,8 @@ impl Watcher<'_> {
     }
 }
 
-/// The hole of four that is not at the corner of the rectangle which the others form, by a slip in one coordinate: its line,
-/// and the corner.
+/// The hole of four that is not at the corner of the rectangle which the others form, by a slip in one coordinate: its
+/// line, and the corner.
 fn corner(row: &Row) -> Option<(usize, [f64; 2])> {
     let places: Vec<[f64; 2]> = row.places.iter().map(|(place, ..)| *place).collect();
     let [_, _, _, _] = places.as_slice() else { return None };

@@ -37,7 +37,8 @@ impl Watcher<'_> {
         }
     }
 
-    /// A movement in a tilted plane to which the rotary axes have turned: whether a cycle for holes meets the blank at all.
+    /// A movement in a tilted plane to which the rotary axes have turned: whether a cycle for holes meets the blank at
+    /// all.
     pub(super) fn drill_tilted(&mut self, path: &Path, feeds: bool, key: Option<CycleKey>) {
         let turned = self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6);
         let certain = self.tilted && turned && !self.lost && !self.across && self.known == [true; 3];

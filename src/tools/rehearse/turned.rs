@@ -1,8 +1,8 @@
 //! What turning cycles do to a round blank: on which side of the part they work and with which tool, whether a bar goes
 //! deeper than the hole that was drilled, through the wall, or past everything that is there.
 //!
-//! Invariant: an outside and an inside radius for each slice along the rotary axis; slices that the workpiece may not have
-//! any more, or of which something is not known, say nothing.
+//! Invariant: an outside and an inside radius for each slice along the rotary axis; slices that the workpiece may not
+//! have any more, or of which something is not known, say nothing.
 use glam::DVec3;
 
 use super::body::{Body, SAME, SKIN};
@@ -66,7 +66,8 @@ struct Pass {
     inside: bool,
     /// The slices before.
     before: Vec<[f64; 2]>,
-    /// Whether anything was cut, and where it comes nearest to the part: how far from it, its radius and that of the part.
+    /// Whether anything was cut, and where it comes nearest to the part: how far from it, its radius and that of the
+    /// part.
     cuts: bool,
     nearest: Option<[f64; 3]>,
     /// How much of a wall is gone, and the radii of its other side.

@@ -93,7 +93,8 @@ pub(super) struct Watcher<'w> {
     pub(super) cuts: bool,
     preset: Option<f64>,
     pub(super) worked: bool,
-    /// Whether the operator was asked to go on after something was machined, and whether rows of holes were uncertain then.
+    /// Whether the operator was asked to go on after something was machined, and whether rows of holes were uncertain
+    /// then.
     pub(super) stopped: Option<bool>,
     pub(super) radii: Vec<(f64, f64)>,
     /// The radii within which tools are flat at their end.
@@ -426,8 +427,8 @@ impl<'w> Watcher<'w> {
         self.kinds.iter().find(|(number, _)| Some(*number) == self.tool).map(|(_, kind)| *kind)
     }
 
-    /// A movement, at a feed if it is not a rapid one; with the line where it is written, and the block if that is one of
-    /// the program itself and no cycle makes the movement.
+    /// A movement, at a feed if it is not a rapid one; with the line where it is written, and the block if that is one
+    /// of the program itself and no cycle makes the movement.
     fn go(&mut self, path: &Path, feed: Option<f64>, key: Option<CycleKey>, (line, block): (usize, Option<&Block>)) {
         let begun = self.known == [true; 3];
         let from = self.place(path.at(0.0));
@@ -488,8 +489,8 @@ impl<'w> Watcher<'w> {
         self.cut(&places);
     }
 
-    /// Whether the blocks since the last tool call may say where the tool is in the plane: a movement to where it happens to
-    /// be is none, and what was done elsewhere in the text is not looked at.
+    /// Whether the blocks since the last tool call may say where the tool is in the plane: a movement to where it
+    /// happens to be is none, and what was done elsewhere in the text is not looked at.
     fn is_placed(&self) -> bool {
         if self.line <= self.called {
             return true;

@@ -1,5 +1,5 @@
-//! What cycles have done at a place: holes beside the blank, one over the other, too narrow or too wide for what follows,
-//! pockets and texts outside.
+//! What cycles have done at a place: holes beside the blank, one over the other, too narrow or too wide for what
+//! follows, pockets and texts outside.
 use glam::{DVec2, DVec3};
 
 use super::body::{Body, SAME, SKIN};
@@ -121,8 +121,8 @@ impl Watcher<'_> {
         }
     }
 
-    /// Another preset is activated after the operator was asked to go on: the workpiece is clamped otherwise, and nothing is
-    /// known of its blank, but holes that belong together have the same datum again.
+    /// Another preset is activated after the operator was asked to go on: the workpiece is clamped otherwise, and
+    /// nothing is known of its blank, but holes that belong together have the same datum again.
     pub(super) fn clamp_again(&mut self, other: bool) {
         let Some(open) = self.stopped.filter(|_| other && self.worked) else { return };
         self.stopped = None;
@@ -445,7 +445,8 @@ pub(super) fn mills_thread_in_hole(cycle: &Cycle) -> bool {
     is_milling(cycle) && depths.next().is_some() && depths.next().is_none()
 }
 
-/// Whether a cycle mills a thread on the outside of a stud: it has a depth at the front, but drills and countersinks nothing.
+/// Whether a cycle mills a thread on the outside of a stud: it has a depth at the front, but drills and countersinks
+/// nothing.
 pub(super) fn mills_thread_outside(cycle: &Cycle) -> bool {
     let mut depths = cycle.params.iter().map(|param| param.is.as_str()).filter(|own| own.contains("depth"));
     let mills = is_milling(cycle);
@@ -457,8 +458,8 @@ fn lowest(holes: &[Hole]) -> Option<Hole> {
     holes.iter().copied().min_by(|one, other| one.bottom.total_cmp(&other.bottom))
 }
 
-/// The narrowest and the widest hole in which a metric thread of a diameter is cut or formed, whatever its pitch: cutting
-/// the coarse one needs the narrowest, forming it the widest; finer ones lie nearer to the diameter.
+/// The narrowest and the widest hole in which a metric thread of a diameter is cut or formed, whatever its pitch:
+/// cutting the coarse one needs the narrowest, forming it the widest; finer ones lie nearer to the diameter.
 fn core(diameter: f64) -> Option<(f64, f64)> {
     let (_, coarse) = crate::check::COARSE.iter().find(|(own, _)| (own - diameter).abs() <= 0.02)?;
     Some((diameter - 1.35 * coarse, diameter - 0.3 * coarse))
