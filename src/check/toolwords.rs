@@ -68,7 +68,7 @@ impl ToolKind {
                 ("GEW" | "GEWINDE", _) if next.starts_with("FR") => return Some(Self::ThreadMill),
                 ("CENTER" | "CENTRE" | "CENTERING" | "CENTRING", "DRILL") => return Some(Self::Spot),
                 ("BACK", _) if next.starts_with("BOR") => return Some(Self::BackBoring),
-                ("DRILL", "MILL") => return None,
+                ("DRILL", "MILL" | "THREAD") => return None,
                 _ => {}
             }
             let is = |whole: &[&str], stems: &[&str]| {
