@@ -15,15 +15,18 @@
 //! Invariant: a run is bounded, and ends where the engine cannot go on; what was seen before that holds.
 mod body;
 mod cuts;
+mod lathe;
 mod path;
 pub mod presets;
 mod remains;
 mod series;
 mod tilted;
 mod turned;
+mod undescribed;
 mod unsure;
 mod watcher;
 mod work;
+pub mod works;
 
 use self::body::Body;
 use self::presets::{any_preset, goes_on};
@@ -38,7 +41,7 @@ use crate::engine::stock::Blank;
 use crate::program::fields::key;
 use crate::program::syntax::{self, Amount, BlockKind, CallForm, FeedKind, Program, ToolRef};
 use crate::program::table::Table;
-use crate::spec::{Catalogue, Keyword, Known, OnControl};
+use crate::spec::{Catalogue, Known, OnControl};
 
 /// Longer programs are not executed: posts write them, and their ways are all in the text.
 const MOST_BLOCKS: usize = 3_000;
@@ -208,19 +211,6 @@ pub fn describing<'c>(own: &'c OnControl, catalogue: &'c Catalogue, program: &Pr
     }
     let others = catalogue.controls.values().filter(|other| other.id() != own.id()).rev();
     std::iter::once(own).chain(others).min_by_key(|on| lacks(on)).unwrap_or(own)
-}
-
-/// The first lines of the definitions of cycles that no control describes: an execution passes over them.
-pub fn undescribed(program: &Program, on: &OnControl, catalogue: &Catalogue) -> Vec<usize> {
-    let mut lines = Vec::new();
-    program.each_cycle(|view| {
-        let own = key(view.keyword, view.number);
-        let described = on.cycles.contains_key(&own) || catalogue.describing(own).is_some();
-        if !described && own.keyword == Keyword::CyclDef {
-            lines.extend(program.blocks().get(view.first).map(|block| block.line));
-        }
-    });
-    lines
 }
 
 /// Whether a program calls a tool: without one, and without a blank, what is executed shows nothing.

@@ -1,11 +1,11 @@
 //! What turning cycles do to a round blank: on which side of the part they work and with which tool, whether a bar goes
 //! deeper than the hole that was drilled, through the wall, or past everything that is there.
 //!
-//! Invariant: an outside and an inside radius for each slice along the rotary axis; slices that the workpiece may not
-//! have any more, or of which something is not known, say nothing.
+//! Invariant: what is not known of the workpiece says nothing.
 use glam::DVec3;
 
-use super::body::{Body, SAME, SKIN};
+use super::body::SAME;
+use super::lathe::{MOST_SLICES, Pass, WALL};
 use super::watcher::Watcher;
 use super::work::Work;
 use crate::check::{Incident, TurnedPart};
@@ -13,11 +13,7 @@ use crate::engine::machine::{Insert, InsertForm};
 use crate::engine::solid::Path;
 use crate::spec::{Cycle, CycleKey, Group};
 
-/// How thick a slice is, and so many there are at most.
-const SLICE: f64 = 0.25;
-const MOST_SLICES: f64 = 8_000.0;
-/// A wall that is thinner is none, and so much of its length is cut through, mm.
-const WALL: f64 = 0.5;
+/// So much of the length of a wall is cut through, mm.
 const THROUGH: f64 = 2.0;
 /// So far below the bottom of a hole a bar does not go, mm.
 const BELOW: f64 = 1.0;
@@ -30,135 +26,6 @@ const BEYOND: (f64, f64) = (6.0, 0.1);
 /// The meanings that only cycles for recesses and for threads have.
 const RECESS: &str = "recess-clearance";
 const THREAD: &str = "turned-thread-pitch";
-
-/// The round workpiece while it is turned.
-pub(super) struct Turned {
-    low: f64,
-    slice: f64,
-    /// The radius of the bore of the blank.
-    bore: f64,
-    /// The outside and inside radius of each slice.
-    slices: Vec<[f64; 2]>,
-    /// Down to where a face was turned: above, a ring may stay that is no wall.
-    faced: f64,
-    /// The bottom of the hole that was drilled in the middle, and its radius where that is known.
-    drilled: Option<(f64, Option<f64>)>,
-    /// Whether the workpiece is clamped otherwise, or something may have been removed that is not known.
-    pub(super) open: bool,
-    /// What the insert in the spindle is, as the last cycle has it.
-    insert: Option<Insert>,
-    /// Where the tool was when the last movement ended that is none of a cycle.
-    start: Option<DVec3>,
-    /// What the names of tools say of the side for which they are, and how wide bars for inside are.
-    pub(super) named: Vec<(f64, TurnedPart)>,
-    pub(super) bars: Vec<(f64, f64)>,
-    /// The tools that have turned outside, and those that have inside.
-    sides: [Vec<u64>; 2],
-    pass: Option<Pass>,
-}
-
-/// What one call of a cycle turns.
-struct Pass {
-    line: usize,
-    written: usize,
-    key: CycleKey,
-    recess: bool,
-    inside: bool,
-    /// The slices before.
-    before: Vec<[f64; 2]>,
-    /// Whether anything was cut, and where it comes nearest to the part: how far from it, its radius and that of the
-    /// part.
-    cuts: bool,
-    nearest: Option<[f64; 3]>,
-    /// How much of a wall is gone, and the radii of its other side.
-    through: f64,
-    other: f64,
-    /// How far below the bottom of the hole it goes, if it does.
-    deepest: Option<f64>,
-}
-
-impl Turned {
-    /// Of a blank, if it is round about the tool axis.
-    pub(super) fn of(body: Option<Body>) -> Self {
-        let round = body.filter(Body::is_round);
-        let (low, high) = round.map_or((0.0, 0.0), |body| (body.low.z, body.high.z));
-        let slice = SLICE.max((high - low) / MOST_SLICES);
-        let bore = round.map_or(0.0, |body| body.bore());
-        let outside = round.map_or(0.0, |body| (body.high.x - body.low.x) / 2.0);
-        let slices = vec![[outside, bore]; ((high - low) / slice).ceil() as usize];
-        let middle = round.is_some_and(|body| ((body.low + body.high) / 2.0).truncate().length() <= SAME);
-        let sides = [Vec::new(), Vec::new()];
-        let (named, bars) = (Vec::new(), Vec::new());
-        let (drilled, insert, start, pass) = (None, None, None, None);
-        let faced = f64::INFINITY;
-        Self { low, slice, bore, slices, faced, drilled, open: !middle, insert, start, named, bars, sides, pass }
-    }
-
-    fn high(&self) -> f64 {
-        self.low + self.slice * self.slices.len() as f64
-    }
-
-    /// The slice of a height.
-    fn at(&self, z: f64) -> Option<usize> {
-        let index = ((z - self.low) / self.slice).floor();
-        (index >= 0.0 && (index as usize) < self.slices.len()).then_some(index as usize)
-    }
-
-    /// A hole that was drilled in the middle.
-    fn drill(&mut self, bottom: f64, radius: Option<f64>) {
-        let (old, wide) = self.drilled.unwrap_or((f64::INFINITY, Some(0.0)));
-        let wider = wide.zip(radius).map(|(wide, radius)| wide.max(radius));
-        self.drilled = Some((old.min(bottom), wider));
-        let from = ((bottom - self.low) / self.slice).ceil().max(0.0) as usize;
-        for [_, inside] in self.slices.iter_mut().skip(from) {
-            *inside = inside.max(radius.unwrap_or_default());
-        }
-    }
-
-    /// Takes away what an insert may cut at a place of a pass.
-    fn cut(&mut self, place: DVec3, inside: bool, face: bool) {
-        let (radius, z) = (place.x.abs(), place.z);
-        if face && !inside {
-            self.faced = self.faced.min(z);
-            let from = ((z - self.low) / self.slice).ceil().max(0.0) as usize;
-            self.slices.iter_mut().skip(from).for_each(|[outside, _]| *outside = outside.min(radius));
-        } else if let Some([outside, bore]) = self.at(z).and_then(|at| self.slices.get_mut(at)) {
-            match inside {
-                true => *bore = bore.max(radius),
-                false => *outside = outside.min(radius),
-            }
-        }
-    }
-}
-
-impl Pass {
-    /// What a place of a way along the rotary axis does to the wall.
-    fn see(&mut self, before: [f64; 2], radius: f64, step: f64) {
-        let [outside, bore] = before;
-        let other = if self.inside { outside } else { bore };
-        let gone = if self.inside { radius > outside - SKIN } else { radius < bore + SKIN };
-        if bore > 0.0 && outside - bore > WALL && gone {
-            self.through += step;
-            self.other = if self.inside { other.max(self.other) } else { other };
-        }
-    }
-
-    /// How far a place is from the part before, at the slices beside it.
-    fn miss(&mut self, place: DVec3, [from, to]: [usize; 2]) {
-        let radius = place.x.abs();
-        let near = self.before.iter().take(to.saturating_add(1)).skip(from);
-        let surface = match self.inside {
-            true => near.map(|[_, bore]| *bore).reduce(f64::min),
-            false => near.map(|[outside, _]| *outside).reduce(f64::max),
-        };
-        let Some(surface) = surface else { return };
-        let beside = if self.inside { surface - radius } else { radius - surface };
-        self.cuts |= beside < 0.0;
-        if self.nearest.is_none_or(|[least, ..]| beside < least) {
-            self.nearest = Some([beside, radius, surface]);
-        }
-    }
-}
 
 impl Watcher<'_> {
     /// The insert of the tool in the spindle, as a cycle uses it.

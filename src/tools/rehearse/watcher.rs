@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use glam::DVec3;
 
 use super::body::{Body, SAME, SKIN};
+use super::lathe::Turned;
 use super::path::Ways;
 use super::presets::UNNAMED_PRESET;
 use super::remains::Remains;
 use super::series::Rows;
-use super::turned::Turned;
 use super::undescribed;
 use super::work::{Hole, Thread, Work};
 use crate::base::diag::{Arg, interned};
@@ -144,7 +144,7 @@ impl<'w> Watcher<'w> {
             on,
             catalogue,
             program,
-            unknown: undescribed(program, on, catalogue),
+            unknown: undescribed::lines(program, on, catalogue),
             blocks: program.blocks().iter().rev().map(|block| (block.line, block)).collect(),
             unit: if inch { 1.0 / MM_PER_INCH } else { 1.0 },
             body,

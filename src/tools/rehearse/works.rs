@@ -12,7 +12,7 @@ use crate::program::syntax::{CycleForm, Program, ValueKind};
 use crate::spec::{Catalogue, Cycle, CycleKey, Group, Keyword, OnControl, Param};
 
 /// The code of a cycle that removes nothing.
-pub(super) const IDLE: &str = "cycle-removes-nothing";
+pub const IDLE: &str = "cycle-removes-nothing";
 /// The meaning of the choice between roughing and finishing, and the values of it that rough.
 const OPERATION: &str = "machining-operation";
 const ROUGHS: [f64; 2] = [0.0, 1.0];
@@ -31,7 +31,7 @@ struct Work {
 }
 
 /// The work of a run.
-pub(super) struct Works<'w> {
+pub struct Works<'w> {
     on: &'w OnControl,
     catalogue: &'w Catalogue,
     program: &'w Program,
@@ -49,7 +49,7 @@ pub(super) struct Works<'w> {
 
 impl<'w> Works<'w> {
     /// Before the run, with what the tools are called and the width of a column.
-    pub(super) fn new(
+    pub fn new(
         (on, catalogue): (&'w OnControl, &'w Catalogue),
         program: &'w Program,
         kinds: Vec<(f64, ToolKind)>,
@@ -72,7 +72,7 @@ impl<'w> Works<'w> {
     }
 
     /// Takes an event; `followed` says whether the stock sees it.
-    pub(super) fn see(&mut self, event: &Event, followed: bool) {
+    pub fn see(&mut self, event: &Event, followed: bool) {
         self.seen += u64::from(followed);
         match &event.kind {
             EventKind::Spindle { tool: Some((tool, _)), .. } => {
@@ -101,7 +101,7 @@ impl<'w> Works<'w> {
 
     /// The first line at which a cycle removes nothing, with the cycle. `cuts` are the events that have removed
     /// something, in their order.
-    pub(super) fn idle(&self, cuts: &[u64]) -> Option<(usize, CycleKey)> {
+    pub fn idle(&self, cuts: &[u64]) -> Option<(usize, CycleKey)> {
         let cuts_in = |work: &Work| {
             let from = cuts.partition_point(|event| *event < work.first);
             cuts.get(from).is_some_and(|event| *event <= work.last)

@@ -1,13 +1,11 @@
 //! What the execution of a checked program shows that reading it does not: rapid traverse through material, cuts above
-//! the cutting edges, shapes that a cycle cannot machine.
+//! the cutting edges, cycles that remove nothing, shapes that a cycle cannot machine.
 //!
 //! A program is executed if everything is known that its paths depend on: a tool table was named, it has a blank and no
 //! errors, and each of its tools is in a table that was named or in a TOOL DEF.
 //! Invariant: what depends on the machine, which is assumed, is not reported; nor is what the engine cannot do.
 use std::collections::BTreeSet;
 use std::path::Path;
-
-use works::Works;
 
 use super::execution;
 use super::neighbours::Neighbours;
@@ -26,9 +24,8 @@ use crate::program::syntax::{Block, BlockKind, Program, StatementKind};
 use crate::program::table::{Table, TableKind};
 use crate::tools::conform::LogTexts;
 use crate::tools::rehearse::presets::{UNNAMED_PRESET, any_preset, goes_on};
+use crate::tools::rehearse::works::{self, Works};
 use crate::tools::rehearse::{describing, without_obstacles};
-
-mod works;
 
 /// Less material than this is not reported, mm: columns of the stock end at its own walls.
 const LEAST: f64 = 0.1;
