@@ -171,5 +171,5 @@ parameter-tolerance-error-reaction = Reaction to tolerance error
     .prompt = Reaction to tolerance error?
     .help = Defines whether the control interrupts the program run and shows a message when the point deviates.
 choice-reaction-none = if the tolerance is exceeded, the program run is not interrupted and no message is shown
-choice-reaction-stop = if the tolerance is exceeded, the program run is interrupted
+choice-reaction-stop = if the tolerance is exceeded, the program run is interrupted and an error message is shown
 choice-reaction-stop-below-nominal = if the actual position along the surface normal lies below the nominal coordinate, the control shows a message and interrupts the program; if it lies above, there is no reaction

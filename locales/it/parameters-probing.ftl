@@ -172,5 +172,5 @@ parameter-tolerance-error-reaction = Reazione a errore di tolleranza
     .prompt = Reazione a errore di tolleranza?
     .help = Definire se in caso di scostamento del punto il controllo interrompe l’esecuzione del programma e visualizza un messaggio.
 choice-reaction-none = se la tolleranza viene superata, l’esecuzione del programma non viene interrotta e non viene visualizzato alcun messaggio
-choice-reaction-stop = se la tolleranza viene superata, l’esecuzione del programma viene interrotta
+choice-reaction-stop = se la tolleranza viene superata, l’esecuzione del programma viene interrotta e viene visualizzato un messaggio d’errore
 choice-reaction-stop-below-nominal = se la posizione reale lungo la normale alla superficie si trova al di sotto della coordinata nominale, il controllo visualizza un messaggio e interrompe il programma; se si trova al di sopra, non segue alcuna reazione

@@ -181,5 +181,5 @@ parameter-tolerance-error-reaction = Reação a erro de tolerância
     .prompt = Reação a erro de tolerância?
     .help = Determina se o comando interrompe a execução do programa e emite uma mensagem quando o ponto apresenta um desvio.
 choice-reaction-none = se a tolerância for excedida, a execução do programa não é interrompida nem se emite nenhuma mensagem
-choice-reaction-stop = se a tolerância for excedida, a execução do programa é interrompida
+choice-reaction-stop = se a tolerância for excedida, a execução do programa é interrompida e emite-se uma mensagem de erro
 choice-reaction-stop-below-nominal = se a posição real, ao longo da normal à superfície, ficar abaixo da coordenada nominal, o comando emite uma mensagem e interrompe o programa; se ficar acima, não há reação

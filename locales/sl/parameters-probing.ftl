@@ -192,5 +192,5 @@ parameter-tolerance-error-reaction = Reakcija na napako tolerance
     .prompt = Reakcija na napako tolerance?
     .help = Določa, ali krmiljenje ob odstopanju točke prekine programski tek in prikaže sporočilo.
 choice-reaction-none = pri prekoračitvi tolerance brez prekinitve programskega teka in brez sporočila
-choice-reaction-stop = pri prekoračitvi tolerance prekinitev programskega teka
+choice-reaction-stop = pri prekoračitvi tolerance prekinitev programskega teka in sporočilo o napaki
 choice-reaction-stop-below-nominal = če je dejanski položaj vzdolž normale na površino pod želeno koordinato, krmiljenje prikaže sporočilo in prekine program; če je nad njo, ni odziva
