@@ -42,7 +42,7 @@ pub use rules::RULES;
 pub use slip::is_slip;
 pub use speech::{Speech, speech};
 pub use tools::COARSE;
-pub use toolwords::{ToolKind, diameter_of, is_reaming};
+pub use toolwords::{ToolKind, diameter_of, is_milling, is_reaming};
 
 use std::collections::BTreeSet;
 

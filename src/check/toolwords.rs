@@ -111,7 +111,7 @@ impl ToolKind {
             return false;
         }
         let has = |meaning: &str| with_meaning(cycle, meaning).is_some();
-        let mills = has("milling-type");
+        let mills = is_milling(cycle);
         match cycle.file.group {
             _ if matches!(self, Self::Probe) => true,
             Group::Drilling if mills => self.only_along_axis() || matches!(self, Self::Spot),
@@ -131,6 +131,10 @@ impl ToolKind {
             Group::Drilling => {
                 matches!(self, Self::Tap | Self::ThreadMill | Self::Reamer | Self::FaceMill | Self::Boring)
             }
+            // Its tool drills before it mills.
+            Group::Threads if mills && has("plunging-depth") => {
+                matches!(self, Self::Tap | Self::Reamer | Self::FaceMill | Self::Ball | Self::EndMill)
+            }
             Group::Threads if mills => {
                 self.only_along_axis() || matches!(self, Self::FaceMill | Self::Ball | Self::EndMill)
             }
@@ -141,6 +145,12 @@ impl ToolKind {
             _ => false,
         }
     }
+}
+
+/// Whether a cycle for holes or threads mills: it has a type of milling, or, for a thread, a feed for it.
+pub fn is_milling(cycle: &Cycle) -> bool {
+    let has = |meaning: &str| with_meaning(cycle, meaning).is_some();
+    has("milling-type") || cycle.file.group == Group::Threads && has("milling-feed")
 }
 
 /// Whether a cycle goes down and back at feeds and does no more, as a reamer does.

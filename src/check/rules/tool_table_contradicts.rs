@@ -4,7 +4,8 @@
 //! the tap is a left-hand one.
 //!
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`) and has the columns. Of the types those are judged
-//! whose name leaves no doubt; each is reported once for a tool call.
+//! whose name leaves no doubt; each is reported once for a tool call. A tool that drills before it mills a thread may be
+//! called a drill.
 use std::cell::OnceCell;
 use std::collections::HashSet;
 
@@ -14,7 +15,9 @@ use crate::check::incident::Incident;
 use crate::check::program::{number, with_meaning};
 use crate::check::tools::named;
 use crate::check::travel::first_incident;
-use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolKind, ToolName, Tri, diameter_of};
+use crate::check::{
+    Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolKind, ToolName, Tri, diameter_of, is_milling,
+};
 use crate::program::syntax::{BlockKind, Compensates, ToolRef};
 use crate::spec::{Cycle, Group, MM_PER_INCH};
 
@@ -28,8 +31,6 @@ const TAP: &str = "TAP";
 const MILLS: [&str; 8] = ["MILL", "MILL_R", "MILL_F", "MILL_FACE", "MILL_SIDE", "BALL", "TORUS", "MILL_CHAMFER"];
 /// Tools that cut at their tip only.
 const DRILLS: [&str; 4] = ["DRILL", "CENT", "REAM", "CSINK"];
-/// The meaning of a value that only cycles for milling have.
-const MILLED: &str = "milling-type";
 
 /// The meaning of the pitch that only turned threads have.
 const THREADED: &str = "turned-thread-pitch";
@@ -264,7 +265,7 @@ fn left_hand(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut 
             continue;
         }
         let Some(own) = facts.definitions.get(index as usize) else { continue };
-        let taps = |cycle: &Cycle| cycle.file.group == Group::Threads && with_meaning(cycle, MILLED).is_none();
+        let taps = |cycle: &Cycle| cycle.file.group == Group::Threads && !is_milling(cycle);
         if !own.related_cycle().is_some_and(taps) {
             continue;
         }
@@ -364,11 +365,13 @@ fn uses(facts: &Facts<'_>) -> Vec<(Span, Loaded, Use, String)> {
 
 /// What a cycle uses a tool for.
 fn of_cycle(cycle: &Cycle) -> Option<Use> {
-    let mills = with_meaning(cycle, MILLED).is_some();
+    let mills = is_milling(cycle);
     match cycle.file.group {
         _ if !removes_material(cycle) => None,
         Group::Drilling if mills => Some(Use::Milling),
         Group::Drilling => Some(Use::Drilling),
+        // Its tool drills before it mills: tables call it one or the other.
+        Group::Threads if mills && with_meaning(cycle, "plunging-depth").is_some() => Some(Use::Drilling),
         Group::Threads if mills => Some(Use::ThreadMilling),
         Group::Threads => Some(Use::Tapping),
         // It drills for another tool that roughs out.

@@ -5,10 +5,10 @@ use super::{Cut, REACH, SKIN, Walk};
 use crate::base::diag::Span;
 use crate::check::blank::is_unmoved;
 use crate::check::incident::Incident;
-use crate::check::program::{number, with_meaning};
+use crate::check::program::number;
 use crate::check::tools::kind_of_call;
 use crate::check::toolwords::ToolKind;
-use crate::check::{Aspect, Defined, Definition, Loaded, Modal, Pending, Tri};
+use crate::check::{Aspect, Defined, Definition, Loaded, Modal, Pending, Tri, is_milling};
 use crate::program::syntax::{Block, BlockKind, CallForm, Coord};
 use crate::spec::{Group, Keyword, Quantity, Reference};
 
@@ -24,8 +24,6 @@ const DEPTH: &str = "depth";
 const CLEARANCE: &str = "set-up-clearance";
 const THREAD_DEPTH: &str = "thread-depth";
 const DEEPENED: &str = "deepened-starting-point";
-/// The meaning of a value that only cycles for milling have.
-const MILLED: &str = "milling-type";
 /// What the meanings of lengths have in them that do not say how large a pocket is.
 const NO_SIZES: [&str; 5] = ["clearance", "depth", "allowance", "infeed", "coordinate"];
 
@@ -88,7 +86,7 @@ fn makes(own: &Defined<'_>) -> Makes {
     };
     match cycle.file.group {
         Group::Drilling => Makes::Hole,
-        Group::Threads if with_meaning(cycle, MILLED).is_none() => Makes::Tap,
+        Group::Threads if !is_milling(cycle) => Makes::Tap,
         Group::Pockets => Makes::Pocket,
         _ => Makes::Anything,
     }

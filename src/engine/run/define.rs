@@ -21,8 +21,8 @@ use crate::program::syntax::{
     Axis, CycleDef, CycleForm, CycleView, NamedWord, OldCycleLine, Parameter, Value, ValueKind,
 };
 use crate::spec::{
-    self, Combined, Cycle, CycleKey, Group, Keyword, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect,
-    Transformation,
+    self, Combined, Cycle, CycleKey, Group, Keyword, Known, OnControl, Param, ParameterKind, Quantity, Shape,
+    TakesEffect, Transformation,
 };
 
 /// The values of a definition that are not Q parameters.
@@ -439,8 +439,8 @@ impl<'e> Run<'_, 'e> {
     }
 }
 
-/// Whether 0 stands for a value that a definition lacks where a run goes on after faults: places and depths say where the
-/// tool goes.
+/// Whether 0 stands for a value that a definition lacks where a run goes on after faults: places and depths say where
+/// the tool goes.
 fn may_be_assumed(param: &Param) -> bool {
     param.quantity != Quantity::Length && spec::number_refusal_in(param, 0.0, 1.0).is_none()
 }

@@ -101,9 +101,9 @@ impl<'e> Engine<'e> {
         self
     }
 
-    /// The same, and the program goes on where it can: a cycle that is called and does not come to its end is left with an
-    /// event that says why, one that nobody describes is passed over, and values that a definition has in addition, lacks or
-    /// has out of their range do not matter.
+    /// The same, and the program goes on where it can: a cycle that is called and does not come to its end is left with
+    /// an event that says why, one that nobody describes is passed over, and values that a definition has in addition,
+    /// lacks or has out of their range do not matter.
     #[must_use]
     pub const fn going_on_after_faults(mut self) -> Self {
         self.settings.after_faults = true;

@@ -1,5 +1,6 @@
-//! What an execution no longer knows after a cycle that nobody describes, after one that has not come to its end, and after
-//! the workpiece was turned: what was made before may be deeper and wider since, but places in the blank are what they were.
+//! What an execution no longer knows after a cycle that nobody describes, after one that has not come to its end, and
+//! after the workpiece was turned: what was made before may be deeper and wider since, but places in the blank are what
+//! they were.
 use super::watcher::Watcher;
 
 impl Watcher<'_> {
@@ -12,8 +13,8 @@ impl Watcher<'_> {
         self.threads.clear();
     }
 
-    /// What a cycle before a line drills and mills is not known if no description says how to execute it: it may have made
-    /// the holes deeper and wider that are there when it is passed over.
+    /// What a cycle before a line drills and mills is not known if no description says how to execute it: it may have
+    /// made the holes deeper and wider that are there when it is passed over.
     pub(super) fn pass_undescribed(&mut self, to: usize) {
         if self.unknown.first().is_none_or(|line| *line >= to) {
             return;
@@ -25,8 +26,8 @@ impl Watcher<'_> {
         }
     }
 
-    /// Whether the workpiece turns from here on. What is left of it is not known then, but a round one is no wider than it
-    /// was, and lies where it was; which way its holes look is not known.
+    /// Whether the workpiece turns from here on. What is left of it is not known then, but a round one is no wider than
+    /// it was, and lies where it was; which way its holes look is not known.
     pub(super) fn turn(&mut self, turning: bool) {
         self.turning = turning;
         if turning {

@@ -300,7 +300,11 @@ impl<'w> Watcher<'w> {
 
     /// Whether nothing can be said of where the tool goes.
     pub(super) fn away(&self) -> bool {
-        self.lost || self.turning || self.tilted || self.across || self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6)
+        self.lost
+            || self.turning
+            || self.tilted
+            || self.across
+            || self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6)
     }
 
     fn is_probe(&self) -> bool {

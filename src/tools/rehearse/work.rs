@@ -4,13 +4,11 @@ use glam::{DVec2, DVec3};
 
 use super::body::{Body, SAME, SKIN};
 use super::watcher::Watcher;
-use crate::check::{Incident, ToolKind, is_reaming};
+use crate::check::{Incident, ToolKind, is_milling, is_reaming};
 use crate::spec::{Cycle, CycleKey, Group};
 
 /// A hole goes so far through the blank, mm.
 const TIP: f64 = 25.0;
-/// The meaning of the value that says a thread is milled, and of one outside.
-const MILLED: &str = "milling-type";
 /// Two holes of one tool are no nearer to each other than so much of its diameter.
 const APART: f64 = 0.95;
 /// A reamer takes no more off the diameter than this, and this part of the diameter, mm.
@@ -96,11 +94,11 @@ impl Job {
 pub(super) fn job(cycle: &Cycle) -> Option<Job> {
     let has = |meaning: &str| cycle.params.iter().any(|param| param.is.as_str() == meaning);
     match cycle.file.group {
-        Group::Drilling if has(MILLED) => Some(Job::Milling),
+        Group::Drilling if is_milling(cycle) => Some(Job::Milling),
         Group::Drilling => Some(Job::Hole),
         // Its tool drills before it mills.
-        Group::Threads if has(MILLED) && has("plunging-depth") => None,
-        Group::Threads if has(MILLED) => Some(Job::MilledThread),
+        Group::Threads if is_milling(cycle) && has("plunging-depth") => None,
+        Group::Threads if is_milling(cycle) => Some(Job::MilledThread),
         Group::Threads => Some(Job::Thread),
         Group::Pockets | Group::Surfaces => Some(Job::Milling),
         Group::Turning => Some(Job::Turning),
@@ -143,7 +141,7 @@ impl Watcher<'_> {
         if !cuts && !matches!(group, Group::Surfaces | Group::Special) {
             return;
         }
-        let milled = cycle.params.iter().any(|param| param.is.as_str() == MILLED);
+        let milled = is_milling(cycle);
         let hole = matches!(group, Group::Drilling | Group::Threads) && !milled;
         let same = |own: &Work| (own.start - from).truncate().length() <= SAME;
         if hole && self.work.as_ref().is_some_and(|own| !same(own)) && (from - at).truncate().length() <= SAME {
@@ -398,8 +396,7 @@ impl Watcher<'_> {
 /// Whether a cycle mills a thread in a hole that is there: it has no depth but that of the thread, and no countersink.
 pub(super) fn mills_thread_in_hole(cycle: &Cycle) -> bool {
     let mut depths = cycle.params.iter().filter(|param| param.is.as_str().contains("depth"));
-    let mills = cycle.params.iter().any(|param| param.is.as_str() == MILLED);
-    mills && depths.next().is_some() && depths.next().is_none()
+    is_milling(cycle) && depths.next().is_some() && depths.next().is_none()
 }
 
 /// The deepest of several holes.
