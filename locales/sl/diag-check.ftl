@@ -358,7 +358,7 @@ diag-reaming-wrong =
     { $what ->
         [none] Tu ni vrtine, ki bi jo bilo mogoče povrtati.
         [deep] Povrtalo gre do { $value }, vrtina pa samo do { $other }.
-        [bored] Izstruževalni drog gre do { $value }, vrtina pa samo do { $other }.
+        [bored] Drog za izstruževanje gre do { $value }, vrtina pa samo do { $other }.
        *[allowance] Vrtina je široka { $other }: za povrtalo { $value } ostane veliko preveč materiala.
     }
 diag-repeat-count-wrong = Število ponovitev mora biti celo število od 0 do 65534.
@@ -635,7 +635,7 @@ diag-surface-wrong =
     { $what ->
         [opposite] Površina pri { $value } je nad surovcem; druge obdelave se začnejo ali končajo pri { $other }.
         [pattern] Površina vzorca je pri { $value }, površina cikla, ki ga kliče, pa pri { $other }: velja tista iz vzorca.
-        [air] Cikel tu dela v zraku: gre do { $value }, kjer je bilo vse že prej odrezkano.
+        [air] Cikel tu dela v zraku: gre do { $value }, kjer je bilo vse že prej odstranjeno.
         [high] Cikel začne tam, kjer je priklican, pri { $value }: njegova površina je potem pri { $other }, nad surovcem.
         [low] Cikel je priklican v surovcu, pri { $value }, do njegove površine pri { $other } pa ni bilo obdelano nič.
        *[faced] Površina je pri { $value }, ploskev pa je bila rezkana do { $other }.

@@ -385,7 +385,7 @@ fn of_cycle(cycle: &Cycle) -> Option<Use> {
         Group::Drilling if mills => Some(Use::Milling),
         Group::Drilling => Some(Use::Drilling),
         // Its tool drills before it mills: tables call it one or the other.
-        Group::Threads if mills && with_meaning(cycle, "plunging-depth").is_some() => None,
+        Group::Threads if mills && with_meaning(cycle, "plunging-depth").is_some() => Some(Use::Drilling),
         Group::Threads if mills => Some(Use::ThreadMilling),
         Group::Threads => Some(Use::Tapping),
         // It drills for another tool that roughs out.
