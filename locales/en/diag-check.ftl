@@ -599,6 +599,7 @@ diag-definitions-differ =
 diag-helix-too-steep =
     { $what ->
         [up] The helix goes up by { $value }, although a full circle follows as at a floor: its sign is wrong.
+        [pitch] The helix has a pitch of { $value }, and the thread mill has { $other }.
        *[steep] The helix goes down by { $value } in one turn; more than { $other } no tool cuts here.
     }
 diag-holes-differ =

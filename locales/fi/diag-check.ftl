@@ -598,6 +598,7 @@ diag-definitions-differ =
 diag-helix-too-steep =
     { $what ->
         [up] Kierukka nousee { $value }, vaikka sitä seuraa täysi ympyrä kuten pohjalla: sen etumerkki on väärä.
+        [pitch] Kierukan nousu on { $value }, mutta kierrejyrsimen { $other }.
        *[steep] Kierukka laskeutuu kierroksella { $value }; enempää kuin { $other } ei työkalu tässä lastua.
     }
 diag-holes-differ =

@@ -598,6 +598,7 @@ diag-definitions-differ =
 diag-helix-too-steep =
     { $what ->
         [up] L’elica sale di { $value }, benché segua un cerchio completo come sul fondo: il suo segno è sbagliato.
+        [pitch] L’elica ha un passo di { $value }, mentre la fresa per filettare ha { $other }.
        *[steep] L’elica scende di { $value } in un giro; più di { $other } qui nessun utensile taglia.
     }
 diag-holes-differ =

@@ -599,6 +599,7 @@ diag-definitions-differ =
 diag-helix-too-steep =
     { $what ->
         [up] A hélice sobe { $value }, embora se siga um círculo completo como no fundo: o seu sinal está errado.
+        [pitch] A hélice tem um passo de { $value }, mas a fresa de roscar tem { $other }.
        *[steep] A hélice desce { $value } numa volta; mais de { $other } nenhuma ferramenta corta aqui.
     }
 diag-holes-differ =

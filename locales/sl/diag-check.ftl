@@ -602,6 +602,7 @@ diag-definitions-differ =
 diag-helix-too-steep =
     { $what ->
         [up] Vijačnica se dvigne za { $value }, čeprav ji sledi poln krog kot na dnu: njen predznak je napačen.
+        [pitch] Vijačnica ima korak { $value }, rezkar za navoje pa { $other }.
        *[steep] Vijačnica se v enem obratu spusti za { $value }; več kot { $other } tu ne reže nobeno orodje.
     }
 diag-holes-differ =

@@ -2,7 +2,7 @@
 //! angle is missing, or the angle is that of a part of the turns.
 //!
 //! Also a helix of several turns upwards that is followed by a full circle at its end, as one to a floor is: its sign
-//! is wrong.
+//! is wrong. And a helix of several turns whose pitch is not that of the thread mill in the spindle.
 //!
 //! Only polar helices with incremental numbers; in inch programs, and where the tool is not known, 20 mm in one turn
 //! are too much. Threads are milled with a feed of many revolutions, but no pitch is so large.
@@ -20,6 +20,8 @@ const MOST: f64 = 20.0;
 const STEEPEST: f64 = 0.8;
 /// So many turns make a hole, degrees; a thread has one.
 const TURNS: f64 = 720.0;
+/// A pitch that differs by more than this part is another one.
+const OTHER: f64 = 0.05;
 /// Less than this is a way into a floor, mm.
 const SHALLOW: f64 = 3.0;
 
@@ -35,13 +37,21 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let incremental = |axis: Axis| incremental(facts, &words, axis);
         let (Some(angle), Some(depth)) = (incremental(Axis::Pa), incremental(Axis::Z)) else { continue };
         let Some(modal) = facts.run.before(index) else { continue };
-        let width = tools.as_ref().and_then(|tools| tools.get(modal.loaded)).map(|tool| 2.0 * tool.radius);
+        let tool = tools.as_ref().and_then(|tools| tools.get(modal.loaded));
+        let width = tool.map(|tool| 2.0 * tool.radius);
         let most = width.map_or(MOST * unit, |width| STEEPEST * width).min(MOST * unit);
         if depth > 0.0 && angle.abs() >= TURNS && is_floor(facts, facts.program.blocks().get(index + 1..)) {
             let finding = rule.at(facts, facts.content(block)).arg("what", "up").arg("value", Arg::Number(depth));
             found.push(finding.arg("other", Arg::Number(most)));
         }
         let each = -depth * 360.0 / angle.abs();
+        let pitch = tool.and_then(|tool| tool.pitch).filter(|pitch| *pitch > 0.0 && angle.abs() >= TURNS);
+        if let Some(pitch) = pitch.filter(|pitch| (each.abs() - pitch).abs() > OTHER * pitch && depth != 0.0) {
+            let value = Arg::Number((each.abs() * 1e3).round() / 1e3);
+            let finding = rule.at(facts, facts.content(block)).arg("what", "pitch").arg("value", value);
+            found.push(finding.arg("other", Arg::Number(pitch)));
+            continue;
+        }
         if depth < -SHALLOW * unit && angle != 0.0 && each > most + unit / 1e3 {
             let finding = rule.at(facts, facts.content(block)).arg("what", "steep");
             let finding = finding.arg("value", Arg::Number((each * 1e3).round() / 1e3));

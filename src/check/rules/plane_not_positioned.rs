@@ -11,7 +11,8 @@ use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::{Effect, Then, removes_material};
 use crate::check::{Aspect, Defined, Facts, Pending, Rule};
 use crate::program::syntax::{
-    Axis, Block, BlockKind, Coord, CycleForm, MFunction, Motion, NamedWord, Path, StatementKind, ValueKind,
+    Amount, Axis, Block, BlockKind, Coord, CycleForm, Element, MFunction, Motion, NamedWord, Path, StatementKind,
+    ValueKind,
 };
 
 pub(super) const RULE: Rule = Rule { code: "plane-not-positioned", severity: Severity::Warning, run };
@@ -121,12 +122,7 @@ fn is_forgotten(facts: &Facts<'_>, index: usize, block: &Block) -> bool {
             _ => {}
         }
         let cuts = match &next.kind {
-            // Across the plane at a feed: what goes along the tool axis may be lifted.
-            BlockKind::Motion(motion) => {
-                let outline = motion.outline();
-                let across = |own: &Coord| matches!(own.axis, Axis::X | Axis::Y);
-                outline.has_coords() && outline.has_feed() && motion.words().coords.iter().any(across)
-            }
+            BlockKind::Motion(motion) => cuts_across(motion),
             _ => false,
         };
         if cuts || facts.run.calls.iter().any(|call| call.block == at) {
@@ -138,7 +134,9 @@ fn is_forgotten(facts: &Facts<'_>, index: usize, block: &Block) -> bool {
 
 /// Cycles that tilt the plane, with what follows each of them up to the next.
 fn after_cycle(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    if !facts.begins() || facts.flow.programs || facts.flow.unread.may_move() || facts.flow.jumps {
+    // Subprograms and labels are looked at where they are; a jump may lead anywhere.
+    let jumps = || facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::FnJump(_)));
+    if !facts.begins() || facts.flow.programs || facts.flow.unread.may_move() || jumps() {
         return;
     }
     let tilting: Vec<_> = facts.definitions.iter().filter(|own| tilts(own)).collect();
@@ -146,18 +144,23 @@ fn after_cycle(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (at, own) in tilting.iter().enumerate() {
         let end = tilting.get(at + 1).map_or(facts.program.blocks().len(), |next| next.view.first);
         let part = facts.program.blocks().get(own.view.last + 1..end).unwrap_or_default();
-        let moved = part.iter().any(|block| match &block.kind {
-            BlockKind::Motion(motion) => {
-                motion.outline().has_coords() && turns(&motion.words()) || motion.functions().iter().any(is_unusual)
-            }
-            BlockKind::Functions(list) => list.iter().any(is_unusual),
-            BlockKind::CallLbl(_) | BlockKind::Lbl(_) => true,
-            _ => false,
-        });
+        let first = own.view.last + 1;
+        let positions = |at: usize, block: &Block| match &block.kind {
+            BlockKind::CallLbl(_) => subprogram(facts, first + at).is_none_or(|body| body.iter().any(moves_axes)),
+            BlockKind::Lbl(_) => true,
+            _ => moves_axes(block),
+        };
+        let moved = part.iter().enumerate().any(|(at, block)| positions(at, block));
         if !is_tilt(facts, own) {
             continue;
         }
-        let cuts = facts.run.calls.iter().any(|call| (own.view.last..end).contains(&call.block));
+        let across = |block: &Block| match &block.kind {
+            BlockKind::Motion(motion) => cuts_across(motion),
+            _ => false,
+        };
+        let cuts = part.iter().any(across)
+            || facts.run.calls.iter().any(|call| (own.view.last..end).contains(&call.block))
+            || (first..end).any(|at| subprogram(facts, at).is_some_and(|body| body.iter().any(across)));
         if !moved && cuts && !feeds(facts, own) {
             forgotten = forgotten.or(Some(own.view.head));
         }
@@ -165,6 +168,37 @@ fn after_cycle(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if let Some(span) = forgotten {
         found.push(rule.at(facts, span).arg("what", "cycle"));
     }
+}
+
+/// The blocks of the subprogram that a block calls.
+fn subprogram<'f>(facts: &'f Facts<'_>, at: usize) -> Option<&'f [Block]> {
+    let calls = |block: &Block| matches!(&block.kind, BlockKind::CallLbl(call) if call.repeat.is_none());
+    facts.program.blocks().get(at).filter(|block| calls(block))?;
+    facts.subprogram(facts.run.graph.called_from(at)?)
+}
+
+/// Whether a block may move rotary axes; to 0 they are not moved for a tilt.
+fn moves_axes(block: &Block) -> bool {
+    let away = |own: &Coord| {
+        matches!(own.axis, Axis::A | Axis::B | Axis::C) && (own.incremental || own.value.amount != Amount::Number(0.0))
+    };
+    match &block.kind {
+        BlockKind::Motion(motion) => {
+            let turned = || motion.path() != Path::Cc && motion.words().coords.iter().any(away);
+            motion.outline().has_coords() && turned() || motion.functions().iter().any(is_unusual)
+        }
+        BlockKind::Functions(list) => list.iter().any(is_unusual),
+        BlockKind::CallLbl(call) => call.repeat.is_none(),
+        BlockKind::CallPgm(_) | BlockKind::Statement(_) | BlockKind::Unknown(_) => true,
+        _ => false,
+    }
+}
+
+/// Whether a movement goes across the plane at a feed: what goes along the tool axis may be lifted.
+fn cuts_across(motion: &Element) -> bool {
+    let outline = motion.outline();
+    let across = |own: &Coord| matches!(own.axis, Axis::X | Axis::Y);
+    outline.has_coords() && outline.has_feed() && motion.words().coords.iter().any(across)
 }
 
 /// Whether a function may be one of the machine builder.
