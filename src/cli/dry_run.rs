@@ -267,10 +267,10 @@ impl Sight {
                 }
                 let of_machine = event.at.program == self.program && self.of_machine.contains(&event.at.line);
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
+                // What inserts have left of which nothing is known is not known either.
+                self.lost |= self.turned && turned.is_none() && !self.knows_inserts;
                 // What cuts is seen in any case: too much is gone rather than too little.
-                // Inserts of which nothing is known may leave less on the workpiece than the stock has.
-                let shaped = self.turned && turned.is_none() && !self.knows_inserts;
-                let hidden = rapid && (of_machine || shaped || self.unknown != [false; 3]);
+                let hidden = rapid && (of_machine || self.unknown != [false; 3]);
                 for (unknown, (from, to)) in self.unknown.iter_mut().zip(from.to_array().into_iter().zip(to.to_array()))
                 {
                     if from.to_bits() != to.to_bits() {

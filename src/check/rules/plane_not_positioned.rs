@@ -203,7 +203,7 @@ fn cuts_across(motion: &Element) -> bool {
 
 /// Whether a function may be one of the machine builder.
 const fn is_unusual(own: &MFunction) -> bool {
-    !matches!(own.number, 0..=9 | 13 | 14 | 30 | 99)
+    !matches!(own.number, 0..=9 | 13 | 14 | 30 | 89..=199)
 }
 
 /// Whether a cycle tilts the plane.

@@ -1,5 +1,5 @@
 //! Follows the events of a run: where the tool is, what it meets and what it is used for.
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use glam::DVec3;
 
@@ -121,7 +121,7 @@ pub(super) struct Watcher<'w> {
     /// The places of holes, by what was done there.
     pub(super) series: Rows,
     /// The cycles with which tools have cut, each once.
-    used: HashSet<(u64, CycleKey)>,
+    used: BTreeSet<(u64, CycleKey)>,
     /// The plain movements since the last tool call.
     pub(super) ways: Ways,
     pub(super) found: Vec<Observed>,
@@ -193,7 +193,7 @@ impl<'w> Watcher<'w> {
             machined: HashMap::new(),
             milled: HashSet::new(),
             series: Rows::default(),
-            used: HashSet::new(),
+            used: BTreeSet::new(),
             ways: Ways::default(),
             found: Vec::new(),
         }
