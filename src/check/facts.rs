@@ -8,6 +8,7 @@ use std::sync::OnceLock;
 
 use super::Against;
 use super::cycle::Effect;
+use super::first_way::FirstWay;
 use super::flow::{Callees, ProgramCall, Project, Run, calls, follow};
 use super::incident::Incident;
 use super::program::{Defined, Definition, Item, Reading, language_of, number, refused, with_meaning};
@@ -42,6 +43,8 @@ pub struct Facts<'a> {
     pub(super) foreign: OnceLock<bool>,
     /// What happens to the blank, once that was asked.
     pub(super) incidents: OnceLock<Vec<(Span, Incident)>>,
+    /// The first way through the program, once that was asked.
+    pub(super) first_way: OnceLock<FirstWay>,
 }
 
 impl<'a> Deref for Facts<'a> {
@@ -112,6 +115,7 @@ impl<'a> Facts<'a> {
             shared: OnceLock::new(),
             foreign: OnceLock::new(),
             incidents: OnceLock::new(),
+            first_way: OnceLock::new(),
         }
     }
 

@@ -11,6 +11,7 @@ mod contours;
 mod cycle;
 mod early;
 mod facts;
+mod first_way;
 mod flow;
 mod guards;
 mod incident;

@@ -1,6 +1,8 @@
 //! A rule of the checker.
 use super::Facts;
-use crate::base::diag::{Diagnostic, Place, Severity, Span};
+use super::incident::Incident;
+use super::travel::first_incident;
+use crate::base::diag::{Arg, Diagnostic, Place, Severity, Span};
 
 /// A rule of the checker.
 #[derive(Debug)]
@@ -18,5 +20,18 @@ impl Rule {
     pub(super) fn at(&self, facts: &Facts<'_>, span: Span) -> Diagnostic {
         let place = Place::new(facts.program.source(), span);
         Diagnostic { severity: self.severity, ..Diagnostic::error(self.code, place) }
+    }
+    /// Reports the first incident that is wanted: what it is, and two numbers of it.
+    pub(super) fn report_first(
+        &self,
+        facts: &Facts<'_>,
+        found: &mut Vec<Diagnostic>,
+        what: &'static str,
+        wanted: impl Fn(Incident) -> Option<(f64, f64)>,
+    ) {
+        if let Some((span, (value, other))) = first_incident(facts, wanted) {
+            let finding = self.at(facts, span).arg("what", what).arg("value", Arg::Number(value));
+            found.push(finding.arg("other", Arg::Number(other)));
+        }
     }
 }

@@ -55,6 +55,7 @@ const CHECKER: &[&str] = &[
     "toolwords",
     "slip",
     "incident",
+    "first_way",
     "flow",
     "facts",
     "speech",

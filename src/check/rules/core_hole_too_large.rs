@@ -3,28 +3,19 @@
 //!
 //! The hole is a round pocket or a milled bore, or one of a drill that a table or TOOL DEF describes. Only at places that
 //! are known, in programs with a box as their blank and without transformations. Said once a program.
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::incident::Incident;
-use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "core-hole-too-large", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let first = first_incident(facts, |own| match own {
+    rule.report_first(facts, found, "core", |own| match own {
         Incident::WideCore { thread, hole } => Some((thread, hole)),
         _ => None,
     });
-    if let Some((span, (thread, hole))) = first {
-        let finding = rule.at(facts, span).arg("what", "core").arg("value", Arg::Number(thread));
-        found.push(finding.arg("other", Arg::Number(hole)));
-    }
-    let removed = first_incident(facts, |own| match own {
+    rule.report_first(facts, found, "removed", |own| match own {
         Incident::ThreadRemoved { thread, hole } => Some((thread, hole)),
         _ => None,
     });
-    if let Some((span, (thread, hole))) = removed {
-        let finding = rule.at(facts, span).arg("what", "removed").arg("value", Arg::Number(thread));
-        found.push(finding.arg("other", Arg::Number(hole)));
-    }
 }

@@ -3,7 +3,7 @@
 //! A pattern after it calls it. Silent in programs that call others, which may call it, and with M89, and where a
 //! block after it cannot be read.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::early::FirstWay;
+use crate::check::first_way::FirstWay;
 use crate::check::program::Work;
 use crate::check::{Facts, Modal, Pending, Rule};
 use crate::program::syntax::BlockKind;

@@ -7,7 +7,7 @@
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::early::{Early, FirstWay, Placed};
+use crate::check::first_way::{Early, FirstWay, Placed};
 use crate::check::program::Work;
 use crate::check::tools::{Tool, Tools};
 use crate::check::{Facts, Loaded, Rule};

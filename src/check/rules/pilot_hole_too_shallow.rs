@@ -4,28 +4,19 @@
 //!
 //! Only at places that are known, in programs with a box as their blank and without transformations; turning in an
 //! execution with a round blank. Each is said once a program.
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::incident::Incident;
-use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "pilot-hole-too-shallow", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let first = first_incident(facts, |own| match own {
+    rule.report_first(facts, found, "start", |own| match own {
         Incident::StartBelowPilotHole { start, bottom } => Some((start, bottom)),
         _ => None,
     });
-    if let Some((span, (start, bottom))) = first {
-        let finding = rule.at(facts, span).arg("what", "start").arg("value", Arg::Number(start));
-        found.push(finding.arg("other", Arg::Number(bottom)));
-    }
-    let bored = first_incident(facts, |own| match own {
+    rule.report_first(facts, found, "bored", |own| match own {
         Incident::BoredBelowHole { bar, hole } => Some((bar, hole)),
         _ => None,
     });
-    if let Some((span, (bar, hole))) = bored {
-        let finding = rule.at(facts, span).arg("what", "bored").arg("value", Arg::Number(bar));
-        found.push(finding.arg("other", Arg::Number(hole)));
-    }
 }

@@ -7,7 +7,7 @@
 //! and after M305 again, in programs that turn it on with M303 or M304 elsewhere.
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::cycle::{probes, removes_material, stops_spindle};
-use crate::check::early::{FirstWay, Spindle};
+use crate::check::first_way::{FirstWay, Spindle};
 use crate::check::incident::Incident;
 use crate::check::program::{Work, each_function, with_meaning};
 use crate::check::travel::incidents;

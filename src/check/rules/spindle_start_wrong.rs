@@ -9,7 +9,7 @@ use std::collections::HashSet;
 use super::spindle_off::{mills, turns_spindle};
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::cycle::{removes_material, stops_spindle};
-use crate::check::early::{FirstWay, Spindle};
+use crate::check::first_way::{FirstWay, Spindle};
 use crate::check::incident::Incident;
 use crate::check::program::{Work, number, with_meaning};
 use crate::check::tools::{kind_of_call, named};
@@ -44,8 +44,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         all.extend(backwards.map(|(span, _)| (*span, Loaded::Unknown, "direction")));
     }
     let way = FirstWay::of(facts);
-    all.extend(unturned(&way));
-    all.extend(backwards(facts, &way));
+    all.extend(unturned(way));
+    all.extend(backwards(facts, way));
     all.sort_by_key(|(span, ..)| span.start);
     let mut reported = HashSet::new();
     for (span, loaded, what) in all {

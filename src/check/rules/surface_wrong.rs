@@ -9,12 +9,13 @@
 //! execution shows it: a tool that the table knows has removed all of it before.
 //!
 //! Only where numbers say all of it, in programs with a box as their blank; not after transformations.
+use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::cycle::removes_material;
-use crate::check::early::FirstWay;
+use crate::check::first_way::FirstWay;
 use crate::check::incident::Incident;
 use crate::check::program::number;
 use crate::check::travel::first_incident;
@@ -141,7 +142,8 @@ fn patterns(rule: &Rule, facts: &Facts<'_>, top: f64, found: &mut Vec<Diagnostic
 fn early(rule: &Rule, facts: &Facts<'_>, blank: &Blank, found: &mut Vec<Diagnostic>) {
     let way = FirstWay::of(facts);
     let unit = facts.millimetre();
-    let heights = || Heights::of(facts, &way);
+    let heights = OnceCell::new();
+    let heights = || heights.get_or_init(|| Heights::of(facts, way)).as_ref();
     let mut said = BTreeSet::new();
     for (call, own) in way.called() {
         let (Some(z), Some((clearance, _)), Some((depth, _))) = (call.place[2], own.clearance, own.depth) else {

@@ -6,7 +6,7 @@
 //! is deep enough. Each is said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::Blank;
-use crate::check::early::{EarlyCall, FirstWay};
+use crate::check::first_way::{EarlyCall, FirstWay};
 use crate::check::incident::Incident;
 use crate::check::program::Work;
 use crate::check::travel::incidents;

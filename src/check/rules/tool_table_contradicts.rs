@@ -11,7 +11,7 @@ use std::collections::HashSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::cycle::{probes, removes_material};
-use crate::check::early::FirstWay;
+use crate::check::first_way::FirstWay;
 use crate::check::incident::Incident;
 use crate::check::program::{Work, number, with_meaning};
 use crate::check::tools::{kind_of_call, named};
