@@ -11,3 +11,4 @@ diag-klartext-no-equivalent = Klartext has no equivalent of “{ $found }”; th
 diag-iso-unknown-code = No manual prints a cycle or a function with the code { $found }.
 diag-iso-word-not-allowed = { $found } is not permitted in this block.
 diag-iso-no-direction = { $found }: G05 continues in the direction of the previous arc, but there is none.
+diag-iso-mode-left-on = { $found } of the block before does not act here: a subprogram or a repeat has changed it.

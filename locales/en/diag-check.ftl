@@ -78,6 +78,7 @@ diag-contour-wrong =
         [islands] all of them are islands by their RL and RR, and there is no pocket around them
         [round] along both axes it is longer than the circumference of the cylinder
         [nested] it is a pocket by its RL or RR and lies completely in another pocket, so that it removes nothing
+        [beside] it is an island by its RL or RR and lies beside all pockets, so that nothing is machined there
        *[open] it does not end where it begins
     }.
 diag-coordinate-out-of-place = { $path } does not take these coordinates.
@@ -202,6 +203,7 @@ diag-hole-outside-blank =
        *[through] The hole goes down to { $value }, far through the blank.
     }
 diag-incremental-left-on = The coordinates of this contour are incremental; only as absolute ones do they lead back to its beginning.
+diag-pattern-not-called = The cycle is called at one position here, and no CYCL CALL PAT uses the pattern of line { $line }.
 diag-result-of-other-axis =
     { $what ->
         [size] { $value } is the nominal value for { $other }, but { $parameter } is compared with it here.

@@ -11,3 +11,4 @@ diag-klartext-no-equivalent = Klartext-kielessä ei ole vastinetta tälle: ”{ 
 diag-iso-unknown-code = Mikään käsikirja ei mainitse työkiertoa tai toimintoa, jonka koodi on { $found }.
 diag-iso-word-not-allowed = Sana { $found } ei ole sallittu tässä lauseessa.
 diag-iso-no-direction = { $found }: G05 jatkaa edellisen kaaren suuntaan, mutta edellä ei ole kaarta.
+diag-iso-mode-left-on = Edellä oleva { $found } ei ole tässä voimassa: aliohjelma tai toisto on muuttanut sen.

@@ -78,6 +78,7 @@ diag-contour-wrong =
         [islands] RL ja RR tekevät niistä kaikista saarekkeita, eikä niiden ympärillä ole taskua
         [round] se on kummankin akselin suunnassa pitempi kuin lieriön kehä
         [nested] RL tai RR tekee siitä taskun, ja se on kokonaan toisen taskun sisällä eikä poista mitään
+        [beside] RL tai RR tekee siitä saarekkeen, ja se on kaikkien taskujen vieressä, joten siinä ei koneisteta mitään
        *[open] se ei pääty siihen, mistä se alkaa
     }.
 diag-coordinate-out-of-place = Koordinaatit eivät sovi lauseeseen { $path }.
@@ -202,6 +203,7 @@ diag-hole-outside-blank =
        *[through] Reikä ulottuu arvoon { $value }, kauas aihion läpi.
     }
 diag-incremental-left-on = Tämän muodon koordinaatit ovat inkrementaalisia; vain absoluuttisina ne johtavat takaisin sen alkuun.
+diag-pattern-not-called = Työkierto kutsutaan tässä yhdessä paikassa, eikä mikään CYCL CALL PAT käytä rivin { $line } pistekuviota.
 diag-result-of-other-axis =
     { $what ->
         [size] { $value } on parametrin { $other } asetusarvo, mutta siihen verrataan tässä parametria { $parameter }.

@@ -11,3 +11,4 @@ diag-klartext-no-equivalent = Klartext non ha un equivalente di «{ $found }»; 
 diag-iso-unknown-code = Nessun manuale riporta un ciclo o una funzione con il codice { $found }.
 diag-iso-word-not-allowed = { $found } non è ammesso in questo blocco.
 diag-iso-no-direction = { $found }: G05 prosegue nel senso dell’arco precedente, ma non ce n’è alcuno.
+diag-iso-mode-left-on = { $found } del blocco precedente qui non è attivo: un sottoprogramma o una ripetizione lo ha cambiato.

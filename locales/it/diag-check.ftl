@@ -78,6 +78,7 @@ diag-contour-wrong =
         [islands] secondo RL e RR sono tutti isole, e non c’è nessuna tasca attorno ad essi
         [round] in entrambi gli assi è più lungo della circonferenza del cilindro
         [nested] secondo RL o RR è una tasca e si trova interamente in un’altra tasca, perciò non asporta nulla
+        [beside] secondo RL o RR è un’isola e si trova accanto a tutte le tasche, perciò lì non si lavora nulla
        *[open] non finisce dove comincia
     }.
 diag-coordinate-out-of-place = { $path } non ammette queste coordinate.
@@ -202,6 +203,7 @@ diag-hole-outside-blank =
        *[through] Il foro arriva a { $value }, ben oltre il pezzo grezzo.
     }
 diag-incremental-left-on = Le coordinate di questo profilo sono incrementali; solo come assolute riportano al suo inizio.
+diag-pattern-not-called = Qui il ciclo è richiamato in una sola posizione e nessun CYCL CALL PAT usa la sagoma della riga { $line }.
 diag-result-of-other-axis =
     { $what ->
         [size] { $value } è il valore nominale di { $other }, ma qui viene confrontato con { $parameter }.

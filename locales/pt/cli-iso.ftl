@@ -11,3 +11,4 @@ diag-klartext-no-equivalent = Em Klartext não há equivalente de «{ $found }»
 diag-iso-unknown-code = Nenhum manual indica um ciclo ou uma função com o código { $found }.
 diag-iso-word-not-allowed = { $found } não é permitido nesta frase.
 diag-iso-no-direction = { $found }: G05 continua no sentido do arco anterior, mas não há nenhum.
+diag-iso-mode-left-on = O { $found } da frase anterior não está ativo aqui: um subprograma ou uma repetição mudou-o.

@@ -78,6 +78,7 @@ diag-contour-wrong =
         [islands] segundo RL e RR todos são ilhas, e não há nenhuma caixa à sua volta
         [round] em ambos os eixos é mais comprido do que o perímetro do cilindro
         [nested] segundo RL ou RR é uma caixa e fica inteiramente dentro de outra caixa, pelo que não remove nada
+        [beside] segundo RL ou RR é uma ilha e fica ao lado de todas as caixas, pelo que ali não se maquina nada
        *[open] não acaba onde começa
     }.
 diag-coordinate-out-of-place = { $path } não aceita estas coordenadas.
@@ -202,6 +203,7 @@ diag-hole-outside-blank =
        *[through] O furo desce até { $value }, muito para além do bloco.
     }
 diag-incremental-left-on = As coordenadas deste contorno são incrementais; só como absolutas levam de volta ao seu início.
+diag-pattern-not-called = Aqui o ciclo é chamado numa só posição, e nenhum CYCL CALL PAT utiliza a figura da linha { $line }.
 diag-result-of-other-axis =
     { $what ->
         [size] { $value } é o valor nominal de { $other }, mas é comparado aqui com { $parameter }.

@@ -11,3 +11,4 @@ diag-klartext-no-equivalent = Klartext nima ustreznice za »{ $found }«; stavek
 diag-iso-unknown-code = Noben priročnik ne navaja cikla ali funkcije s kodo { $found }.
 diag-iso-word-not-allowed = { $found } v tem stavku ni dovoljeno.
 diag-iso-no-direction = { $found }: G05 se nadaljuje v smeri prejšnjega loka, tega pa ni.
+diag-iso-mode-left-on = { $found } iz prejšnjega stavka tu ne velja: podprogram ali ponovitev ga je spremenila.

@@ -78,6 +78,7 @@ diag-contour-wrong =
         [islands] po RL in RR so vse otoki, žepa okrog njih pa ni
         [round] po obeh oseh je daljša od obsega valja
         [nested] po RL ali RR je žep in leži v celoti v drugem žepu, zato ne odstrani ničesar
+        [beside] po RL ali RR je otok in leži ob vseh žepih, zato se tam ne obdela nič
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = { $path } teh koordinat ne sprejme.
@@ -202,6 +203,7 @@ diag-hole-outside-blank =
        *[through] Vrtina sega do { $value }, daleč skozi surovec.
     }
 diag-incremental-left-on = Koordinate te konture so inkrementalne; samo kot absolutne vodijo nazaj na njen začetek.
+diag-pattern-not-called = Cikel se tu prikliče na enem položaju, vzorca v vrstici { $line } pa ne uporabi noben CYCL CALL PAT.
 diag-result-of-other-axis =
     { $what ->
         [size] { $value } je želena vrednost za { $other }, tu pa se z njo primerja { $parameter }.

@@ -1,8 +1,8 @@
 //! A contour that a cycle reads from a subprogram and cannot machine: movements of the tool axis, approaches, tool
 //! calls or cycles in it, a first point without both coordinates, no RL or RR, an end elsewhere than the beginning,
 //! elements that the cycle does not read, a corner as its last element, local parameters that are not assigned in it,
-//! more contours than it machines, the same contour twice, islands without a pocket, a pocket in another one, one that does
-//! not fit on its cylinder.
+//! more contours than it machines, the same contour twice, islands without a pocket or beside all of them, a pocket in another
+//! one, one that does not fit on its cylinder.
 //!
 //! A contour may leave it to the control to close it by going on in the line with which it began. Lengths are only
 //! compared where all coordinates are numbers.
@@ -164,36 +164,54 @@ fn no_pocket<'f, 'a>(list: &Listed<'f, 'a>) -> Option<(&'a Block, &'static str, 
     all.then_some((block, "islands", *reader))
 }
 
-/// The first block of a pocket that lies completely in another one and removes nothing: it was to be an island.
+/// The contours of a list as polygons, and whether each is a pocket; nothing if one is not certain, or there are too many
+/// points to compare.
+fn shapes(list: &Listed<'_, '_>, patience: &mut usize) -> Option<Vec<(Vec<[f64; 2]>, bool)>> {
+    let shape = |contour: &&[Block]| {
+        let (points, side) = polygon(contour, PLANE)?;
+        let area = area(&points);
+        (area != 0.0).then_some(())?;
+        Some((points, is_inside(area, side?)))
+    };
+    let shapes: Vec<(Vec<[f64; 2]>, bool)> = list.contours.iter().map(shape).collect::<Option<_>>()?;
+    // Each point is compared with each side of the others.
+    let points: usize = shapes.iter().map(|(points, _)| points.len()).sum();
+    *patience = patience.checked_sub(points.saturating_mul(points))?;
+    Some(shapes)
+}
+
+/// The first block of a pocket that lies completely in another one and removes nothing: it was to be an island. Or that
+/// of an island beside all pockets, which was to be a pocket.
 ///
 /// A pocket in an island is one. Roundings and chamfers do not count, arcs are polygons.
 fn nested<'f, 'a>(list: &Listed<'f, 'a>, patience: &mut usize) -> Option<(&'a Block, &'static str, &'f Defined<'a>)> {
     let roughs = |own: &&&Defined<'_>| own.related_cycle().is_some_and(|cycle| with_meaning(cycle, ROUGHING).is_some());
     let reader = list.readers.iter().find(roughs)?;
-    let shapes: Vec<(Vec<[f64; 2]>, bool)> = list
-        .contours
-        .iter()
-        .map(|contour| {
-            let (points, side) = polygon(contour, PLANE)?;
-            let area = area(&points);
-            (area != 0.0).then_some(())?;
-            Some((points, is_inside(area, side?)))
-        })
-        .collect::<Option<_>>()?;
-    // Each point is compared with each side of the others.
-    let points: usize = shapes.iter().map(|(points, _)| points.len()).sum();
-    *patience = patience.checked_sub(points.saturating_mul(points))?;
+    let shapes = shapes(list, patience)?;
     let lies_in = |inner: &[[f64; 2]], outer: &[[f64; 2]]| inner.iter().all(|point| holds(outer, *point));
-    let (inner, contour) =
-        shapes.iter().zip(&list.contours).enumerate().find_map(|(at, ((points, pocket), contour))| {
-            let others = || shapes.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, own)| own);
-            let inside = others().any(|(other, is_pocket)| *is_pocket && lies_in(points, other));
-            let island =
-                others().any(|(other, is_pocket)| !is_pocket && points.iter().any(|point| holds(other, *point)));
-            (*pocket && inside && !island).then_some((points, contour))
-        })?;
+    let (what, contour) = shapes.iter().zip(&list.contours).enumerate().find_map(|(at, ((points, pocket), contour))| {
+        let others = || shapes.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, own)| own);
+        let inside = others().any(|(other, is_pocket)| *is_pocket && lies_in(points, other));
+        let island = others().any(|(other, is_pocket)| !is_pocket && points.iter().any(|point| holds(other, *point)));
+        if *pocket {
+            return (inside && !island && points.len() > 2).then_some(("nested", contour));
+        }
+        let mut pockets = others().filter(|(_, is_pocket)| *is_pocket).peekable();
+        (pockets.peek().is_some() && pockets.all(|(pocket, _)| are_apart(points, pocket))).then_some(("beside", contour))
+    })?;
     let block = contour.iter().find(|block| matches!(block.kind, BlockKind::Motion(_)))?;
-    (inner.len() > 2).then_some((block, "nested", *reader))
+    Some((block, what, *reader))
+}
+
+/// Whether two polygons do not overlap, by the rectangles around them.
+fn are_apart(one: &[[f64; 2]], other: &[[f64; 2]]) -> bool {
+    let extent = |points: &[[f64; 2]], axis: usize| {
+        points.iter().fold((f64::MAX, f64::MIN), |(low, high), point| (low.min(point[axis]), high.max(point[axis])))
+    };
+    (0..2).any(|axis| {
+        let ((low, high), (other_low, other_high)) = (extent(one, axis), extent(other, axis));
+        high < other_low || other_high < low
+    })
 }
 
 /// The first block of a contour that does not fit on the cylinder on which it is rolled up: it is longer than the

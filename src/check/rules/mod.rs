@@ -129,6 +129,7 @@ mod parameter_unused;
 mod path_twice;
 mod pattern_combination;
 mod pattern_missing;
+mod pattern_not_called;
 mod pattern_wrong;
 mod pilot_hole_too_shallow;
 mod plane_incomplete;
@@ -357,6 +358,7 @@ pub const RULES: &[&Rule] = &[
     &path_twice::RULE,
     &pattern_combination::RULE,
     &pattern_missing::RULE,
+    &pattern_not_called::RULE,
     &pattern_wrong::RULE,
     &pilot_hole_too_shallow::RULE,
     &plane_incomplete::RULE,

@@ -1,10 +1,10 @@
 //! DIN/ISO in Klartext.
 //!
-//! Invariant: each block is read with the codes that act where it is in the text: `G90` and `G91`, the plane, the
-//! motion. That is also their order in the run, but for jumps; programs that change them differently on two ways to a
-//! label are read in the order of the text.
+//! Invariant: each block is read with the codes that act where it is in the text: the plane, the motion. `G90` and `G91`
+//! are those of the run (`modes`); a block that is reached with both, or never, is read in the order of the text.
 use super::codes::Codes;
 use super::home::Lowered;
+use super::modes::{self, InRun};
 use super::words::{AXES, CENTRE, PLAIN, POLAR, Words};
 use super::writer::Writer;
 use crate::base::diag::{Diagnostic, Place, Source, Span};
@@ -52,6 +52,8 @@ pub fn to_klartext(program: &Program, codes: &Codes<'_>, labels: Option<&dyn Lab
         eol,
         number: 0,
         absolute: true,
+        modes: modes::in_run(program),
+        mode_reported: false,
         axis: None,
         feed: None,
         direction: None,
@@ -105,6 +107,10 @@ pub(super) struct Lowering<'p, 'c> {
     number: u32,
     /// Whether `G90` acts.
     pub(super) absolute: bool,
+    /// `G90` and `G91` in the order of the run, where that is not the order of the text.
+    modes: Option<InRun>,
+    /// Whether it has been reported that the run has another one than the text here.
+    mode_reported: bool,
     /// The tool axis of the plane that acts.
     pub(super) axis: Option<Axis>,
     /// A feed that was written in a block at rapid traverse: it acts from the next one on.
@@ -124,6 +130,7 @@ impl Lowering<'_, '_> {
         let start = self.out.text.len();
         let number = self.number;
         self.homes.push((start, index, false));
+        self.follow_mode(index, block);
         match self.write(block) {
             Ok(()) => self.comment(block, start),
             Err(refusal) => {
@@ -132,6 +139,23 @@ impl Lowering<'_, '_> {
                 self.refuse(block, &refusal);
             }
         }
+    }
+
+    /// Takes over what acts in the run, and reports the first block whose coordinates mean something else than they say.
+    fn follow_mode(&mut self, index: usize, block: &Block) {
+        let Some(modes) = &self.modes else { return };
+        self.absolute = modes.absolute(index).unwrap_or(self.absolute);
+        let differs = modes.differs(index);
+        let place = match &block.kind {
+            BlockKind::Iso(own) => Words::new(self.program, own).meant_by_mode(),
+            _ => None,
+        };
+        self.mode_reported &= differs;
+        let (true, false, Some(span)) = (differs, self.mode_reported, place) else { return };
+        self.mode_reported = true;
+        let found = if modes.written(index) { "G90" } else { "G91" };
+        let place = Place::new(self.program.source(), span);
+        self.diagnostics.push(Diagnostic::warning("iso-mode-left-on", place).arg("found", found));
     }
 
     /// A refused block is a comment.

@@ -8,6 +8,7 @@ mod blocks;
 mod codes;
 mod home;
 mod lower;
+mod modes;
 mod old;
 mod raise;
 mod words;

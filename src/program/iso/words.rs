@@ -3,7 +3,7 @@
 //! Invariant: a block whose words are not all taken is refused.
 use super::lower::{Refusal, Written};
 use crate::base::diag::Span;
-use crate::program::syntax::{IsoBlock, NamedWord, Program, ValueKind};
+use crate::program::syntax::{IsoBlock, IsoKind, NamedWord, Program, ValueKind};
 
 pub(super) const AXES: [&str; 9] = ["X", "Y", "Z", "A", "B", "C", "U", "V", "W"];
 pub(super) const PLAIN: [(&str, &str); 9] =
@@ -46,6 +46,20 @@ impl<'p> Words<'p> {
             ValueKind::Number(number) if self.program.slice(word.name).eq_ignore_ascii_case("G") => Some(number as u16),
             _ => None,
         }
+    }
+
+    /// The coordinates of a motion, centre or call, if `G90` or `G91` of an earlier block says what they mean.
+    pub(super) fn meant_by_mode(&self) -> Option<Span> {
+        let moves = matches!(self.own.kind, IsoKind::Path(_) | IsoKind::Centre | IsoKind::Call);
+        let own = self.own.words.iter().any(|word| matches!(self.code(word), Some(90 | 91)));
+        let is_coordinate = |word: &&NamedWord| {
+            let name = self.program.slice(word.name);
+            let among = |(own, _): &(&str, &str)| name.eq_ignore_ascii_case(own);
+            PLAIN.iter().chain(&CENTRE).any(among) || name.eq_ignore_ascii_case("H")
+        };
+        let mut coordinates = self.own.words.iter().filter(|_| moves && !own).filter(is_coordinate);
+        let first = coordinates.next()?.span;
+        Some(coordinates.fold(first, |all, word| Span::new(all.start, word.span.end)))
     }
 
     /// Codes that are not written yet, with their places.
