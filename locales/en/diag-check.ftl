@@ -19,7 +19,11 @@ diag-arc-wrong =
        *[centre] its start is { $first } away from the centre, its end { $second }
     }.
 diag-axis-twice = Axis { $axis } is programmed twice in this block.
-diag-back-boring-inside = The material is { $value } thick according to the cycle, and the blank goes { $other } below the surface.
+diag-back-boring-inside =
+    { $what ->
+        [hole] The cutting edge reaches { $value } from the axis of the hole, whose radius is only { $other }: the tool does not go through.
+       *[thickness] The material is { $value } thick according to the cycle, and the blank goes { $other } below the surface.
+    }
 diag-blocks-after-end = Blocks after END PGM are not executed.
 diag-blank-wrong =
     { $what ->
@@ -204,12 +208,19 @@ diag-hole-outside-blank =
     }
 diag-incremental-left-on = The coordinates of this contour are incremental; only as absolute ones do they lead back to its beginning.
 diag-pattern-not-called = The cycle is called at one position here, and no CYCL CALL PAT uses the pattern of line { $line }.
+diag-plunge-beside-hole = The block has plunged into a hole before, but at { $value }, { $other } it plunges into solid material.
+diag-position-without-call = The tool goes to { $value }, { $other } between two calls and does nothing there: a call (M99, CYCL CALL) may be missing.
 diag-result-of-other-axis =
     { $what ->
         [size] { $value } is the nominal value for { $other }, but { $parameter } is compared with it here.
        *[axis] { $parameter } is the result for the axis { $axis }, but it is used for { $other } here.
     }
-diag-holes-overlap = Two holes with a diameter of { $other } are only { $value } apart here: they overlap.
+diag-holes-overlap =
+    { $what ->
+        [pockets] The pocket or slot about { $value }, { $other } runs into another one of the same definition.
+        [pocket] The hole at { $value }, { $other } is cut by a pocket or slot that was milled before.
+       *[holes] Two holes with a diameter of { $other } are only { $value } apart here: they overlap.
+    }
 diag-insert-points-away = The insert cannot cut where { $cycle } goes: its orientation (TO) is { $orientation }, so its tip points away from the part or from the feed.
 diag-iso-incomplete =
     This block is incomplete: { $what ->
@@ -476,6 +487,7 @@ diag-value-unlike-others =
         [path] The coordinate is { $value } here, far beside its neighbours on the same path; { $other } would fit.
        *[others] The value is { $value } here, and { $other } in all other places of this kind.
     }
+diag-wall-left = The open contour leaves a wall { $value } mm wide at the edge of the blank: RL and RR may be exchanged.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } probes here with the tool that has just machined.
@@ -638,6 +650,7 @@ diag-surface-wrong =
         [air] The cycle works in the air here: it goes down to { $value }, where everything has been milled away before.
         [high] The cycle works from where it is called, at { $value }: its surface then lies at { $other }, above the blank.
         [low] The cycle is called inside the blank, at { $value }, and nothing has been machined down to its surface at { $other }.
+        [cylinder] The cylinder has the radius { $value }, but the blank about its axis has { $other }.
        *[faced] The surface is at { $value }, but the face was milled down to { $other }.
     }
 diag-turned-thread-wrong =

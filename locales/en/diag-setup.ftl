@@ -77,12 +77,14 @@ diag-character-unknown = The text has “{ $character }”, which the font does 
 diag-allowance-left =
     { $what ->
         [below] The contour of label { $label } is machined with the negative oversize { $value } first: nothing is left for the tool that machines it afterwards.
+        [cycle] { $label } machines the contour with this tool, too, with the allowance { $value }: it stays on the part.
        *[left] The contour of label { $label } is machined with the oversize { $value } with this tool, too: the allowance stays on the part.
     }
 diag-contour-crossed =
     { $what ->
         [back] This closed contour goes from a corner straight back to the one before it.
         [away] The tool leaves this closed contour for its other side: on the way it cuts through what it has just finished.
+        [start] This closed contour is approached in an inside corner: the tool cuts into its last element there.
        *[side] With this radius compensation the tool crosses the closed contour: it comes from the other side of it.
     }
 diag-error-branch-entered =

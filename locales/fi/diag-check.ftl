@@ -19,7 +19,11 @@ diag-arc-wrong =
        *[centre] alkupiste on etäisyydellä { $first } keskipisteestä, loppupiste etäisyydellä { $second }
     }.
 diag-axis-twice = Akseli { $axis } on tässä lauseessa kahdesti.
-diag-back-boring-inside = Työkierron mukaan materiaalin paksuus on { $value }, mutta aihio ulottuu pinnan alle { $other }.
+diag-back-boring-inside =
+    { $what ->
+        [hole] Terä ulottuu etäisyydelle { $value } reiän akselista, ja reiän säde on vain { $other }: työkalu ei mahdu läpi.
+       *[thickness] Työkierron mukaan materiaalin paksuus on { $value }, mutta aihio ulottuu pinnan alle { $other }.
+    }
 diag-blocks-after-end = Tässä on lauseita vielä END PGM -lauseen jälkeen.
 diag-blank-wrong =
     { $what ->
@@ -204,12 +208,19 @@ diag-hole-outside-blank =
     }
 diag-incremental-left-on = Tämän muodon koordinaatit ovat inkrementaalisia; vain absoluuttisina ne johtavat takaisin sen alkuun.
 diag-pattern-not-called = Työkierto kutsutaan tässä yhdessä paikassa, eikä mikään CYCL CALL PAT käytä rivin { $line } pistekuviota.
+diag-plunge-beside-hole = Lause on aiemmin ajanut reikään, mutta kohdassa { $value }, { $other } se ajaa kiinteään materiaaliin.
+diag-position-without-call = Työkalu käy kahden kutsun välissä paikassa { $value }, { $other } eikä tee siellä mitään: kutsu (M99, CYCL CALL) voi puuttua.
 diag-result-of-other-axis =
     { $what ->
         [size] { $value } on parametrin { $other } asetusarvo, mutta siihen verrataan tässä parametria { $parameter }.
        *[axis] { $parameter } on akselin { $axis } tulos, mutta sitä käytetään tässä akselille { $other }.
     }
-diag-holes-overlap = Kaksi reikää, joiden halkaisija on { $other }, on tässä vain etäisyydellä { $value } toisistaan: ne leikkaavat toisensa.
+diag-holes-overlap =
+    { $what ->
+        [pockets] Tasku tai ura kohdassa { $value }, { $other } ulottuu toiseen saman määrittelyn taskuun tai uraan.
+        [pocket] Aiemmin jyrsitty tasku tai ura leikkaa reiän { $value }, { $other }.
+       *[holes] Kaksi reikää, joiden halkaisija on { $other }, on tässä vain etäisyydellä { $value } toisistaan: ne leikkaavat toisensa.
+    }
 diag-insert-points-away = Teräpala ei voi lastuta siihen suuntaan, johon { $cycle } etenee: sen suunta (TO) on { $orientation }, joten kärki osoittaa poispäin kappaleesta tai syötöstä.
 diag-iso-incomplete =
     Tämä lause on puutteellinen: { $what ->
@@ -475,6 +486,7 @@ diag-value-unlike-others =
         [path] Koordinaatti on tässä { $value }, kaukana saman radan viereisistä pisteistä; { $other } sopisi.
        *[others] Arvo on tässä { $value } ja kaikissa muissa vastaavissa paikoissa { $other }.
     }
+diag-wall-left = Avoin muoto jättää aihion reunaan { $value } mm leveän seinämän: RL ja RR voivat olla vaihtuneet.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.
@@ -637,6 +649,7 @@ diag-surface-wrong =
         [air] Työkierto työstää tässä ilmaa: se menee arvoon { $value }, missä kaikki on jyrsitty pois jo aiemmin.
         [high] Työkierto alkaa kutsupaikastaan { $value }: sen yläpinta on silloin { $other }, aihion yläpuolella.
         [low] Työkierto kutsutaan aihion sisällä korkeudella { $value }, eikä mikään ole koneistettu sen yläpintaan { $other } asti.
+        [cylinder] Lieriön säde on { $value }, mutta aihion säde sen akselin ympärillä on { $other }.
        *[faced] Pinta on { $value }, mutta taso on jyrsitty arvoon { $other }.
     }
 diag-turned-thread-wrong =

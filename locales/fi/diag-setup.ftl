@@ -77,12 +77,14 @@ diag-character-unknown = Tekstissä on merkki ”{ $character }”, jota kirjasi
 diag-allowance-left =
     { $what ->
         [below] Labelin { $label } muoto koneistetaan ensin negatiivisella työvaralla { $value }: sen jälkeen koneistavalle työkalulle ei jää mitään.
+        [cycle] { $label } koneistaa muodon myös tällä työkalulla työvaralla { $value }: työvara jää kappaleeseen.
        *[left] Labelin { $label } muoto koneistetaan myös tällä työkalulla työvaralla { $value }: työvara jää kappaleeseen.
     }
 diag-contour-crossed =
     { $what ->
         [back] Tämä suljettu muoto palaa nurkasta suoraan edelliseen nurkkaan.
         [away] Työkalu poistuu tästä suljetusta muodosta sen toiselle puolelle: matkalla se lastuaa sitä, minkä se juuri viimeisteli.
+        [start] Tähän suljettuun muotoon ajetaan sisänurkassa: työkalu lastuaa siinä muodon viimeistä elementtiä.
        *[side] Tällä sädekorjauksella työkalu kulkee suljetun muodon poikki: se tulee muodon toiselta puolelta.
     }
 diag-error-branch-entered =

@@ -19,7 +19,11 @@ diag-arc-wrong =
        *[centre] l’inizio dista { $first } dal centro, la fine { $second }
     }.
 diag-axis-twice = L’asse { $axis } compare due volte in questo blocco.
-diag-back-boring-inside = Secondo il ciclo il materiale è spesso { $value }, ma il pezzo grezzo arriva { $other } sotto la superficie.
+diag-back-boring-inside =
+    { $what ->
+        [hole] Il tagliente arriva a { $value } dall’asse del foro, che ha un raggio di soli { $other }: l’utensile non passa.
+       *[thickness] Secondo il ciclo il materiale è spesso { $value }, ma il pezzo grezzo arriva { $other } sotto la superficie.
+    }
 diag-blocks-after-end = Qui ci sono blocchi dopo END PGM.
 diag-blank-wrong =
     { $what ->
@@ -204,12 +208,19 @@ diag-hole-outside-blank =
     }
 diag-incremental-left-on = Le coordinate di questo profilo sono incrementali; solo come assolute riportano al suo inizio.
 diag-pattern-not-called = Qui il ciclo è richiamato in una sola posizione e nessun CYCL CALL PAT usa la sagoma della riga { $line }.
+diag-plunge-beside-hole = Prima il blocco è sceso in un foro, ma a { $value }, { $other } penetra nel materiale pieno.
+diag-position-without-call = Tra due chiamate l’utensile va a { $value }, { $other } e lì non fa nulla: potrebbe mancare una chiamata (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->
         [size] { $value } è il valore nominale di { $other }, ma qui viene confrontato con { $parameter }.
        *[axis] { $parameter } è il risultato per l’asse { $axis }, ma qui viene usato per { $other }.
     }
-diag-holes-overlap = Qui due fori del diametro di { $other } distano solo { $value }: si sovrappongono.
+diag-holes-overlap =
+    { $what ->
+        [pockets] La tasca o scanalatura attorno a { $value }, { $other } entra in un’altra della stessa definizione.
+        [pocket] Il foro a { $value }, { $other } è tagliato da una tasca o scanalatura fresata prima.
+       *[holes] Qui due fori del diametro di { $other } distano solo { $value }: si sovrappongono.
+    }
 diag-insert-points-away = L’inserto non può tagliare dove va { $cycle }: il suo orientamento (TO) è { $orientation }, perciò la punta è rivolta dalla parte opposta al pezzo o all’avanzamento.
 diag-iso-incomplete =
     Questo blocco è incompleto: { $what ->
@@ -475,6 +486,7 @@ diag-value-unlike-others =
         [path] La coordinata è qui { $value }, lontana dai punti vicini sullo stesso percorso; { $other } sarebbe coerente.
        *[others] Qui il valore è { $value }, in tutti gli altri punti simili { $other }.
     }
+diag-wall-left = Il profilo aperto lascia una parete larga { $value } mm sul bordo del pezzo grezzo: RL e RR potrebbero essere scambiati.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.
@@ -637,6 +649,7 @@ diag-surface-wrong =
         [air] Qui il ciclo lavora a vuoto: scende a { $value }, dove tutto è già stato asportato.
         [high] Il ciclo parte da dove viene chiamato, a { $value }: la sua superficie è quindi a { $other }, sopra il pezzo grezzo.
         [low] Il ciclo viene chiamato dentro il pezzo grezzo, a { $value }, e nulla è stato lavorato fino alla sua superficie a { $other }.
+        [cylinder] Il cilindro ha il raggio { $value }, ma il pezzo grezzo attorno al suo asse ha { $other }.
        *[faced] La superficie è a { $value }, ma la faccia è stata fresata fino a { $other }.
     }
 diag-turned-thread-wrong =

@@ -77,12 +77,14 @@ diag-character-unknown = Il testo contiene «{ $character }», che il carattere 
 diag-allowance-left =
     { $what ->
         [below] Il profilo del label { $label } viene lavorato prima con il sovrametallo negativo { $value }: all’utensile che lo lavora in seguito non resta nulla.
+        [cycle] Anche con questo utensile { $label } lavora il profilo con il sovrametallo { $value }, che rimane sul pezzo.
        *[left] Il profilo del label { $label } viene lavorato anche con questo utensile con il sovrametallo { $value }: il sovrametallo rimane sul pezzo.
     }
 diag-contour-crossed =
     { $what ->
         [back] Questo profilo chiuso torna da uno spigolo direttamente a quello precedente.
         [away] L’utensile lascia questo profilo chiuso verso l’altro lato: lungo il percorso taglia ciò che ha appena finito.
+        [start] Questo profilo chiuso viene raggiunto in uno spigolo interno: lì l’utensile intacca l’ultimo elemento.
        *[side] Con questa correzione del raggio l’utensile attraversa il profilo chiuso: arriva dall’altro lato.
     }
 diag-error-branch-entered =

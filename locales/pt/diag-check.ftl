@@ -19,7 +19,11 @@ diag-arc-wrong =
        *[centre] o início fica a { $first } do centro e o fim a { $second }
     }.
 diag-axis-twice = O eixo { $axis } aparece duas vezes nesta frase.
-diag-back-boring-inside = Segundo o ciclo, a espessura do material é { $value }, mas o bloco vai até { $other } abaixo da superfície.
+diag-back-boring-inside =
+    { $what ->
+        [hole] A aresta de corte chega a { $value } do eixo do furo, que tem um raio de apenas { $other }: a ferramenta não passa.
+       *[thickness] Segundo o ciclo, a espessura do material é { $value }, mas o bloco vai até { $other } abaixo da superfície.
+    }
 diag-blocks-after-end = Há aqui frases depois de END PGM.
 diag-blank-wrong =
     { $what ->
@@ -204,12 +208,19 @@ diag-hole-outside-blank =
     }
 diag-incremental-left-on = As coordenadas deste contorno são incrementais; só como absolutas levam de volta ao seu início.
 diag-pattern-not-called = Aqui o ciclo é chamado numa só posição, e nenhum CYCL CALL PAT utiliza a figura da linha { $line }.
+diag-plunge-beside-hole = Antes a frase desceu num furo, mas em { $value }, { $other } penetra em material maciço.
+diag-position-without-call = Entre duas chamadas a ferramenta vai a { $value }, { $other } e não faz lá nada: pode faltar uma chamada (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->
         [size] { $value } é o valor nominal de { $other }, mas é comparado aqui com { $parameter }.
        *[axis] { $parameter } é o resultado do eixo { $axis }, mas é usado aqui para { $other }.
     }
-diag-holes-overlap = Dois furos com o diâmetro { $other } estão aqui apenas a { $value } um do outro: sobrepõem-se.
+diag-holes-overlap =
+    { $what ->
+        [pockets] A caixa ou ranhura em torno de { $value }, { $other } entra noutra da mesma definição.
+        [pocket] O furo em { $value }, { $other } é cortado por uma caixa ou ranhura fresada antes.
+       *[holes] Dois furos com o diâmetro { $other } estão aqui apenas a { $value } um do outro: sobrepõem-se.
+    }
 diag-insert-points-away = A pastilha não pode cortar para onde vai { $cycle }: a sua orientação (TO) é { $orientation }, pelo que a ponta está virada para o lado oposto à peça ou ao avanço.
 diag-iso-incomplete =
     Esta frase está incompleta: { $what ->
@@ -476,6 +487,7 @@ diag-value-unlike-others =
         [path] A coordenada é aqui { $value }, longe dos pontos vizinhos no mesmo percurso; { $other } seria coerente.
        *[others] O valor é aqui { $value }, e { $other } em todos os outros sítios deste tipo.
     }
+diag-wall-left = O contorno aberto deixa uma parede com { $value } mm de largura na borda do bloco: RL e RR podem estar trocados.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } apalpa aqui com a ferramenta que acabou de maquinar.
@@ -638,6 +650,7 @@ diag-surface-wrong =
         [air] O ciclo trabalha aqui no ar: desce até { $value }, onde já tudo foi fresado antes.
         [high] O ciclo parte de onde é chamado, em { $value }: a sua superfície fica então em { $other }, acima do bloco.
         [low] O ciclo é chamado dentro do bloco, em { $value }, e nada foi maquinado até à sua superfície em { $other }.
+        [cylinder] O cilindro tem o raio { $value }, mas o bloco à volta do seu eixo tem { $other }.
        *[faced] A superfície está em { $value }, mas a face foi fresada até { $other }.
     }
 diag-turned-thread-wrong =

@@ -77,12 +77,14 @@ diag-character-unknown = O texto contém «{ $character }», que o tipo de letra
 diag-allowance-left =
     { $what ->
         [below] O contorno do label { $label } é maquinado primeiro com a medida excedente negativa { $value }: não fica nada para a ferramenta que o maquina depois.
+        [cycle] Também com esta ferramenta { $label } maquina o contorno com a medida excedente { $value }, que fica na peça.
        *[left] O contorno do label { $label } também é maquinado com esta ferramenta com a medida excedente { $value }: a medida excedente fica na peça.
     }
 diag-contour-crossed =
     { $what ->
         [back] Este contorno fechado volta de uma esquina diretamente à anterior.
         [away] A ferramenta sai deste contorno fechado para o outro lado: no caminho corta o que acabou de terminar.
+        [start] A aproximação a este contorno fechado é feita numa esquina interior: ali a ferramenta corta o último elemento.
        *[side] Com esta correção de raio a ferramenta atravessa o contorno fechado: vem do outro lado dele.
     }
 diag-error-branch-entered =

@@ -19,7 +19,11 @@ diag-arc-wrong =
        *[centre] začetek je od središča oddaljen { $first }, konec pa { $second }
     }.
 diag-axis-twice = Os { $axis } je v tem stavku navedena dvakrat.
-diag-back-boring-inside = Po podatkih cikla je material debel { $value }, surovec pa sega { $other } pod površino.
+diag-back-boring-inside =
+    { $what ->
+        [hole] Rezalni rob sega { $value } od osi vrtine, njen polmer pa je le { $other }: orodje ne gre skoznjo.
+       *[thickness] Po podatkih cikla je material debel { $value }, surovec pa sega { $other } pod površino.
+    }
 diag-blocks-after-end = Za stavkom END PGM so še drugi stavki.
 diag-blank-wrong =
     { $what ->
@@ -204,12 +208,19 @@ diag-hole-outside-blank =
     }
 diag-incremental-left-on = Koordinate te konture so inkrementalne; samo kot absolutne vodijo nazaj na njen začetek.
 diag-pattern-not-called = Cikel se tu prikliče na enem položaju, vzorca v vrstici { $line } pa ne uporabi noben CYCL CALL PAT.
+diag-plunge-beside-hole = Stavek je prej zapeljal v vrtino, na { $value }, { $other } pa gre v poln material.
+diag-position-without-call = Orodje gre med dvema priklicema na { $value }, { $other } in tam ne naredi ničesar: morda manjka priklic (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->
         [size] { $value } je želena vrednost za { $other }, tu pa se z njo primerja { $parameter }.
        *[axis] { $parameter } je rezultat za os { $axis }, tu pa se uporabi za { $other }.
     }
-diag-holes-overlap = Dve vrtini s premerom { $other } sta tu narazen samo { $value }: prekrivata se.
+diag-holes-overlap =
+    { $what ->
+        [pockets] Žep ali utor okrog { $value }, { $other } sega v drugega z isto definicijo.
+        [pocket] Vrtino na { $value }, { $other } reže žep ali utor, ki je bil rezkan prej.
+       *[holes] Dve vrtini s premerom { $other } sta tu narazen samo { $value }: prekrivata se.
+    }
 diag-insert-points-away = Rezalna ploščica ne more rezati v smeri, v katero gre { $cycle }: njena usmerjenost (TO) je { $orientation }, zato je konica obrnjena stran od obdelovanca ali od pomika.
 diag-iso-incomplete =
     Ta stavek je nepopoln: { $what ->
@@ -479,6 +490,7 @@ diag-value-unlike-others =
         [path] Koordinata je tu { $value }, daleč od sosednjih točk na isti poti; ustrezala bi { $other }.
        *[others] Vrednost je tu { $value }, na vseh drugih takih mestih pa { $other }.
     }
+diag-wall-left = Odprta kontura pusti ob robu surovca { $value } mm široko steno: RL in RR sta morda zamenjana.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.
@@ -641,6 +653,7 @@ diag-surface-wrong =
         [air] Cikel tu dela v zraku: gre do { $value }, kjer je bilo vse že prej odstranjeno.
         [high] Cikel začne tam, kjer je priklican, pri { $value }: njegova površina je potem pri { $other }, nad surovcem.
         [low] Cikel je priklican v surovcu, pri { $value }, do njegove površine pri { $other } pa ni bilo obdelano nič.
+        [cylinder] Valj ima polmer { $value }, surovec okrog njegove osi pa { $other }.
        *[faced] Površina je pri { $value }, ploskev pa je bila rezkana do { $other }.
     }
 diag-turned-thread-wrong =

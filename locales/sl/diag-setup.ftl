@@ -79,12 +79,14 @@ diag-character-unknown = Besedilo vsebuje »{ $character }«, znak, ki ga pisava
 diag-allowance-left =
     { $what ->
         [below] Kontura oznake { $label } se najprej obdela z negativno nadmero { $value }: orodju, ki jo obdela za tem, ne ostane nič.
+        [cycle] { $label } tudi s tem orodjem obdela konturo z nadmero { $value }: nadmera ostane na obdelovancu.
        *[left] Kontura oznake { $label } se tudi s tem orodjem obdela z nadmero { $value }: nadmera ostane na obdelovancu.
     }
 diag-contour-crossed =
     { $what ->
         [back] Ta sklenjena kontura se od vogala vrne naravnost k prejšnjemu.
         [away] Orodje se s te sklenjene konture odmakne na njeno drugo stran: na poti reže to, kar je pravkar končalo.
+        [start] Do te sklenjene konture orodje pride v notranjem vogalu: tam zareže v njen zadnji element.
        *[side] S tem popravkom polmera orodje prečka sklenjeno konturo: prihaja z njene druge strani.
     }
 diag-error-branch-entered =

@@ -1,6 +1,6 @@
 //! The box that a program names as its blank.
 use super::{Aspect, Modal, Tri};
-use crate::program::syntax::{Amount, Axis, BlkForm, BlockKind, NamedWord, Program, StatementKind, ValueKind};
+use crate::program::syntax::{Amount, Axis, BlkForm, BlockKind, NamedWord, Program, Statement, StatementKind, ValueKind};
 
 /// The axes of places inside of it, in the order of its corners.
 pub(super) const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
@@ -79,20 +79,35 @@ pub(super) fn top(program: &Program) -> Option<f64> {
     if let Some(blank) = Blank::of(program) {
         return Some(blank.high[2]);
     }
-    let mut forms = program.blocks().iter().filter_map(|block| match &block.kind {
-        BlockKind::Statement(own) if own.kind == StatementKind::BlkForm => Some(own),
-        _ => None,
-    });
-    let form = forms.next().filter(|_| forms.next().is_none())?;
-    let last = program.slice(form.head).split_whitespace().last()?;
-    let name = |word: &NamedWord| program.slice(word.name).trim().to_ascii_uppercase();
-    let along = form.words.iter().any(|word| name(word) == "Z");
-    if !along || !last.eq_ignore_ascii_case("CYLINDER") {
-        return None;
-    }
-    match form.words.iter().find(|word| name(word) == "DIST").map(|word| word.value.kind) {
+    let form = cylinder(program)?;
+    match word(program, form, "DIST").map(|word| word.value.kind) {
         None => Some(0.0),
         Some(ValueKind::Number(number)) => Some(number),
         Some(_) => None,
     }
+}
+
+/// The diameter of the one cylinder along Z that a program names as its blank, about X 0 and Y 0.
+pub(super) fn diameter(program: &Program) -> Option<f64> {
+    let form = cylinder(program)?;
+    let value = |name: &str| match word(program, form, name)?.value.kind {
+        ValueKind::Number(number) => Some(number),
+        _ => None,
+    };
+    value("D").or_else(|| Some(2.0 * value("R")?))
+}
+
+/// The statement of the one cylinder along Z.
+fn cylinder(program: &Program) -> Option<&Statement> {
+    let mut forms = program.blocks().iter().filter_map(|block| match &block.kind {
+        BlockKind::Statement(own) if own.kind == StatementKind::BlkForm => Some(own.as_ref()),
+        _ => None,
+    });
+    let form = forms.next().filter(|_| forms.next().is_none())?;
+    let last = program.slice(form.head).split_whitespace().last()?;
+    (word(program, form, "Z").is_some() && last.eq_ignore_ascii_case("CYLINDER")).then_some(form)
+}
+
+fn word<'p>(program: &Program, form: &'p Statement, name: &str) -> Option<&'p NamedWord> {
+    form.words.iter().find(|word| program.slice(word.name).trim().eq_ignore_ascii_case(name))
 }

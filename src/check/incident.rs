@@ -111,6 +111,21 @@ pub enum Incident {
         /// How wide they are.
         width: f64,
     },
+    /// Pockets or slots of one definition that run into each other, with the middle of the later one.
+    PocketsOverlap([f64; 2]),
+    /// A hole that a pocket cuts which was milled before.
+    HoleCutByPocket([f64; 2]),
+    /// A wall that a contour leaves at the edge of the blank, and how wide it is.
+    WallLeft(f64),
+    /// A block that plunges into a hole on one pass and into solid material at this place.
+    PlungeBesideHoles([f64; 2]),
+    /// The edge of a bar that goes through a hole beside its axis, and reaches farther than the hole.
+    EdgeWiderThanHole {
+        /// How far the edge is from the axis of the hole.
+        edge: f64,
+        /// The radius of the hole.
+        hole: f64,
+    },
     /// A tool that is narrower than the hole in which it works, and goes no deeper.
     NothingLeft {
         /// The diameter of the tool.

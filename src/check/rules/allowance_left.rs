@@ -1,14 +1,21 @@
 //! A contour that is machined with two tools and the same oversize DR both times: the allowance of roughing is still there
 //! after finishing. Also one that a negative DR machines first, and another tool then with a greater one: it finds nothing.
+//! Also a contour train that two tools machine with the same allowance for the side.
 use std::collections::BTreeMap;
 
-use crate::base::diag::{Diagnostic, Severity};
-use crate::check::{Facts, Loaded, Mark, Rule, Way};
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::check::contours::listed;
+use crate::check::program::number;
+use crate::check::{Facts, Loaded, Mark, Pending, Rule, Way};
 use crate::program::syntax::{Amount, BlockKind, ToolRef};
 
 pub(super) const RULE: Rule = Rule { code: "allowance-left", severity: Severity::Warning, run };
 
+/// The meaning of the allowance of a contour train, which others have as data of their contours.
+const ALLOWANCE: &str = "side-allowance";
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    trains(rule, facts, found);
     let blocks = facts.program.blocks();
     // The calls of each subprogram: the block of the tool and its oversize.
     let mut calls: BTreeMap<&Mark, Vec<(u32, f64)>> = BTreeMap::new();
@@ -23,14 +30,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         };
         calls.entry(mark).or_default().push((tool, oversize));
     }
-    let number = |tool: u32| match blocks.get(tool as usize).map(|block| &block.kind) {
-        Some(BlockKind::ToolCall(call)) => match call.tool {
-            Some(ToolRef::Number(own)) => Some(facts.text(own.span)),
-            Some(ToolRef::Name(name)) => Some(facts.text(name)),
-            None => None,
-        },
-        _ => None,
-    };
+    let number = |tool: u32| called_tool(facts, tool);
     for (mark, calls) in calls {
         let (Some((first, left)), Some((last, end))) = (calls.first(), calls.last()) else { continue };
         let same = *left > 0.0 && calls.iter().all(|(_, own)| own == left);
@@ -44,7 +44,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             && let Some(block) = blocks.get(*first as usize)
         {
             let finding = rule.at(facts, facts.content(block)).arg("what", "below");
-            let finding = finding.arg("value", crate::base::diag::Arg::Number(*left));
+            let finding = finding.arg("value", Arg::Number(*left));
             found.push(finding.arg("label", mark.to_string()));
         }
         if same
@@ -53,8 +53,48 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             && let Some(block) = blocks.get(*last as usize)
         {
             let finding = rule.at(facts, facts.content(block)).arg("what", "left");
-            let finding = finding.arg("value", crate::base::diag::Arg::Number(*end));
+            let finding = finding.arg("value", Arg::Number(*end));
             found.push(finding.arg("label", mark.to_string()));
+        }
+    }
+}
+
+/// The tool that a call names.
+fn called_tool<'f>(facts: &'f Facts<'_>, block: u32) -> Option<&'f str> {
+    match facts.program.blocks().get(block as usize).map(|block| &block.kind) {
+        Some(BlockKind::ToolCall(call)) => match call.tool {
+            Some(ToolRef::Number(own)) => Some(facts.text(own.span)),
+            Some(ToolRef::Name(name)) => Some(facts.text(name)),
+            None => None,
+        },
+        _ => None,
+    }
+}
+
+/// Cycles that machine a list of contours on their own, with an allowance of their own: one that two tools leave.
+fn trains(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for list in listed(facts) {
+        let mut passes: Vec<(u32, f64, u32, Span)> = Vec::new();
+        for call in &facts.run.calls {
+            let (Pending::Definition(index), Loaded::By(tool)) = (call.modal.pending, call.modal.loaded) else {
+                continue;
+            };
+            let reader = list.readers.iter().find(|own| {
+                facts.definitions.get(index as usize).is_some_and(|other| other.view.first == own.view.first)
+            });
+            let Some(reader) = reader else { continue };
+            let related = reader.as_related_cycle();
+            let read = facts.read(&related);
+            let Some(item) = read.item(ALLOWANCE) else { return };
+            let Some(value) = number(item) else { return };
+            passes.push((tool, value, index, item.value_span));
+        }
+        let (Some(first), Some(last)) = (passes.first(), passes.last()) else { continue };
+        let same = first.1 > 0.0 && passes.iter().all(|own| own.1 == first.1);
+        if same && first.2 != last.2 && called_tool(facts, first.0) != called_tool(facts, last.0) {
+            let name = facts.definitions.get(last.2 as usize).map_or_else(String::new, |own| own.key.to_string());
+            let finding = rule.at(facts, last.3).arg("what", "cycle").arg("label", name);
+            found.push(finding.arg("value", Arg::Number(last.1)));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! A closed contour with RL or RR to which the tool comes from the wrong side: it begins outside and compensates to the
 //! inside, or the other way round, and crosses the contour by its radius; or one that goes from a corner straight back to
-//! the one before it; or one that the tool leaves for its other side without being lifted.
+//! the one before it; or one that the tool leaves for its other side without being lifted; or one that is approached in an
+//! inside corner, which the tool damages by its radius.
 //!
 //! Only contours whose elements are all numbers, that do not cross themselves, and whose height does not change from the
 //! compensating movement to the one that leaves: a tool that plunges at the contour may come from above.
@@ -25,6 +26,9 @@ struct Course {
     /// Where the tool was before it, if that is known.
     start: Option<[f64; 2]>,
     place: Span,
+    /// Whether APPR leads to it, and whether its first element and its last one so far are straight.
+    approached: bool,
+    straight: Option<[bool; 2]>,
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
@@ -66,7 +70,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let begins =
                     own.start.is_some_and(|start| is_across(own.side, start, &ring)).then_some(("side", own.place));
                 let ends = || left_for(&line, &words).is_some_and(|end| is_across(own.side, end, &ring));
-                begins.or_else(|| ends().then(|| ("away", facts.content(block))))
+                let corner = || own.begins_in_corner(&line.points).then_some(("start", own.place));
+                begins.or_else(|| ends().then(|| ("away", facts.content(block)))).or_else(corner)
             };
             // Against the other passes of the contour the side was reported before.
             let same = |known: &Diagnostic| {
@@ -78,8 +83,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             line.begin();
         }
         if let (Some(side), None) = (beside, &course) {
-            course = Some(Course { side, start: line.end(), place: facts.content(block) });
+            let approached = matches!(words.path, Path::Appr(_));
+            let (start, place) = (line.end(), facts.content(block));
+            course = Some(Course { side, start, place, approached, straight: None });
             line.begin();
+        } else if let Some(own) = &mut course {
+            own.note(&words);
         }
         let lifts = words.coords.iter().any(|coord| !matches!(coord.axis, Axis::X | Axis::Y | Axis::Pr | Axis::Pa));
         let other = beside.zip(course.as_ref()).is_some_and(|(side, own)| side != own.side);
@@ -92,6 +101,41 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             line.lose();
             course = None;
         }
+    }
+}
+
+impl Course {
+    /// Notes an element.
+    fn note(&mut self, words: &Motion) {
+        let straight = match words.path {
+            Path::L | Path::Lp => !words.coords.is_empty(),
+            Path::Cc => return,
+            _ => false,
+        };
+        let first = self.straight.map_or(straight, |[first, _]| first);
+        self.straight = Some([first, straight]);
+    }
+
+    /// Whether the tool is led to an inside corner of the closed contour, and leaves it there.
+    fn begins_in_corner(&self, points: &[[f64; 2]]) -> bool {
+        /// Lines that turn by less go on straight.
+        const BENT: f64 = 0.05;
+        let (Some(first), Some(last)) = (points.first(), points.last()) else { return false };
+        let apart = libm::hypot(first[0] - last[0], first[1] - last[1]);
+        let [Some(next), Some(before)] = [points.get(1), points.len().checked_sub(2).and_then(|at| points.get(at))]
+        else {
+            return false;
+        };
+        if !self.approached || self.straight != Some([true; 2]) || apart > NEAR || points.len() < 4 {
+            return false;
+        }
+        let unit = |from: &[f64; 2], to: &[f64; 2]| {
+            let long = libm::hypot(to[0] - from[0], to[1] - from[1]);
+            [(to[0] - from[0]) / long, (to[1] - from[1]) / long]
+        };
+        let (end, begin) = (unit(before, first), unit(first, next));
+        let turn = end[0] * begin[1] - end[1] * begin[0];
+        if self.side == Compensation::Rl { turn > BENT } else { turn < -BENT }
     }
 }
 

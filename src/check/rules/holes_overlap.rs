@@ -1,19 +1,23 @@
-//! Holes of one tool that overlap: a spacing has lost a digit, or there are too many of them on a circle.
+//! Holes of one tool that overlap: a spacing has lost a digit, or there are too many of them on a circle. Also pockets
+//! and slots of one definition that run into each other, and a hole that a pocket cuts which was milled before.
 //!
-//! Where an execution shows them and the diameter of the tool is known, be it after turning. Said once a program.
+//! Where an execution shows them and the diameter of the tool is known, be it after turning. Each is said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
-use crate::check::travel::first_incident;
+use crate::check::travel::incidents;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "holes-overlap", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let first = first_incident(facts, |own| match own {
-        Incident::Overlap { distance, width } => Some((distance, width)),
-        _ => None,
-    });
-    if let Some((span, (distance, width))) = first {
-        found.push(rule.at(facts, span).arg("value", Arg::Number(distance)).arg("other", Arg::Number(width)));
+    for (span, own) in incidents(facts) {
+        let (what, value, other) = match own {
+            Incident::Overlap { distance, width } => ("holes", *distance, *width),
+            Incident::PocketsOverlap([x, y]) => ("pockets", *x, *y),
+            Incident::HoleCutByPocket([x, y]) => ("pocket", *x, *y),
+            _ => continue,
+        };
+        let finding = rule.at(facts, *span).arg("what", what).arg("value", Arg::Number(value));
+        found.push(finding.arg("other", Arg::Number(other)));
     }
 }

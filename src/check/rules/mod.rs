@@ -136,11 +136,13 @@ mod plane_incomplete;
 mod plane_left_on;
 mod plane_not_positioned;
 mod plane_not_reset;
+mod plunge_beside_hole;
 mod plunge_too_fast;
 mod pole_missing;
 mod position_after_contour;
 mod position_missing;
 mod position_twice;
+mod position_without_call;
 mod preset_row_wrong;
 mod probe_while_turning;
 mod probed_axis_missing;
@@ -216,6 +218,7 @@ mod unknown_cycle;
 mod unknown_parameter;
 mod unreachable;
 mod value_unlike_others;
+mod wall_left;
 mod word_missing;
 mod word_twice;
 mod word_wrong;
@@ -365,11 +368,13 @@ pub const RULES: &[&Rule] = &[
     &plane_left_on::RULE,
     &plane_not_positioned::RULE,
     &plane_not_reset::RULE,
+    &plunge_beside_hole::RULE,
     &plunge_too_fast::RULE,
     &pole_missing::RULE,
     &position_after_contour::RULE,
     &position_missing::RULE,
     &position_twice::RULE,
+    &position_without_call::RULE,
     &preset_row_wrong::RULE,
     &probe_while_turning::RULE,
     &probed_axis_missing::RULE,
@@ -445,6 +450,7 @@ pub const RULES: &[&Rule] = &[
     &unknown_parameter::RULE,
     &unreachable::RULE,
     &value_unlike_others::RULE,
+    &wall_left::RULE,
     &word_missing::RULE,
     &word_twice::RULE,
     &word_wrong::RULE,

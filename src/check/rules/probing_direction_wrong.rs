@@ -3,7 +3,8 @@
 //! Or a face that is probed upwards along the tool axis.
 //!
 //! Where the part is say the tops that the program drills or probes: all of them on the side from which the probe comes,
-//! none on the other, and none below the measuring height. Only of edges at the datum: walls of pockets are elsewhere.
+//! none on the other, and none below the measuring height. Only of edges at the datum, for walls of pockets are elsewhere,
+//! and of those at a face of the blank.
 //! Silent where coordinates are moved.
 use std::borrow::Cow;
 
@@ -52,13 +53,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ => continue,
         };
         let (Some(place), Some(height)) = (value(POINT[axis]), value(HEIGHT)) else { continue };
-        if place.abs() > APART || !facts.run.before(edge.view.first).is_some_and(|modal| is_unmoved(&modal)) {
+        if !facts.run.before(edge.view.first).is_some_and(|modal| is_unmoved(&modal)) {
             continue;
         }
         let places = || tops.iter().filter(|top| top[2].is_some_and(|top| top >= height)).filter_map(|top| top[axis]);
         let away = |side: f64| places().any(|own| (own - place) * side > APART);
         // Two places at least: a single one may be on another part.
-        let many = places().filter(|own| (own - place).abs() > APART).count() > 1;
+        let many = place.abs() <= APART && places().filter(|own| (own - place).abs() > APART).count() > 1;
         // A face of the blank is touched from outside, unless the blank is narrow there.
         let body = Blank::of(facts.program).filter(|blank| height < blank.high[2] && height > blank.low[2]);
         let through = body.is_some_and(|blank| {

@@ -1,9 +1,10 @@
 //! A stud whose unmachined size is far smaller than the blank around it, where nothing has been milled before: the tool
 //! plunges beside that size into solid material, and the rest of the blank stays there.
 //!
-//! Only at places that the block of the call names, of studs that begin at the top of a box.
+//! Only at places that the block of the call names, of studs that begin at the top of a box, or in the middle of the top
+//! of a cylinder.
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::blank::{Blank, is_unmoved};
+use crate::check::blank::{Blank, diameter, is_unmoved, top};
 use crate::check::contours::place_of_call;
 use crate::check::program::{number, with_meaning};
 use crate::check::{Facts, Pending, Rule};
@@ -21,7 +22,7 @@ const ANGLE: &str = "angle-of-rotation";
 const RIM: f64 = 12.0;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
+    let Some((blank, round)) = blank(facts).filter(|_| facts.begins()) else { return };
     let unit = facts.millimetre();
     // The first thing that is machined: what follows finds an open floor.
     let first = facts.run.calls.iter().find(|call| is_unmoved(&call.modal));
@@ -39,6 +40,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let value = |meaning: &str| read.item(meaning).and_then(number);
     let at = place_of_call(facts, call.block);
     let (Some([x, y]), Some(surface)) = (at, value(SURFACE)) else { return };
+    // A round blank is as wide everywhere only about its middle.
+    if round && (x, y) != (0.0, 0.0) {
+        return;
+    }
     if surface < blank.high[2] - unit || surface > blank.high[2] + unit {
         return;
     }
@@ -59,4 +64,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = rule.at(facts, item.value_span).arg("value", Arg::Number(number(item).unwrap_or(2.0 * half)));
         found.push(finding.arg("other", Arg::Number(2.0 * least)));
     }
+}
+
+/// The blank, and whether it is a cylinder.
+fn blank(facts: &Facts<'_>) -> Option<(Blank, bool)> {
+    if let Some(blank) = Blank::of(facts.program) {
+        return Some((blank, false));
+    }
+    let (radius, top) = (diameter(facts.program)? / 2.0, top(facts.program)?);
+    Some((Blank { low: [-radius, -radius, f64::NEG_INFINITY], high: [radius, radius, top] }, true))
 }

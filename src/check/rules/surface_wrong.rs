@@ -5,6 +5,8 @@
 //! and which is called far too high, or at a height inside of the blank; and a pattern that sets another surface than
 //! the cycle which it calls: that of the pattern acts.
 //!
+//! Also a cycle on the surface of a cylinder with another radius than the blank has about its axis.
+//!
 //! Also a cycle for holes, pockets or contours that meets nothing although it goes below the top of the blank, where an
 //! execution shows it: a tool that the table knows has removed all of it before.
 //!
@@ -36,6 +38,8 @@ const FACE: [&str; 6] = [
 ];
 /// The meanings of surface and depth.
 const SURFACE: &str = "surface-coordinate";
+/// The meaning of the radius of a cylinder on whose surface is machined.
+const CYLINDER: &str = "cylinder-radius";
 const DEPTHS: [&str; 2] = ["depth", "thread-depth"];
 /// A surface so much higher is no longer the milled one, mm.
 const HIGHER: f64 = 1.0;
@@ -47,6 +51,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let unit = facts.millimetre();
     patterns(rule, facts, blank.high[2], found);
     early(rule, facts, &blank, found);
+    cylinders(rule, facts, &blank, found);
     let mut seen = std::collections::HashSet::new();
     // The lowest face over the whole blank, and the surfaces and floors of the cycles.
     let mut face: Option<f64> = None;
@@ -133,6 +138,30 @@ fn patterns(rule: &Rule, facts: &Facts<'_>, top: f64, found: &mut Vec<Diagnostic
             let finding = rule.at(facts, item.value_span).arg("what", "pattern").arg("value", Arg::Number(surface));
             found.push(finding.arg("other", Arg::Number(other)));
             return;
+        }
+    }
+}
+
+/// A cylinder whose radius is not half of what a blank measures that lies about its axis, at Z 0: the diameter was entered,
+/// or a digit is wrong.
+fn cylinders(rule: &Rule, facts: &Facts<'_>, blank: &Blank, found: &mut Vec<Diagnostic>) {
+    /// The axis lies so near to the middle of the blank, and the radius may be so much smaller, as a part of its height.
+    const MIDDLE: f64 = 0.02;
+    const TURNED: f64 = 0.6;
+    let (low, high) = (blank.low[2], blank.high[2]);
+    if high <= 0.0 || (low + high).abs() > MIDDLE * (high - low) {
+        return;
+    }
+    for own in &facts.definitions {
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let Some((item, radius)) = read.item(CYLINDER).and_then(|item| Some((item, number(item)?.abs()))) else {
+            continue;
+        };
+        let unmoved = facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));
+        if unmoved && (radius > high + HIGHER * facts.millimetre() || radius < TURNED * high) {
+            let finding = rule.at(facts, item.value_span).arg("what", "cylinder").arg("value", Arg::Number(radius));
+            return found.push(finding.arg("other", Arg::Number(high)));
         }
     }
 }

@@ -34,6 +34,21 @@ impl Watcher<'_> {
         }
     }
 
+    /// A plain movement straight down that goes into a hole on one pass and into solid material on another: the holes are
+    /// elsewhere, or there are too few.
+    pub(super) fn dips(&mut self, from: DVec3) {
+        let down = (self.at - from).truncate().length() <= SAME && from.z - self.at.z > SAME;
+        let Some(width) = self.width().filter(|_| down && !self.remains.open) else { return };
+        let fits = |own: &super::work::Hole| own.is_as_wide(width) && own.is_as_deep(self.at.z);
+        let hole = self.holes_at(self.at).iter().any(fits);
+        let solid = self.is_solid(self.at) && self.is_solid((self.at + from) / 2.0);
+        let seen = self.dips.entry(self.line).or_default();
+        (seen[0], seen[1]) = (seen[0] || hole, seen[1] || solid);
+        if *seen == [true; 2] {
+            self.report(self.line, Incident::PlungeBesideHoles([self.at.x * self.unit, self.at.y * self.unit]));
+        }
+    }
+
     /// A plain movement at feed through material: whether such a tool cuts sideways.
     pub(super) fn cuts_sideways(&mut self, from: DVec3, places: &[DVec3], feed: f64) {
         let (along, down) = ((self.at - from).truncate().length(), from.z - self.at.z);

@@ -10,11 +10,13 @@
 //! `mod.rs` sets up the run, `body.rs` is the blank, `remains.rs` what is left of it, `watcher.rs` follows the events,
 //! `cuts.rs` judges movements that cut, `work.rs` what a cycle has done, `path.rs` what plain movements have,
 //! `tilted.rs` what is done in a tilted plane, `turned.rs` what is turned (`lathe.rs` keeps the workpiece meanwhile),
+//! `areas.rs` compares pockets and holes, `walls.rs` finds what open contours leave at an edge,
 //! `series.rs` the holes of the whole program together, `undescribed.rs` which cycles are passed over, `unsure.rs`
 //! forgets what is no longer known. `works.rs` is for an execution with the real stock: cycles that remove nothing.
 //!
 //! Invariant: a run is bounded. It goes on after a cycle that fails or that nobody describes, and what that cycle may
 //! have changed is forgotten; elsewhere it ends where the engine cannot go on, and what was seen before holds.
+mod areas;
 mod body;
 mod cuts;
 mod lathe;
@@ -26,6 +28,7 @@ mod tilted;
 mod turned;
 mod undescribed;
 mod unsure;
+mod walls;
 mod watcher;
 mod work;
 pub mod works;

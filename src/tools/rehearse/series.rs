@@ -291,7 +291,7 @@ impl Watcher<'_> {
 
     /// Whether a milled hole or pocket is at a place.
     fn is_hollow(&self, place: [f64; 2]) -> bool {
-        self.holes.iter().any(|own| is_same(own.at, place))
+        self.holes.iter().any(|own| own.milled && is_same(own.at, place))
     }
 
     /// The only hole of a row that was not centred, or the only centred place of a row to which no tool comes, with its

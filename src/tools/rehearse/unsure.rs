@@ -11,6 +11,7 @@ impl Watcher<'_> {
         self.known = [false; 3];
         self.holes.clear();
         self.threads.clear();
+        self.areas.clear();
     }
 
     /// What a cycle before a line drills and mills is not known if no description says how to execute it: it may have
@@ -38,6 +39,8 @@ impl Watcher<'_> {
             self.threads.clear();
             self.machined.clear();
             self.milled.clear();
+            self.areas.clear();
+            self.walls.clear();
         }
     }
 }

@@ -3,6 +3,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use glam::DVec3;
 
+use super::areas::Area;
 use super::body::{Body, SAME, SKIN};
 use super::lathe::Turned;
 use super::path::Ways;
@@ -10,6 +11,7 @@ use super::presets::UNNAMED_PRESET;
 use super::remains::Remains;
 use super::series::Rows;
 use super::undescribed;
+use super::walls::Way;
 use super::work::{Hole, Thread, Work};
 use crate::base::diag::{Arg, interned};
 use crate::check::{Incident, Observed, ToolKind, removes_material};
@@ -118,6 +120,13 @@ pub(super) struct Watcher<'w> {
     pub(super) machined: HashMap<(CycleKey, u32, [i64; 3]), usize>,
     /// The pockets that were made: cycle, tool call, line, place and size.
     pub(super) milled: HashSet<(CycleKey, u32, usize, [i64; 5])>,
+    /// The pockets with their ways, and the plain ways along the blank.
+    pub(super) areas: Vec<Area>,
+    pub(super) walls: Vec<Way>,
+    /// Whether the contour with RL or RR was begun outside of the blank.
+    pub(super) from_outside: bool,
+    /// The lines of plain movements straight down: whether one goes into a hole, and one into solid material.
+    pub(super) dips: BTreeMap<usize, [bool; 2]>,
     /// The places of holes, by what was done there.
     pub(super) series: Rows,
     /// The cycles with which tools have cut, each once.
@@ -192,6 +201,10 @@ impl<'w> Watcher<'w> {
             threads: Vec::new(),
             machined: HashMap::new(),
             milled: HashSet::new(),
+            areas: Vec::new(),
+            walls: Vec::new(),
+            from_outside: false,
+            dips: BTreeMap::new(),
             series: Rows::default(),
             used: BTreeSet::new(),
             ways: Ways::default(),
@@ -261,6 +274,7 @@ impl<'w> Watcher<'w> {
                 self.judge_tilted_ways();
                 self.judge_rows();
                 self.judge_ways();
+                self.judge_walls();
                 if let Some(height) = self.low_at(BESIDE).filter(|_| self.tool.is_some()) {
                     self.report(self.line, Incident::EndsInMaterial(height));
                 }
@@ -435,6 +449,9 @@ impl<'w> Watcher<'w> {
         self.machine_at = path.at(1.0);
         self.at = self.place(self.machine_at);
         self.learn(from, block);
+        // A pattern goes to each of its places in both axes.
+        let pattern = key.and_then(|key| self.cycle(key)).is_some_and(|own| own.file.group == Group::Patterns);
+        (self.known[0], self.known[1]) = (self.known[0] || pattern, self.known[1] || pattern);
         if let (Some(key), Some(_), Some(tool)) = (key, feed, self.tool) {
             self.use_tool(tool, key);
         }
@@ -483,6 +500,10 @@ impl<'w> Watcher<'w> {
                 _ => false,
             });
             self.look_at(&body, (key, plain), begun, from, feed, &places);
+        }
+        if key.is_none() && certain && begun {
+            self.note_way(from, &places);
+            self.dips(from);
         }
         let mills = self.is_milling(key) && self.top().is_none_or(|top| self.at.z < top);
         (self.others, self.turned.open) = (self.others || mills, self.turned.open || mills);

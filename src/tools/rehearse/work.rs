@@ -2,6 +2,7 @@
 //! follows, pockets and texts outside.
 use glam::{DVec2, DVec3};
 
+use super::areas::{MOST_PIECES, Piece, pieces};
 use super::body::{Body, SAME, SKIN};
 use super::watcher::Watcher;
 use crate::check::{Incident, ToolKind, is_milling, is_reaming};
@@ -11,6 +12,8 @@ use crate::spec::{Cycle, CycleKey, Group};
 const TIP: f64 = 25.0;
 /// The meaning of the value that only cycles for boring bars have.
 const DISENGAGES: &str = "disengaging-direction";
+/// The meaning of how far beside the axis of the hole a bar goes through it.
+const ASIDE: &str = "off-centre-distance";
 /// Two holes of one tool are no nearer to each other than so much of its diameter.
 const APART: f64 = 0.95;
 /// A reamer takes no more off the diameter than this, and this part of the diameter, mm.
@@ -40,6 +43,8 @@ pub(super) struct Work {
     pub(super) meets: bool,
     pub(super) low: DVec3,
     pub(super) high: DVec3,
+    /// Where the tool goes in the plane, of pockets.
+    pub(super) way: Vec<Piece>,
 }
 
 impl Work {
@@ -68,8 +73,22 @@ pub(super) struct Hole {
     width: Option<f64>,
     /// Whether the tip of a drill is at its bottom: there it is not as wide.
     pointed: bool,
+    /// Whether it was milled.
+    pub(super) milled: bool,
     /// The tool call that it was made after, and the cycle.
     made: (u32, CycleKey),
+}
+
+impl Hole {
+    /// Whether a tool that is so wide goes into it without cutting.
+    pub(super) fn is_as_wide(&self, width: f64) -> bool {
+        self.width.is_some_and(|own| own >= width - SAME)
+    }
+
+    /// Whether it goes down to a height.
+    pub(super) fn is_as_deep(&self, height: f64) -> bool {
+        self.bottom <= height + SKIN
+    }
 }
 
 /// What a tool is there for.
@@ -133,6 +152,8 @@ impl Watcher<'_> {
         self.threads.clear();
         self.machined.clear();
         self.milled.clear();
+        self.areas.clear();
+        self.walls.clear();
     }
 
     /// Adds a cut to what a cycle does; `written` is the line of its call.
@@ -164,9 +185,14 @@ impl Watcher<'_> {
             meets: false,
             low: at,
             high: at,
+            way: Vec::new(),
         };
         let work = self.work.get_or_insert(new);
         work.solid |= met;
+        if group == Group::Pockets && work.way.len() < MOST_PIECES {
+            let flat: Vec<DVec2> = path.iter().map(|place| place.truncate()).collect();
+            work.way.extend(pieces(&flat));
+        }
         // The way to the first place is none of its size.
         for place in path.iter().skip(1) {
             work.low = work.low.min(*place);
@@ -202,7 +228,12 @@ impl Watcher<'_> {
         if let Some(body) = self.body {
             self.beside(&body, &work, hole);
             self.in_air(&body, &work);
+            if hole {
+                self.cut_by_area(&body, &work);
+            }
         }
+        self.note_area(&work);
+        self.back_bore(&work);
         if hole {
             self.again(&work);
         } else if work.group == Group::Pockets {
@@ -282,7 +313,7 @@ impl Watcher<'_> {
     }
 
     /// The holes that were made at a place.
-    fn holes_at(&self, place: DVec3) -> Vec<Hole> {
+    pub(super) fn holes_at(&self, place: DVec3) -> Vec<Hole> {
         let here = |own: &&Hole| (own.at[0] - place.x).abs() <= SAME && (own.at[1] - place.y).abs() <= SAME;
         self.holes.iter().filter(here).copied().collect()
     }
@@ -305,7 +336,8 @@ impl Watcher<'_> {
         if self.holes.len() < MOST_HOLES {
             let made = (self.calls, work.key);
             let pointed = self.kind() == Some(ToolKind::Drill);
-            self.holes.push(Hole { at: [at.x, at.y], bottom: work.low.z, width, pointed, made });
+            let hole = Hole { at: [at.x, at.y], bottom: work.low.z, width, pointed, milled: work.milled, made };
+            self.holes.push(hole);
         }
     }
 
@@ -347,7 +379,8 @@ impl Watcher<'_> {
     fn ream(&mut self, work: &Work, here: &[Hole]) {
         let unit = self.unit;
         let Some(lowest) = lowest(here) else {
-            if !self.others && self.kind() == Some(ToolKind::Reamer) {
+            let certain = !self.others || work.solid && !self.remains.open;
+            if certain && self.kind() == Some(ToolKind::Reamer) {
                 self.report(work.line, Incident::ReamedWrongly { what: "none", value: 0.0, other: 0.0 });
             }
             return;
@@ -376,6 +409,21 @@ impl Watcher<'_> {
         if !self.goes_through(&lowest) && work.low.z < lowest.bottom - SKIN {
             let (value, other) = (work.low.z * self.unit, lowest.bottom * self.unit);
             self.report(work.line, Incident::ReamedWrongly { what: "bored", value, other });
+        }
+    }
+
+    /// A bar that goes through a hole beside its axis: its edge must not be wider than the hole there.
+    fn back_bore(&mut self, work: &Work) {
+        let aside = self.cycle(work.key).is_some_and(|own| own.params.iter().any(|param| param.is.as_str() == ASIDE));
+        let Some(edge) = self.width().map(|width| width / 2.0).filter(|_| aside) else { return };
+        // It counterbores in the middle, and goes through beside it.
+        let (start, far) = (work.start, (work.low - work.start).abs().cmpgt((work.high - work.start).abs()));
+        let centre = DVec3::select(far, work.low, work.high);
+        let out = edge - (centre - start).truncate().length();
+        let through = self.holes_at(centre).into_iter().filter(|own| self.goes_through(own));
+        let hole = through.filter_map(|own| own.width).reduce(f64::max);
+        if let Some(hole) = hole.map(|width| width / 2.0).filter(|hole| out > hole + SAME) {
+            self.report(work.line, Incident::EdgeWiderThanHole { edge: out * self.unit, hole: hole * self.unit });
         }
     }
 

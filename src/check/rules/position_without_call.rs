@@ -1,0 +1,83 @@
+//! A place in the blank to which the tool goes at rapid between calls of a cycle, and at which it does nothing: M99 or
+//! CYCL CALL is missing, and so is a hole.
+//!
+//! Only a movement in the plane alone that follows a call, in programs with a box as their blank and without
+//! transformations; after it the tool is retracted, goes to the next call, or the subprogram ends.
+use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::blank::{Blank, is_unmoved};
+use crate::check::contours::led;
+use crate::check::program::is_silent;
+use crate::check::flow::CycleCall;
+use crate::check::{Facts, Pending, Rule};
+use crate::program::syntax::{Axis, Block, BlockKind, Element, Motion, Path};
+use crate::spec::Group;
+
+pub(super) const RULE: Rule = Rule { code: "position-without-call", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
+    let blocks = facts.program.blocks();
+    let called = |index: usize| facts.run.calls.iter().any(|call| call.block == index);
+    let acts: Vec<usize> = (0..blocks.len()).filter(|index| blocks.get(*index).is_some_and(|own| !is_silent(own))).collect();
+    let mut at = None;
+    for (turn, index) in acts.iter().enumerate() {
+        let Some(words) = blocks.get(*index).and_then(plain) else {
+            // A call leaves the tool where it was.
+            let keeps = matches!(blocks.get(*index).map(|own| &own.kind), Some(BlockKind::CyclCall(_)));
+            at = at.filter(|_| keeps);
+            continue;
+        };
+        at = led(at, &words);
+        let before = turn.checked_sub(1).and_then(|before| acts.get(before)).is_some_and(|own| makes_holes(facts, *own));
+        let after = acts.get(turn + 1).copied();
+        let ends = after.is_some_and(|after| called(after) && !calls_here(&blocks[after]) || ends_work(&blocks[after]));
+        if called(*index) || !before || !ends || !is_position(&words) {
+            continue;
+        }
+        let Some([x, y]) = at.filter(|place| blank.holds(place[0], place[1]) && *place != [0.0, 0.0]) else { continue };
+        let finding = rule.at(facts, facts.content(&blocks[*index])).arg("value", Arg::Number(x));
+        return found.push(finding.arg("other", Arg::Number(y)));
+    }
+}
+
+/// The words of a straight movement at rapid.
+fn plain(block: &Block) -> Option<Motion> {
+    let BlockKind::Motion(motion) = &block.kind else { return None };
+    (motion.path() == Path::L && motion.outline().is_rapid() && !block.skip).then(|| motion.words())
+}
+
+/// Whether a movement goes to a place of the plane, and does nothing else but to switch the coolant.
+fn is_position(words: &Motion) -> bool {
+    let flat = words.coords.iter().all(|coord| matches!(coord.axis, Axis::X | Axis::Y));
+    flat && !words.coords.is_empty() && words.functions.iter().all(|own| matches!(own.number, 3 | 7 | 8 | 13))
+}
+
+/// Whether a block calls the cycle where the tool is already.
+fn calls_here(block: &Block) -> bool {
+    matches!(block.kind, BlockKind::CyclCall(_) | BlockKind::Functions(_))
+}
+
+/// Whether a block retracts the tool, or ends a subprogram.
+fn ends_work(block: &Block) -> bool {
+    match &block.kind {
+        BlockKind::Motion(element) => lifts(element),
+        _ => block.ends_subprogram(),
+    }
+}
+
+fn lifts(element: &Element) -> bool {
+    let words = element.words();
+    let only = !words.coords.is_empty() && words.coords.iter().all(|coord| coord.axis == Axis::Z);
+    only && element.outline().is_rapid()
+}
+
+/// Whether a block calls cycles that make holes or pockets, and coordinates are those of the blank there.
+fn makes_holes(facts: &Facts<'_>, block: usize) -> bool {
+    let makes = |call: &CycleCall| {
+        let Pending::Definition(index) = call.modal.pending else { return false };
+        let group = facts.definitions.get(index as usize).and_then(|own| own.related_cycle()).map(|own| own.file.group);
+        is_unmoved(&call.modal) && matches!(group, Some(Group::Drilling | Group::Threads | Group::Pockets))
+    };
+    let mut calls = facts.run.calls.iter().filter(|call| call.block == block).peekable();
+    calls.peek().is_some() && calls.all(makes)
+}
