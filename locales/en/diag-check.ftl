@@ -7,7 +7,13 @@ diag-approach-without-compensation =
         [contour] The tool goes round this closed contour without RL or RR, and R0 switches off behind it what was never on.
        *[departure] The contour is left here, but no radius compensation is active.
     }
-diag-arc-direction-wrong = This arc joins the elements before and after it only with the other direction of rotation.
+diag-arc-direction-wrong =
+    { $what ->
+        [sign] This arc joins the elements before and after it only with the other sign of its radius: as it is written, it is the greater part of the circle.
+        [full] The tool goes round a full circle within the contour here: the end of the arc is its beginning.
+        [beyond] This arc goes beyond the blank; with the other direction of rotation it would stay inside.
+       *[direction] This arc joins the elements before and after it only with the other direction of rotation.
+    }
 diag-arc-in-unequal-scaling = { $cycle } scales the axes of this arc by different factors: the result is not an arc.
 diag-arc-too-narrow = The radius { $radius } on the inside of the contour is less than that of the tool, { $tool }.
 diag-arc-without-tangent = No contour element precedes this tangential arc.
@@ -156,6 +162,7 @@ diag-duplicate-parameter = { $parameter } is given twice in { $cycle }.
 diag-early-cycle-wrong =
     { $what ->
         [clearance] The set-up clearance { $value } is negative: the cycle would begin below its surface.
+        [depth] The depth { $value } is positive: the cycle moves the tool away from the workpiece.
         [infeed] With a plunging depth of 0 the cycle cannot machine.
         [feed] The feed rate of the cycle is 0.
         [narrow] The tool with the diameter { $other } does not fit into a slot or pocket of { $value }.
@@ -306,7 +313,11 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } in { $cycle } needs a later software version than { $software }, which the manual describes.
 diag-parameter-unassigned =
     { $parameter } is read here, but nothing has given it a value.
-diag-path-twice = The whole path from here on has already been machined with this tool under another transformation.
+diag-path-twice =
+    { $what ->
+        [repeated] The tool goes this way for the third time: nothing is left to remove.
+       *[transformed] The whole path from here on has already been machined with this tool under another transformation.
+    }
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } cannot call { $called } with { $value }.
@@ -348,7 +359,11 @@ diag-plunge-too-fast =
     }
 diag-position-after-contour = This is the first position after { $cycle }, but it does not have absolute values for both coordinates of the plane.
 diag-position-missing = The tool goes down to { $value } before the program has positioned it in the plane.
-diag-position-twice = The point { $value }, { $other } has already been machined with this definition and this tool.
+diag-position-twice =
+    { $what ->
+        [definition] The definition is word for word the one that was called before, and the tool has not moved since: nothing is left to machine.
+       *[place] The point { $value }, { $other } has already been machined with this definition and this tool.
+    }
 diag-probe-while-turning = { $cycle } probes here while the spindle turns.
 diag-probed-axis-missing = { $direction } is probed, but the position has no { $axis }.
 diag-program-begin-missing = The program does not begin with BEGIN PGM.
@@ -368,6 +383,7 @@ diag-reaming-wrong =
         [none] There is no hole to be reamed here.
         [deep] The reamer goes down to { $value }, and the hole only to { $other }.
         [bored] The boring bar goes down to { $value }, and the hole only to { $other }.
+        [stock] The hole is { $other } wide: a boring bar of { $value } cannot take away so much.
        *[allowance] The hole is { $other } wide: for a reamer of { $value } this leaves far too much.
     }
 diag-repeat-count-wrong = The number of repeats must be a whole number from 0 to 65534.

@@ -7,7 +7,13 @@ diag-approach-without-compensation =
         [contour] Työkalu kiertää tämän suljetun muodon ilman sanaa RL tai RR, ja sen perässä R0 kytkee pois sen, mitä ei koskaan kytketty.
        *[departure] Muodosta poistutaan tässä, mutta sädekorjaus ei ole voimassa.
     }
-diag-arc-direction-wrong = Tämä kaari liittyy edelliseen ja seuraavaan elementtiin vain toisella kiertosuunnalla.
+diag-arc-direction-wrong =
+    { $what ->
+        [sign] Tämä kaari liittyy edelliseen ja seuraavaan elementtiin vain säteen toisella etumerkillä: kirjoitettuna se on ympyrän suurempi osa.
+        [full] Työkalu kiertää tässä keskellä muotoa täyden ympyrän: kaaren loppupiste on sen alkupiste.
+        [beyond] Tämä kaari ulottuu aihion ulkopuolelle; toiseen kiertosuuntaan se pysyisi sisäpuolella.
+       *[direction] Tämä kaari liittyy edelliseen ja seuraavaan elementtiin vain toisella kiertosuunnalla.
+    }
 diag-arc-in-unequal-scaling = { $cycle } skaalaa tämän kaaren akseleita eri kertoimilla: tulos ei ole kaari.
 diag-arc-too-narrow = Säde { $radius } muodon sisäpuolella on pienempi kuin työkalun säde { $tool }.
 diag-arc-without-tangent = Tämän tangentiaalisen kaaren edessä ei ole muotoelementtiä.
@@ -156,6 +162,7 @@ diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
 diag-early-cycle-wrong =
     { $what ->
         [clearance] Varmuusetäisyys { $value } on negatiivinen: työkierto alkaisi yläpintansa alapuolelta.
+        [depth] Syvyys { $value } on positiivinen: työkierto vie työkalun poispäin työkappaleesta.
         [infeed] Asetussyvyydellä 0 työkierto ei voi koneistaa.
         [feed] Työkierron syöttöarvo on 0.
         [narrow] Työkalu, jonka halkaisija on { $other }, ei mahdu uraan tai taskuun, jonka mitta on { $value }.
@@ -306,7 +313,11 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } työkierrossa { $cycle } vaatii uudemman ohjelmistoversion kuin { $software }, jonka käsikirja kuvaa.
 diag-parameter-unassigned =
     { $parameter } luetaan tässä, mutta sille ei ole annettu arvoa.
-diag-path-twice = Koko tästä alkava rata on jo koneistettu tällä työkalulla toisen muunnoksen ollessa voimassa.
+diag-path-twice =
+    { $what ->
+        [repeated] Työkalu ajaa tämän radan kolmannen kerran: poistettavaa ei ole jäljellä.
+       *[transformed] Koko tästä alkava rata on jo koneistettu tällä työkalulla toisen muunnoksen ollessa voimassa.
+    }
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } ei voi kutsua työkiertoa { $called }, kun { $value }.
@@ -348,7 +359,11 @@ diag-plunge-too-fast =
     }
 diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, mutta siinä ei ole tason molempia koordinaatteja absoluuttisina.
 diag-position-missing = Työkalu menee alas arvoon { $value }, ennen kuin ohjelma on paikoittanut sen tasossa.
-diag-position-twice = Piste { $value }; { $other } on jo koneistettu tällä määrittelyllä ja tällä työkalulla.
+diag-position-twice =
+    { $what ->
+        [definition] Määrittely on sanasta sanaan sama kuin edellä kutsuttu, eikä työkalu ole sen jälkeen liikkunut: koneistettavaa ei ole jäljellä.
+       *[place] Piste { $value }; { $other } on jo koneistettu tällä määrittelyllä ja tällä työkalulla.
+    }
 diag-probe-while-turning = { $cycle } koskettaa tässä karan pyöriessä.
 diag-probed-axis-missing = Kosketus tapahtuu suunnassa { $direction }, mutta asemassa ei ole akselia { $axis }.
 diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
@@ -368,6 +383,7 @@ diag-reaming-wrong =
         [none] Tässä ei ole kalvittavaa reikää.
         [deep] Kalvain menee arvoon { $value }, mutta reikä ulottuu vain arvoon { $other }.
         [bored] Avarrustanko menee arvoon { $value }, mutta reikä ulottuu vain arvoon { $other }.
+        [stock] Reikä on { $other } leveä: avarrustanko, jonka halkaisija on { $value }, ei voi poistaa niin paljon.
        *[allowance] Reikä on { $other } leveä: kalvaimelle, jonka halkaisija on { $value }, jää aivan liikaa poistettavaa.
     }
 diag-repeat-count-wrong = Toistojen määrän on oltava kokonaisluku 0–65534.

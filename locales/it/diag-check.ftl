@@ -7,7 +7,13 @@ diag-approach-without-compensation =
         [contour] L’utensile percorre questo profilo chiuso senza RL o RR, e poi R0 disattiva ciò che non era mai stato attivo.
        *[departure] Qui ci si allontana dal profilo, ma nessuna correzione del raggio è attiva.
     }
-diag-arc-direction-wrong = Questo arco si raccorda agli elementi precedente e successivo solo con l’altro senso di rotazione.
+diag-arc-direction-wrong =
+    { $what ->
+        [sign] Questo arco si raccorda agli elementi prima e dopo solo con l’altro segno del raggio: così com’è scritto è la parte maggiore del cerchio.
+        [full] Qui l’utensile percorre un cerchio completo all’interno del profilo: la fine dell’arco è il suo inizio.
+        [beyond] Questo arco esce dal pezzo grezzo; con l’altro senso di rotazione resterebbe all’interno.
+       *[direction] Questo arco si raccorda agli elementi precedente e successivo solo con l’altro senso di rotazione.
+    }
 diag-arc-in-unequal-scaling = { $cycle } scala gli assi di questo arco con fattori diversi: il risultato non è un arco.
 diag-arc-too-narrow = Il raggio { $radius } all’interno del profilo è inferiore a quello dell’utensile, { $tool }.
 diag-arc-without-tangent = Prima di questo arco tangente non c’è alcun elemento di profilo.
@@ -156,6 +162,7 @@ diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
 diag-early-cycle-wrong =
     { $what ->
         [clearance] La distanza di sicurezza { $value } è negativa: il ciclo inizierebbe sotto la sua superficie.
+        [depth] La profondità { $value } è positiva: il ciclo allontana l’utensile dal pezzo.
         [infeed] Con una profondità incremento di 0 il ciclo non può lavorare.
         [feed] L’avanzamento del ciclo è 0.
         [narrow] L’utensile con il diametro di { $other } non entra in una scanalatura o tasca di { $value }.
@@ -306,7 +313,11 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } in { $cycle } richiede una versione software successiva alla { $software }, quella descritta nel manuale.
 diag-parameter-unassigned =
     { $parameter } viene letto qui, ma nulla gli ha assegnato un valore.
-diag-path-twice = L’intera traiettoria da qui in poi è già stata lavorata con questo utensile con un’altra conversione.
+diag-path-twice =
+    { $what ->
+        [repeated] L’utensile percorre questa traiettoria per la terza volta: non resta nulla da asportare.
+       *[transformed] L’intera traiettoria da qui in poi è già stata lavorata con questo utensile con un’altra conversione.
+    }
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } non può chiamare { $called } con { $value }.
@@ -348,7 +359,11 @@ diag-plunge-too-fast =
     }
 diag-position-after-contour = Questa è la prima posizione dopo { $cycle }, ma non ha valori assoluti per entrambe le coordinate del piano.
 diag-position-missing = L’utensile scende a { $value } prima che il programma lo abbia posizionato nel piano.
-diag-position-twice = Il punto { $value }; { $other } è già stato lavorato con questa definizione e questo utensile.
+diag-position-twice =
+    { $what ->
+        [definition] La definizione è, parola per parola, quella chiamata prima, e da allora l’utensile non si è mosso: non resta nulla da lavorare.
+       *[place] Il punto { $value }; { $other } è già stato lavorato con questa definizione e questo utensile.
+    }
 diag-probe-while-turning = { $cycle } tasta qui mentre il mandrino gira.
 diag-probed-axis-missing = Si tasta in direzione { $direction }, ma la posizione non contiene { $axis }.
 diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
@@ -368,6 +383,7 @@ diag-reaming-wrong =
         [none] Qui non c’è alcun foro da alesare.
         [deep] L’alesatore arriva a { $value }, il foro solo a { $other }.
         [bored] Il bareno arriva a { $value }, il foro solo a { $other }.
+        [stock] Il foro è largo { $other }: un bareno di { $value } non può asportare così tanto.
        *[allowance] Il foro è largo { $other }: per un alesatore di { $value } resta fin troppo materiale.
     }
 diag-repeat-count-wrong = Il numero di ripetizioni deve essere un numero intero da 0 a 65534.

@@ -7,7 +7,13 @@ diag-approach-without-compensation =
         [contour] A ferramenta percorre este contorno fechado sem RL nem RR, e a seguir R0 desliga o que nunca esteve ligado.
        *[departure] Sai-se aqui do contorno, mas nenhuma correção de raio está ativa.
     }
-diag-arc-direction-wrong = Este arco só liga com os elementos anterior e seguinte no outro sentido de rotação.
+diag-arc-direction-wrong =
+    { $what ->
+        [sign] Este arco só se liga aos elementos anterior e seguinte com o outro sinal do raio: como está escrito, é a parte maior do círculo.
+        [full] A ferramenta percorre aqui um círculo completo dentro do contorno: o fim do arco é o seu início.
+        [beyond] Este arco sai do bloco; com o outro sentido de rotação ficaria dentro.
+       *[direction] Este arco só liga com os elementos anterior e seguinte no outro sentido de rotação.
+    }
 diag-arc-in-unequal-scaling = { $cycle } aplica fatores de escala diferentes aos eixos deste arco: o resultado não é um arco.
 diag-arc-too-narrow = O raio { $radius } no interior do contorno é menor do que o da ferramenta, { $tool }.
 diag-arc-without-tangent = Antes deste arco tangente não há nenhum elemento de contorno.
@@ -156,6 +162,7 @@ diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
 diag-early-cycle-wrong =
     { $what ->
         [clearance] A distância de segurança { $value } é negativa: o ciclo começaria abaixo da sua superfície.
+        [depth] A profundidade { $value } é positiva: o ciclo afasta a ferramenta da peça.
         [infeed] Com uma profundidade de passo de 0 o ciclo não pode maquinar.
         [feed] O avanço do ciclo é 0.
         [narrow] A ferramenta com o diâmetro { $other } não cabe numa ranhura ou caixa de { $value }.
@@ -306,7 +313,11 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } em { $cycle } exige uma versão de software posterior à { $software }, que o manual descreve.
 diag-parameter-unassigned =
     { $parameter } é lido aqui, mas nada lhe atribuiu um valor.
-diag-path-twice = Todo o percurso a partir daqui já foi maquinado com esta ferramenta com outra conversão.
+diag-path-twice =
+    { $what ->
+        [repeated] A ferramenta faz este percurso pela terceira vez: não fica nada para remover.
+       *[transformed] Todo o percurso a partir daqui já foi maquinado com esta ferramenta com outra conversão.
+    }
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } não pode chamar { $called } com { $value }.
@@ -348,7 +359,11 @@ diag-plunge-too-fast =
     }
 diag-position-after-contour = Esta é a primeira posição depois de { $cycle }, mas não tem valores absolutos para ambas as coordenadas do plano.
 diag-position-missing = A ferramenta desce até { $value } antes de o programa a ter posicionado no plano.
-diag-position-twice = O ponto { $value }; { $other } já foi maquinado com esta definição e esta ferramenta.
+diag-position-twice =
+    { $what ->
+        [definition] A definição é, palavra por palavra, a que foi chamada antes, e desde então a ferramenta não se deslocou: não fica nada para maquinar.
+       *[place] O ponto { $value }; { $other } já foi maquinado com esta definição e esta ferramenta.
+    }
 diag-probe-while-turning = { $cycle } apalpa aqui com o cabeçote a rodar.
 diag-probed-axis-missing = Apalpa-se na direção { $direction }, mas a posição não tem { $axis }.
 diag-program-begin-missing = O programa não começa com BEGIN PGM.
@@ -368,6 +383,7 @@ diag-reaming-wrong =
         [none] Não há aqui nenhum furo para alargar.
         [deep] O alargador desce até { $value }, e o furo só até { $other }.
         [bored] A barra de mandrilar desce até { $value }, e o furo só até { $other }.
+        [stock] O furo tem { $other } de largura: uma barra de mandrilar de { $value } não pode remover tanto.
        *[allowance] O furo tem { $other } de largura: para um alargador de { $value } sobra material a mais.
     }
 diag-repeat-count-wrong = O número de repetições tem de ser um número inteiro de 0 a 65534.

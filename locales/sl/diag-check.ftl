@@ -7,7 +7,13 @@ diag-approach-without-compensation =
         [contour] Orodje obide to sklenjeno konturo brez RL ali RR, za njo pa R0 izklopi, kar ni bilo nikoli vklopljeno.
        *[departure] Tu je odmik s konture, popravek polmera pa ni aktiven.
     }
-diag-arc-direction-wrong = Ta krožni lok se prejšnjemu in naslednjemu elementu prilega samo z drugo smerjo vrtenja.
+diag-arc-direction-wrong =
+    { $what ->
+        [sign] Ta lok se elementoma pred njim in za njim priključi samo z drugim predznakom polmera: tako, kot je zapisan, je večji del kroga.
+        [full] Orodje tu sredi konture naredi poln krog: konec loka je njegov začetek.
+        [beyond] Ta lok sega čez surovec; v drugi smeri vrtenja bi ostal znotraj.
+       *[direction] Ta krožni lok se prejšnjemu in naslednjemu elementu prilega samo z drugo smerjo vrtenja.
+    }
 diag-arc-in-unequal-scaling = { $cycle } spreminja merilo osi tega loka z različnima faktorjema: iz loka ne nastane lok.
 diag-arc-too-narrow = Polmer { $radius } na notranji strani konture je manjši od polmera orodja { $tool }.
 diag-arc-without-tangent = Pred tem tangencialnim lokom ni elementa konture.
@@ -156,6 +162,7 @@ diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } navede
 diag-early-cycle-wrong =
     { $what ->
         [clearance] Varnostna razdalja { $value } je negativna: cikel bi se začel pod svojo površino.
+        [depth] Globina { $value } je pozitivna: cikel orodje odmika od obdelovanca.
         [infeed] Z globino primika 0 cikel ne more obdelovati.
         [feed] Pomik cikla je 0.
         [narrow] Orodje s premerom { $other } ne gre v utor ali žep mere { $value }.
@@ -310,7 +317,11 @@ diag-out-of-usual-range =
 diag-parameter-of-later-software = { $parameter } v ciklu { $cycle } zahteva novejšo različico programske opreme od { $software }, ki jo opisuje priročnik.
 diag-parameter-unassigned =
     { $parameter } se tu bere, vrednosti pa mu ni določilo nič.
-diag-path-twice = Celotna pot od tu naprej je bila s tem orodjem že obdelana pri drugem preračunavanju koordinat.
+diag-path-twice =
+    { $what ->
+        [repeated] Orodje gre po tej poti že tretjič: odstraniti ni ničesar več.
+       *[transformed] Celotna pot od tu naprej je bila s tem orodjem že obdelana pri drugem preračunavanju koordinat.
+    }
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } ne more priklicati { $called } z { $value }.
@@ -352,7 +363,11 @@ diag-plunge-too-fast =
     }
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle }, nima pa absolutnih vrednosti za obe koordinati ravnine.
 diag-position-missing = Orodje gre navzdol do { $value }, preden mu je program določil položaj v ravnini.
-diag-position-twice = Točka { $value }; { $other } je bila s to definicijo in tem orodjem že obdelana.
+diag-position-twice =
+    { $what ->
+        [definition] Definicija je do besede enaka prej priklicani, orodje pa se od takrat ni premaknilo: obdelati ni ničesar več.
+       *[place] Točka { $value }; { $other } je bila s to definicijo in tem orodjem že obdelana.
+    }
 diag-probe-while-turning = { $cycle } tu tipa, medtem ko se vreteno vrti.
 diag-probed-axis-missing = Tipa se v smeri { $direction }, v položaju pa ni osi { $axis }.
 diag-program-begin-missing = Program se ne začne z BEGIN PGM.
@@ -372,6 +387,7 @@ diag-reaming-wrong =
         [none] Tu ni vrtine, ki bi jo bilo mogoče povrtati.
         [deep] Povrtalo gre do { $value }, vrtina pa samo do { $other }.
         [bored] Drog za izstruževanje gre do { $value }, vrtina pa samo do { $other }.
+        [stock] Vrtina je široka { $other }: drog za izstruževanje { $value } ne more odstraniti toliko.
        *[allowance] Vrtina je široka { $other }: za povrtalo { $value } ostane veliko preveč materiala.
     }
 diag-repeat-count-wrong = Število ponovitev mora biti celo število od 0 do 65534.

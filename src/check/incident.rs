@@ -160,6 +160,8 @@ pub enum Incident {
     RotationsLackOne(usize),
     /// A path that the same tool has gone under another transformation.
     PathTwice,
+    /// A movement through material that has come back to the same way for the second time.
+    PathRepeated,
     /// A tool call with an oversize that is greater than the radius of the tool.
     Oversize {
         /// The number of the tool.

@@ -103,6 +103,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         cache.close();
     }
     let mut all = Checked { fails: !empty.is_empty(), found: empty, fixed: 0 };
+    all.fails |= !tables.found().is_empty();
+    all.found.extend(tables.found().iter().cloned());
     let mut wrong = 0;
     for result in results {
         match result {

@@ -302,12 +302,14 @@ pub(super) struct Tables {
     tables: BTreeMap<String, Table>,
     /// Those that are for all programs.
     given: Vec<String>,
+    /// What is wrong with them.
+    found: Vec<Diagnostic>,
 }
 
 impl Tables {
     /// With the tables that are for all programs.
     pub(super) fn new(given: &[String]) -> Result<Self, Failure> {
-        let mut tables = Self { tables: BTreeMap::new(), given: given.to_vec() };
+        let mut tables = Self { tables: BTreeMap::new(), given: given.to_vec(), found: Vec::new() };
         tables.add(given)?;
         Ok(tables)
     }
@@ -315,6 +317,11 @@ impl Tables {
     /// Whether no tables are named for any program.
     pub(super) fn is_empty(&self) -> bool {
         self.tables.is_empty()
+    }
+
+    /// What is wrong with the tables that were read.
+    pub(super) fn found(&self) -> &[Diagnostic] {
+        &self.found
     }
 
     /// Reads tables that were not read yet.
@@ -327,7 +334,10 @@ impl Tables {
                 return Err(Diagnostic::global("check-no-table").arg("path", name.as_str()).into());
             };
             let file = program::source(Path::new(name))?;
-            let table = Table::parse(kind, &file.source).map_err(Failure::Data)?;
+            // A mistake in a table hides none in a program.
+            let (table, found) = Table::read(kind, &file.source);
+            let Some(table) = table else { return Err(Failure::Data(found)) };
+            self.found.extend(found);
             self.tables.insert(name.clone(), table);
         }
         Ok(())

@@ -1,14 +1,17 @@
 //! An arc that joins neither of its neighbours tangentially as it is written, and both of them with the other direction of
-//! rotation: the tool turns back at its ends, or goes round the other side of the chord.
+//! rotation or the other sign of its radius: the tool turns back at its ends, or goes round the other side of the chord.
+//! Also a full circle within a contour that the tool does not leave tangentially: a sign of its end is wrong. Also an arc
+//! that goes beyond the blank, and does not with the other direction of rotation.
 //!
 //! The movements that switch radius compensation on and off are no neighbours. Only where the elements follow each other
 //! without roundings and chamfers, and all of them are numbers. Arcs with a right angle or less at their ends may be scoops
 //! on purpose: they are reported only if the contour has one such arc.
 use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::Line;
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Axis, BlockKind, Compensation, Motion, Path};
+use crate::program::syntax::{Amount, Axis, BlockKind, Compensation, Motion, Operand, Path};
 
 pub(super) const RULE: Rule = Rule { code: "arc-direction-wrong", severity: Severity::Warning, run };
 
@@ -26,8 +29,11 @@ type Ways = [[f64; 2]; 2];
 /// An element.
 struct Piece {
     ways: Ways,
-    /// Those of an arc with the other direction of rotation.
+    /// Those of an arc with the other direction of rotation, and of one with the other sign of its radius.
     other: Option<Ways>,
+    signed: Option<Ways>,
+    /// Whether it is a full circle.
+    full: bool,
     place: Span,
 }
 
@@ -41,7 +47,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut last: Vec<Piece> = Vec::new();
     let mut doubtful: Vec<Span> = Vec::new();
     let mut compensated = false;
-    for block in facts.program.blocks() {
+    let blank = Blank::of(facts.program).filter(|_| facts.begins());
+    let mut beyond = None;
+    for (index, block) in facts.program.blocks().iter().enumerate() {
         let motion = match &block.kind {
             _ if is_silent(block) || block.is_blend() => continue,
             // The run comes from the blocks above it the first time.
@@ -74,7 +82,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         compensated = after && !matches!(words.path, Path::Dep(_));
         let way = matches!(words.path, Path::Appr(_) | Path::Dep(_));
         let away = motion.outline().is_rapid() || !flat || way || switches;
+        let before = line.clone();
         let piece = piece(&mut line, &words, facts.content(block));
+        if let Some(blank) = blank.as_ref().filter(|_| !away && beyond.is_none() && after) {
+            let unmoved = || facts.run.before(index).is_some_and(|modal| is_unmoved(&modal));
+            let turned = goes_beyond(blank, &before, &line, &words, facts.millimetre()) && unmoved();
+            beyond = turned.then(|| facts.content(block));
+        }
         line.begin();
         if away || piece.is_none() {
             last.clear();
@@ -95,19 +109,64 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             && let Some(angle) = is_turned(before, own, after)
         {
             if angle > BACK {
-                found.push(rule.at(facts, own.place));
+                found.push(rule.at(facts, own.place).arg("what", "direction"));
             } else {
                 doubtful.push(own.place);
             }
+        } else if let [before, own, after] = last.as_slice()
+            && let Some(what) = is_strange(before, own, after)
+        {
+            found.push(rule.at(facts, own.place).arg("what", what));
         }
     }
     end(rule, facts, &mut doubtful, found);
+    let known = |place: &Span| found.iter().any(|own| own.place.as_ref().is_some_and(|at| at.span == *place));
+    if let Some(place) = beyond.filter(|place| !known(place)) {
+        found.push(rule.at(facts, place).arg("what", "beyond"));
+    }
+}
+
+/// Whether an arc goes beyond the blank although its ends are inside of it, and would not with the other direction of
+/// rotation.
+fn goes_beyond(blank: &Blank, before: &Line, after: &Line, words: &Motion, unit: f64) -> bool {
+    /// So far, mm: less is an allowance.
+    const FAR: f64 = 1.0;
+    if !matches!(words.path, Path::C | Path::Cr) || words.counter_clockwise.is_none() {
+        return false;
+    }
+    let (Some(from), Some(to)) = (before.end(), after.end()) else { return false };
+    let inside = |place: [f64; 2]| blank.distance(place) <= 0.0;
+    let out = |line: &Line| line.points.iter().map(|place| blank.distance(*place)).fold(0.0, f64::max);
+    let reversed = Motion { counter_clockwise: words.counter_clockwise.map(|own| !own), ..words.clone() };
+    let mut other = before.clone();
+    other.begin();
+    let apart = libm::hypot(to[0] - from[0], to[1] - from[1]) > FAR * unit;
+    apart
+        && inside(from)
+        && inside(to)
+        && out(after) > FAR * unit
+        && other.go_on(&reversed, PLANE).is_some()
+        && out(&other) <= 0.0
+}
+
+/// What is strange about an arc between two elements: the sign of its radius, or that it is a full circle.
+fn is_strange(before: &Piece, own: &Piece, after: &Piece) -> Option<&'static str> {
+    let joins = |ways: &Ways| {
+        angle(before.ways[1], ways[0]) < JOINED && angle(ways[1], after.ways[0]) < JOINED
+    };
+    let kinks = [angle(before.ways[1], own.ways[0]), angle(own.ways[1], after.ways[0])];
+    if own.full {
+        // Led to and away from tangentially it is a contour of its own.
+        return kinks.iter().any(|own| *own > KINK).then_some("full");
+    }
+    let signed = own.signed.as_ref().filter(|ways| joins(ways))?;
+    (signed != &own.ways && kinks.iter().all(|own| *own > KINK)).then_some("sign")
 }
 
 /// A contour is over: one doubtful arc in it is wrong, several are meant.
 fn end(rule: &Rule, facts: &Facts<'_>, doubtful: &mut Vec<Span>, found: &mut Vec<Diagnostic>) {
     if let [only] = doubtful.as_slice() {
-        found.push(rule.at(facts, *only));
+        found.push(rule.at(facts, *only).arg("what", "direction"));
     }
     doubtful.clear();
 }
@@ -121,9 +180,15 @@ fn piece(line: &mut Line, words: &Motion, place: Span) -> Option<Piece> {
         return None;
     }
     let (from, to) = (from?, line.end()?);
+    if words.path == Path::C && libm::hypot(to[0] - from[0], to[1] - from[1]) < 1e-6 {
+        // It begins as it ends.
+        return Some(Piece { ways: [line.heading()?; 2], other: None, signed: None, full: true, place });
+    }
     let chord = unit([to[0] - from[0], to[1] - from[1]])?;
     let arc = match words.path {
-        Path::L | Path::Lp => return Some(Piece { ways: [chord; 2], other: None, place }),
+        Path::L | Path::Lp => {
+            return Some(Piece { ways: [chord; 2], other: None, signed: None, full: false, place });
+        }
         Path::C | Path::Cr | Path::Cp => true,
         _ => false,
     };
@@ -135,8 +200,18 @@ fn piece(line: &mut Line, words: &Motion, place: Span) -> Option<Piece> {
     let own = ways(line.heading()?);
     let reversed = Motion { counter_clockwise: words.counter_clockwise.map(|own| !own), ..words.clone() };
     let written = words.counter_clockwise.is_some() && arc;
+    let mut signed = turned.clone();
     let other = (written && turned.go_on(&reversed, PLANE).is_some()).then(|| turned.heading().map(ways));
-    Some(Piece { ways: own, other: other.flatten(), place })
+    let opposite = negated(words).filter(|_| written);
+    let signed = opposite.filter(|own| signed.go_on(own, PLANE).is_some()).and_then(|_| signed.heading().map(ways));
+    Some(Piece { ways: own, other: other.flatten(), signed, full: false, place })
+}
+
+/// An arc with the other sign of its radius.
+fn negated(words: &Motion) -> Option<Motion> {
+    let radius = words.radius.filter(|_| words.path == Path::Cr)?;
+    let Amount::Number(size) = radius.amount else { return None };
+    Some(Motion { radius: Some(Operand { amount: Amount::Number(-size), ..radius }), ..words.clone() })
 }
 
 /// The greater angle at the ends of an arc that fits only the other way round.

@@ -6,6 +6,7 @@
 //! Rectangular pockets that are finished are looked at, too: 0 is the radius of the tool.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::contours::{led, listed};
+use crate::check::cycle::removes_material;
 use crate::check::program::{number, with_meaning};
 use crate::check::tools::Tools;
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
@@ -54,12 +55,19 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// The meanings of what cycles have that mill the wall of a contour.
 const WALLS: [&str; 2] = ["remaining-side-allowance", "coarse-roughing-tool"];
 
+/// The meanings of the allowance of a contour train, and of what only cycles on a cylinder have.
+const TRAIN: &str = "side-allowance";
+const CYLINDER: &str = "cylinder-radius";
+
 /// Contours that cycles read: the narrowest tool that mills their walls says what fits.
 fn listed_contours(rule: &Rule, facts: &Facts<'_>, tools: &Tools, found: &mut Vec<Diagnostic>) {
     let mut seen = std::collections::HashSet::new();
     for list in listed(facts) {
         let mills = |own: &&Defined<'_>| {
-            own.related_cycle().is_some_and(|cycle| WALLS.iter().any(|wall| with_meaning(cycle, wall).is_some()))
+            own.related_cycle().is_some_and(|cycle| {
+                let has = |meaning: &str| with_meaning(cycle, meaning).is_some();
+                WALLS.into_iter().any(has) || has(TRAIN) && removes_material(cycle) && !has(CYLINDER)
+            })
         };
         let mut narrowest: Option<f64> = None;
         let mut open = false;

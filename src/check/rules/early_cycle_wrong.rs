@@ -1,5 +1,5 @@
 //! A machining cycle of the first controls, which no manual here describes, with a value that it cannot work with: a
-//! set-up clearance with another sign than the others, a plunging depth or a feed of 0, a slot or pocket that is
+//! set-up clearance with another sign than the others, a depth above the surface, a plunging depth or a feed of 0, a slot or pocket that is
 //! narrower than the tool, a pitch or a feed that is not that of the tap.
 //!
 //! What its words mean, their order says. Tools count as far as a tool table or a TOOL DEF gives their data, a pitch
@@ -31,6 +31,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for own in &way.early {
         if let Some(placed) = own.clearance.filter(|(value, _)| *value < 0.0 && !signed) {
             tell("clearance", placed, 0.0);
+        }
+        // The tool would move upwards.
+        if let Some(placed) = own.depth.filter(|(depth, _)| *depth > 0.0 && own.clearance.is_some_and(|own| own.0 > 0.0)) {
+            tell("depth", placed, 0.0);
         }
         if let Some(placed) = own.infeed.filter(|(value, _)| *value == 0.0) {
             tell("infeed", placed, 0.0);

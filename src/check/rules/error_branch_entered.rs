@@ -71,7 +71,7 @@ fn fault(facts: &Facts<'_>, at: usize, jump: &FnJump) -> Option<String> {
         Relation::NotEqual | Relation::Greater => value == 0.0,
         _ => false,
     };
-    let cycle = facts.definition_before(at)?.cycle()?;
+    let cycle = facts.definition_before(at)?.related_cycle()?;
     let result = cycle.file.results.iter().find(|result| result.q == Some(q))?;
     (bad && FAULTS.contains(&result.is.as_str())).then(|| q.to_string())
 }

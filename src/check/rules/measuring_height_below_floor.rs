@@ -49,7 +49,11 @@ const DEPTHS: [&str; 2] = ["depth", "thread-depth"];
 fn called(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let contours = facts.shaped().next().map_or(usize::MAX, |(index, _)| index);
     let measures = |cycle: &Cycle| MEASURED.iter().all(|meaning| with_meaning(cycle, meaning).is_some());
-    for (definition, cycle) in facts.described().filter(|(_, cycle)| measures(cycle)).take(MOST) {
+    let measuring = facts.definitions.iter().filter(|own| own.related_cycle().is_some_and(measures));
+    for own in measuring.take(MOST) {
+        let related = own.as_related_cycle();
+        let definition = facts.read(&related);
+        let Some(cycle) = definition.cycle() else { continue };
         let block = definition.view.first;
         let written = Written::of(facts, &definition, cycle);
         let [Some(main), Some(minor), Some(height)] = MEASURED.map(|meaning| with_meaning(cycle, meaning)) else {

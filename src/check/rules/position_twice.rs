@@ -1,7 +1,8 @@
 //! A place that a cycle machines a second time, with the same definition and the same tool: another place was meant.
 //!
 //! Only holes, taps and pockets at places that are known, in programs with a box as their blank and without
-//! transformations, or at the same coordinates in a row of calls without anything between. Said once a program.
+//! transformations, or at the same coordinates in a row of calls without anything between; and cycles that are defined again
+//! word for word and called without any movement between. Said once a program.
 use std::collections::HashSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
@@ -9,7 +10,7 @@ use crate::check::incident::Incident;
 use crate::check::program::is_silent;
 use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, Path};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, CallForm, Path};
 
 pub(super) const RULE: Rule = Rule { code: "position-twice", severity: Severity::Warning, run };
 
@@ -19,8 +20,42 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some((span, [x, y])) = first.or_else(|| in_a_row(facts)) {
-        found.push(rule.at(facts, span).arg("value", Arg::Number(x)).arg("other", Arg::Number(y)));
+        let finding = rule.at(facts, span).arg("what", "place").arg("value", Arg::Number(x));
+        found.push(finding.arg("other", Arg::Number(y)));
+    } else if let Some(span) = defined_again(facts) {
+        found.push(rule.at(facts, span).arg("what", "definition").arg("value", 0).arg("other", 0));
     }
+}
+
+/// The first call of a definition that says the same, word for word, as the one that was called before it, while the tool
+/// has not been moved in between: a copy was not adapted.
+fn defined_again(facts: &Facts<'_>) -> Option<Span> {
+    // What is defined, and what was called last where the tool still is.
+    let (mut defined, mut called): (Option<Vec<&str>>, Option<Vec<&str>>) = (None, None);
+    for (index, block) in facts.marked().filter(|(_, block)| !is_silent(block)) {
+        match &block.kind {
+            BlockKind::CycleDef(_) => {
+                let own = facts.definition_at(index).filter(|own| own.view.first == index && !own.calls_last());
+                let blocks = own.and_then(|own| facts.program.blocks().get(own.view.first..=own.view.last));
+                defined = blocks.map(|blocks| blocks.iter().flat_map(|block| words(facts, block)).collect());
+            }
+            BlockKind::OldCycleLine(_) => {}
+            BlockKind::CyclCall(call) if matches!(call.form, CallForm::Plain) && !block.skip => {
+                if defined.is_some() && defined == called {
+                    return Some(facts.content(block));
+                }
+                called.clone_from(&defined);
+            }
+            _ => (defined, called) = (None, None),
+        }
+    }
+    None
+}
+
+/// The words of a block without labels and comments.
+fn words<'f>(facts: &'f Facts<'_>, block: &Block) -> Vec<&'f str> {
+    let lines = facts.text(facts.content(block)).lines().map(|line| line.split(';').next().unwrap_or_default());
+    lines.flat_map(str::split_whitespace).filter(|word| *word != "~").collect()
 }
 
 /// The first block that calls a cycle at the place which one of the blocks directly before it has named for the same call:

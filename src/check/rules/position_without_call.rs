@@ -7,6 +7,7 @@ use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::led;
 use crate::check::program::is_silent;
+use crate::check::program::words::has_function;
 use crate::check::flow::CycleCall;
 use crate::check::{Facts, Pending, Rule};
 use crate::program::syntax::{Axis, Block, BlockKind, Element, Motion, Path};
@@ -17,6 +18,10 @@ pub(super) const RULE: Rule = Rule { code: "position-without-call", severity: Se
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
     let blocks = facts.program.blocks();
+    // After M89 each position calls the cycle.
+    if blocks.iter().any(|block| has_function(block, &[89])) {
+        return;
+    }
     let called = |index: usize| facts.run.calls.iter().any(|call| call.block == index);
     let acts: Vec<usize> = (0..blocks.len()).filter(|index| blocks.get(*index).is_some_and(|own| !is_silent(own))).collect();
     let mut at = None;
@@ -35,7 +40,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         let Some([x, y]) = at.filter(|place| blank.holds(place[0], place[1]) && *place != [0.0, 0.0]) else { continue };
-        let finding = rule.at(facts, facts.content(&blocks[*index])).arg("value", Arg::Number(x));
+        let place = facts.content(&blocks[*index]);
+        // One of a row of holes was reported before.
+        if found.iter().any(|own| own.place.as_ref().is_some_and(|own| own.span == place)) {
+            continue;
+        }
+        let finding = rule.at(facts, place).arg("value", Arg::Number(x));
         return found.push(finding.arg("other", Arg::Number(y)));
     }
 }

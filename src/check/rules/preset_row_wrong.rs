@@ -57,10 +57,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let straight = if facts.flow.jumps { first_turn(facts) } else { usize::MAX };
     let (mut written, mut activated): (Vec<Written>, Vec<Activated>) = (Vec::new(), Vec::new());
     let names_row = |own: &&Defined<'_>| {
-        own.cycle().is_some_and(|cycle| cycle.params.iter().any(|param| matches!(param.is.as_str(), ROW | PRESET)))
+        own.related_cycle().is_some_and(|cycle| cycle.params.iter().any(|param| matches!(param.is.as_str(), ROW | PRESET)))
     };
     for definition in facts.definitions.iter().filter(names_row) {
-        let definition = facts.read(definition);
+        let related = definition.as_related_cycle();
+        let definition = facts.read(&related);
         let block = definition.view.first;
         if block > straight {
             return;
@@ -172,7 +173,8 @@ fn datums(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let Some(row) = number(item) else { return };
             activated.push((own.view.first, row));
         } else if has(ROW) && !has(TRANSFER) && has(NEW) {
-            let read = facts.read(own);
+            let related = own.as_related_cycle();
+            let read = facts.read(&related);
             let Some((row, span)) = read.item(ROW).and_then(|item| Some((number(item)?, item.value_span))) else {
                 continue;
             };

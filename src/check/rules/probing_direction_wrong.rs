@@ -98,10 +98,11 @@ fn upwards(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 fn tops(facts: &Facts<'_>) -> Vec<[Option<f64>; 3]> {
     let mut tops = Vec::new();
     for own in facts.definitions.iter() {
-        let Some(cycle) = own.cycle().filter(|cycle| with_meaning(cycle, POINT[2]).is_some()) else { continue };
+        let Some(cycle) = own.related_cycle().filter(|cycle| with_meaning(cycle, POINT[2]).is_some()) else { continue };
         let unmoved = facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));
         if unmoved && with_meaning(cycle, AXIS).is_none() {
-            let read = facts.read(own);
+            let related = own.as_related_cycle();
+            let read = facts.read(&related);
             let top = POINT.map(|meaning| read.item(meaning).and_then(number));
             // Cycles for planes probe three points.
             tops.push(top);
@@ -110,7 +111,8 @@ fn tops(facts: &Facts<'_>) -> Vec<[Option<f64>; 3]> {
     for call in facts.run.calls.iter().filter(|call| is_unmoved(&call.modal)) {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(own) = facts.definitions.get(index as usize) else { continue };
-        let surface = facts.read(own).item(SURFACE).and_then(number);
+        let related = own.as_related_cycle();
+        let surface = facts.read(&related).item(SURFACE).and_then(number);
         let Some(BlockKind::Motion(motion)) = facts.program.blocks().get(call.block).map(|block| &block.kind) else {
             continue;
         };
@@ -125,10 +127,10 @@ fn tops(facts: &Facts<'_>) -> Vec<[Option<f64>; 3]> {
         tops.push([coord(Axis::X), coord(Axis::Y), surface]);
     }
     // The points of edges along their own line are on the part, too.
-    for own in
-        facts.definitions.iter().filter(|own| own.cycle().is_some_and(|cycle| with_meaning(cycle, AXIS).is_some()))
-    {
-        let read = facts.read(own);
+    let edges = |own: &&Defined<'_>| own.related_cycle().is_some_and(|cycle| with_meaning(cycle, AXIS).is_some());
+    for own in facts.definitions.iter().filter(edges) {
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
         let value = |meaning: &str| read.item(meaning).and_then(number);
         let (axis, height) = (value(AXIS), value(HEIGHT));
         let unmoved = facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));

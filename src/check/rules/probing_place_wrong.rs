@@ -8,7 +8,7 @@ use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::place_of_call;
 use crate::check::program::{number, with_meaning};
 use crate::check::slip::is_slip;
-use crate::check::{Definition, Facts, Pending, Rule};
+use crate::check::{Defined, Definition, Facts, Pending, Rule};
 use crate::spec::{Cycle, Group, Keyword};
 
 pub(super) const RULE: Rule = Rule { code: "probing-place-wrong", severity: Severity::Warning, run };
@@ -59,11 +59,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut far = Vec::new();
     let first = found.len();
     for own in facts.definitions.iter().filter(|own| own.key.keyword == Keyword::TchProbe) {
-        let Some(cycle) = own.cycle().filter(|cycle| cycle.file.group != Group::ToolMeasurement) else { continue };
+        let Some(cycle) = own.related_cycle().filter(|cycle| cycle.file.group != Group::ToolMeasurement) else {
+            continue;
+        };
         if !facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal)) {
             continue;
         }
-        let read = facts.read(own);
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
         let value = |meaning: &str| read.item(meaning).and_then(number);
         let along = with_meaning(cycle, TOOL_POINT).is_some() || value(AXIS) == Some(3.0);
         let outside = PLACES.into_iter().find_map(|[main, minor]| {
@@ -118,8 +121,9 @@ fn too_large(read: &Definition<'_>, cycle: &Cycle, blank: &Blank) -> Option<(Spa
 
 /// How many rows of tables are written: each may be another part.
 fn rows(facts: &Facts<'_>) -> usize {
-    let of = |own| {
-        let read = facts.read(own);
+    let of = |own: &Defined<'_>| {
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
         read.item("datum-row-number").and_then(number).map(f64::to_bits)
     };
     facts.definitions.iter().filter_map(of).collect::<std::collections::BTreeSet<u64>>().len()

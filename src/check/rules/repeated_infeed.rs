@@ -9,8 +9,9 @@ use std::collections::BTreeMap;
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
+use crate::check::cycle::removes_material;
 use crate::check::program::is_silent;
-use crate::check::{Aspect, Facts, Modal, Rule, Tri};
+use crate::check::{Aspect, Defined, Facts, Modal, Rule, Tri};
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensates, Coord, Motion, Path};
 use crate::spec::Group;
 
@@ -121,11 +122,11 @@ fn is_level_frame(facts: &Facts<'_>, modal: &Modal) -> bool {
     is_unmoved(modal) || OTHERS.iter().all(|own| modal.is(*own) == Tri::No) && !shifts()
 }
 
-/// Whether a part calls cycles and defines a transformation, and all of it is absolute: from its second pass on it does
-/// the same each time.
+/// Whether a part calls a cycle, or subprograms under a transformation, and all of it is absolute: from its second pass on it
+/// does the same each time.
 fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>, known: &mut Known) -> bool {
-    let mut works = facts.run.calls.iter().any(|call| part.contains(&call.block));
-    let mut transforms = false;
+    let calls = facts.run.calls.iter().any(|call| part.contains(&call.block));
+    let (mut works, mut transforms) = (calls, false);
     let all = facts.program.blocks().get(part.clone()).unwrap_or_default().iter().zip(part);
     for (block, index) in all.filter(|(block, _)| !is_silent(block)) {
         let text = || facts.text(facts.content(block)).split(';').next().unwrap_or_default();
@@ -165,7 +166,15 @@ fn is_absolute(facts: &Facts<'_>, part: std::ops::Range<usize>, known: &mut Know
             _ => return false,
         }
     }
-    transforms && works
+    calls || transforms && works
+}
+
+/// Whether a definition of a cycle that is called has numbers only.
+fn is_of_numbers(facts: &Facts<'_>, own: &Defined<'_>) -> bool {
+    let related = own.as_related_cycle();
+    let read = facts.read(&related);
+    let machines = own.related_cycle().is_some_and(removes_material);
+    machines && !read.items.is_empty() && read.items.iter().all(|item| !item.printed.contains(['Q', 'q']))
 }
 
 /// Whether a subprogram only moves, be it incrementally, and calls cycles: it leaves no parameter and no transformation
@@ -186,6 +195,7 @@ fn is_same_each_time(facts: &Facts<'_>, start: usize, nested: usize, known: &mut
                 !block.skip && motion.words().coords.iter().all(|own| matches!(own.value.amount, Amount::Number(_)))
             }
             BlockKind::CyclCall(_) | BlockKind::Functions(_) => true,
+            BlockKind::CycleDef(_) => facts.definition_at(index).is_some_and(|own| is_of_numbers(facts, own)),
             _ => false,
         })
     });

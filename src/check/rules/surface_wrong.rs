@@ -15,7 +15,7 @@ use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::blank::{Blank, is_unmoved};
+use crate::check::blank::{Blank, diameter, is_unmoved, top};
 use crate::check::cycle::removes_material;
 use crate::check::first_way::FirstWay;
 use crate::check::incident::Incident;
@@ -47,11 +47,12 @@ const HIGHER: f64 = 1.0;
 const MOST: f64 = 0.9;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
+    let Some(top) = top(facts.program).filter(|_| facts.begins()) else { return };
     let unit = facts.millimetre();
-    patterns(rule, facts, blank.high[2], found);
+    patterns(rule, facts, top, found);
+    cylinders(rule, facts, found);
+    let Some(blank) = Blank::of(facts.program) else { return };
     early(rule, facts, &blank, found);
-    cylinders(rule, facts, &blank, found);
     let mut seen = std::collections::HashSet::new();
     // The lowest face over the whole blank, and the surfaces and floors of the cycles.
     let mut face: Option<f64> = None;
@@ -99,7 +100,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = rule.at(facts, span).arg("what", "air").arg("value", Arg::Number(height));
         found.push(finding.arg("other", Arg::Number(blank.high[2])));
     }
-    let top = blank.high[2];
     let same = |one: f64, other: f64| (one - other).abs() <= 1e-6;
     let opposite = surfaces.iter().find(|(own, _)| {
         let below =
@@ -142,26 +142,30 @@ fn patterns(rule: &Rule, facts: &Facts<'_>, top: f64, found: &mut Vec<Diagnostic
     }
 }
 
-/// A cylinder whose radius is not half of what a blank measures that lies about its axis, at Z 0: the diameter was entered,
-/// or a digit is wrong.
-fn cylinders(rule: &Rule, facts: &Facts<'_>, blank: &Blank, found: &mut Vec<Diagnostic>) {
+/// A cylinder whose radius is not that of a round blank, nor half of what a box measures that lies about its axis, at Z 0:
+/// the diameter was entered, or a digit is wrong.
+fn cylinders(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     /// The axis lies so near to the middle of the blank, and the radius may be so much smaller, as a part of its height.
     const MIDDLE: f64 = 0.02;
     const TURNED: f64 = 0.6;
-    let (low, high) = (blank.low[2], blank.high[2]);
-    if high <= 0.0 || (low + high).abs() > MIDDLE * (high - low) {
-        return;
-    }
+    let round = diameter(facts.program).map(|own| own / 2.0);
+    let about_axis = |blank: &Blank| {
+        let (low, high) = (blank.low[2], blank.high[2]);
+        high > 0.0 && (low + high).abs() <= MIDDLE * (high - low)
+    };
+    let half = Blank::of(facts.program).filter(about_axis).map(|blank| blank.high[2]);
+    let Some(most) = round.or(half) else { return };
     for own in &facts.definitions {
         let related = own.as_related_cycle();
         let read = facts.read(&related);
         let Some((item, radius)) = read.item(CYLINDER).and_then(|item| Some((item, number(item)?.abs()))) else {
             continue;
         };
-        let unmoved = facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));
-        if unmoved && (radius > high + HIGHER * facts.millimetre() || radius < TURNED * high) {
+        // Where a box lies is known only without transformations.
+        let known = round.is_some() || facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));
+        if known && (radius > most + HIGHER * facts.millimetre() || radius < TURNED * most) {
             let finding = rule.at(facts, item.value_span).arg("what", "cylinder").arg("value", Arg::Number(radius));
-            return found.push(finding.arg("other", Arg::Number(high)));
+            return found.push(finding.arg("other", Arg::Number(most)));
         }
     }
 }

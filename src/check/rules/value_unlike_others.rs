@@ -284,6 +284,13 @@ fn step(row: &[(f64, Span)]) -> Option<(Span, f64, f64)> {
 }
 
 fn tell(rule: &Rule, facts: &Facts<'_>, (span, value, other): (Span, f64, f64), found: &mut Vec<Diagnostic>) {
+    // What is wrong by itself was reported before.
+    let known = |own: &Diagnostic| {
+        own.code == super::early_cycle_wrong::RULE.code && own.place.as_ref().is_some_and(|own| own.span == span)
+    };
+    if found.iter().any(known) {
+        return;
+    }
     let finding = rule.at(facts, span).arg("what", "others").arg("value", Arg::Number(value));
     found.push(finding.arg("other", Arg::Number(other)));
 }

@@ -96,6 +96,12 @@ impl Table {
         text::parse(kind, source)
     }
 
+    /// Reads a table as far as it can be read, which is nothing without names of columns; with its mistakes. A cell that is no
+    /// number is as good as empty.
+    pub fn read(kind: TableKind, source: &Arc<Source>) -> (Option<Self>, Vec<Diagnostic>) {
+        text::read(kind, source)
+    }
+
     /// The text of the file.
     pub fn to_text(&self) -> String {
         self.lines.iter().flat_map(|line| [line.text.as_str(), line.end.as_str()]).collect()

@@ -1,52 +1,41 @@
-//! The pockets and slots that a program mills: those of one definition that run into each other, and holes that one of
-//! them cuts.
+//! The pockets and slots that a program mills, as the ways of their tools in the plane.
 //!
 //! Invariant: an area is where the tool was, as far as that is remembered: never more than what was milled.
 use glam::DVec2;
 
-use super::body::{Body, SAME};
-use super::watcher::Watcher;
-use super::work::Work;
-use crate::check::{Incident, ToolKind};
-use crate::spec::{CycleKey, Group};
+use super::body::SAME;
+use crate::spec::CycleKey;
 
-/// So many pieces of the way of one pocket are remembered, and so many pockets.
-pub(super) const MOST_PIECES: usize = 400;
-const MOST_AREAS: usize = 128;
-/// What overlaps by less is a wall that was to be thin, mm.
-const DEEP: f64 = 0.2;
-/// Pockets with centres so near to each other are one in another, mm.
-const CONCENTRIC: f64 = 0.5;
-/// Sizes that differ by so much are the same, mm.
-const EQUAL: f64 = 0.05;
-
+/// So many pieces of the way of one pocket are remembered.
+pub(super) const MOST_PIECES: usize = 1 << 9;
 /// A straight piece of the way of the tool in the plane.
 pub(super) type Piece = [DVec2; 2];
 
 /// A pocket or slot that was milled.
 pub(super) struct Area {
-    made: (u32, CycleKey),
-    way: Vec<Piece>,
+    /// The tool call that it was made after, and the cycle.
+    pub(super) made: (u32, CycleKey),
+    pub(super) way: Vec<Piece>,
     /// How long that is, which is the same for all that one definition makes.
-    long: f64,
-    low: DVec2,
-    high: DVec2,
-    radius: f64,
-    bottom: f64,
+    pub(super) long: f64,
+    pub(super) low: DVec2,
+    pub(super) high: DVec2,
+    pub(super) radius: f64,
+    pub(super) bottom: f64,
 }
 
 impl Area {
-    fn middle(&self) -> DVec2 {
+    pub(super) fn middle(&self) -> DVec2 {
         (self.low + self.high) / 2.0
     }
 
     /// How far a place is from the way.
-    fn distance(&self, place: DVec2) -> f64 {
+    pub(super) fn distance(&self, place: DVec2) -> f64 {
         self.way.iter().map(|piece| from_place(*piece, place)).fold(f64::INFINITY, f64::min)
     }
 
     /// Whether the ways of two areas come nearer to each other than so much.
-    fn comes_within(&self, other: &Self, reach: f64) -> bool {
+    pub(super) fn comes_within(&self, other: &Self, reach: f64) -> bool {
         let apart = (self.low - other.high).max(other.low - self.high).max_element();
         apart < reach && self.way.iter().any(|one| other.way.iter().any(|own| between(*one, *own) < reach))
     }
@@ -77,52 +66,4 @@ fn between(one: Piece, other: Piece) -> f64 {
     }
     let ends = [from_place(one, c), from_place(one, d), from_place(other, a), from_place(other, b)];
     ends.into_iter().fold(f64::INFINITY, f64::min)
-}
-
-impl Watcher<'_> {
-    /// Remembers a pocket or slot, and compares it with those before.
-    pub(super) fn note_area(&mut self, work: &Work) {
-        let studs = |own: &crate::spec::Cycle| own.params.iter().any(|param| param.is.as_str().contains("blank"));
-        let (Some(width), false) = (self.width(), self.cycle(work.key).is_none_or(studs)) else { return };
-        if work.group != Group::Pockets || work.way.is_empty() || self.areas.len() >= MOST_AREAS {
-            return;
-        }
-        let all = || work.way.iter().flatten();
-        let area = Area {
-            made: (self.calls, work.key),
-            way: work.way.clone(),
-            long: work.way.iter().map(|[one, other]| (*other - *one).length()).sum(),
-            low: all().fold(DVec2::INFINITY, |low, own| low.min(*own)),
-            high: all().fold(DVec2::NEG_INFINITY, |high, own| high.max(*own)),
-            radius: width / 2.0,
-            bottom: work.low.z,
-        };
-        let meets = self.areas.iter().any(|other| {
-            let same = other.made == area.made && (other.long - area.long).abs() <= EQUAL;
-            let apart = (other.middle() - area.middle()).length() > CONCENTRIC;
-            same && apart && area.comes_within(other, area.radius + other.radius - DEEP)
-        });
-        if meets {
-            let middle = area.middle() * self.unit;
-            self.report(work.line, Incident::PocketsOverlap(middle.to_array()));
-        }
-        self.areas.push(area);
-    }
-
-    /// A hole of which a part lies in a pocket that was milled before, and a part beside it.
-    pub(super) fn cut_by_area(&mut self, body: &Body, work: &Work) {
-        let Some(radius) = self.width().map(|width| width / 2.0) else { return };
-        if work.milled || self.kind().is_some_and(|kind| matches!(kind, ToolKind::Spot | ToolKind::Chamfer)) {
-            return;
-        }
-        let place = work.start.truncate();
-        let cut = self.areas.iter().any(|area| {
-            let distance = area.distance(place);
-            let partly = distance < area.radius + radius - DEEP && distance > (area.radius - radius).abs() + DEEP;
-            partly && area.radius > radius && area.bottom < body.high.z - SAME && work.low.z < area.bottom
-        });
-        if cut && self.holes_at(work.start).is_empty() {
-            self.report(work.line, Incident::HoleCutByPocket((place * self.unit).to_array()));
-        }
-    }
 }

@@ -22,12 +22,18 @@ impl Watcher<'_> {
         const OF_DIAMETER: f64 = 0.15;
         const OF_DRILL: f64 = 0.1;
         const AT_MOST: f64 = 1.5;
+        /// So deep, mm, a mill plunges no faster than this, mm per revolution.
+        const DEEP: f64 = 4.0;
+        const INTO_FULL: f64 = 1.0;
         let feed = self.in_tenths(feed);
         let (along, down) = ((self.at - from).truncate().length(), from.z - self.at.z);
         if along <= SAME && down > 0.0 && self.speed > 0.0 {
             // A drill keeps to its feed, and plain movements are also those to a height.
             let part = if drills { OF_DRILL } else { OF_DIAMETER };
             let most = self.width().map_or(AT_MOST, |width| (part * width).clamp(0.3, AT_MOST));
+            // A mill that goes deep into the full is far slower.
+            let deep = !drills && self.remains.above(self.at) >= DEEP && self.kind().is_none_or(|own| own != ToolKind::Drill);
+            let most = if deep { most.min(INTO_FULL) } else { most };
             if feed / self.speed > most {
                 self.report(self.line, Incident::FastPlunge(feed / self.speed * self.unit));
             }

@@ -10,7 +10,7 @@
 //! `mod.rs` sets up the run, `body.rs` is the blank, `remains.rs` what is left of it, `watcher.rs` follows the events,
 //! `cuts.rs` judges movements that cut, `work.rs` what a cycle has done, `path.rs` what plain movements have,
 //! `tilted.rs` what is done in a tilted plane, `turned.rs` what is turned (`lathe.rs` keeps the workpiece meanwhile),
-//! `areas.rs` compares pockets and holes, `walls.rs` finds what open contours leave at an edge,
+//! `overlaps.rs` compares pockets and holes (`areas.rs`), `edges.rs` finds what open contours leave (`walls.rs`),
 //! `series.rs` the holes of the whole program together, `undescribed.rs` which cycles are passed over, `unsure.rs`
 //! forgets what is no longer known. `works.rs` is for an execution with the real stock: cycles that remove nothing.
 //!
@@ -19,7 +19,9 @@
 mod areas;
 mod body;
 mod cuts;
+mod edges;
 mod lathe;
+mod overlaps;
 mod path;
 pub mod presets;
 mod remains;

@@ -152,6 +152,28 @@ impl Watcher<'_> {
         }
     }
 
+    /// Notes a movement of a block: one that goes through material, and then twice more the same way, does nothing.
+    pub(super) fn note_pass(&mut self, from: DVec3, line: usize, places: &[DVec3]) {
+        /// So many ways are remembered, and so often one is gone.
+        const MOST_PASSES: usize = 1 << 14;
+        const OFTEN: u8 = 3;
+        let ends = [from, self.at].map(|place| (place / SAME).to_array().map(|own| own.round() as i64));
+        let [[a, b, c], [d, e, f]] = ends;
+        let key = (self.calls, line, [a, b, c, d, e, f]);
+        let cuts = !self.remains.open && places.iter().any(|place| self.is_solid(*place));
+        if (self.at - from).truncate().length() <= SAME {
+            return;
+        }
+        if let Some(count) = self.passes.get_mut(&key) {
+            *count = count.saturating_add(1);
+            if *count == OFTEN {
+                self.report(self.line, Incident::PathRepeated);
+            }
+        } else if cuts && self.passes.len() < MOST_PASSES {
+            self.passes.insert(key, 1);
+        }
+    }
+
     /// A feed that is ten times another one of the tool, and far more per revolution than it takes.
     fn judge_feeds(&mut self, feeds: &[([f64; 2], usize)]) {
         let Some(width) = self.width().filter(|width| *width > 0.0) else { return };

@@ -70,8 +70,7 @@ impl Remains {
             return self.lower(&body, places, radius, 0.0);
         }
         if up.z < LEANS {
-            self.open = true;
-            return;
+            return self.clear_from_side(&body, places, radius, up);
         }
         // The edge of its end is so much lower than its middle, and its shank is over other columns.
         let deeper = radius * flat;
@@ -87,6 +86,22 @@ impl Remains {
             if self.open {
                 return;
             }
+        }
+    }
+
+    /// Takes away whole columns where a tool comes from the side or from below: those that it, or its shank, may touch.
+    fn clear_from_side(&mut self, body: &Body, places: &[DVec3], radius: f64, up: DVec3) {
+        let long = (body.high - body.low).length();
+        let count = (long / self.cell).ceil();
+        let deeper = 2.0 * long;
+        for place in places {
+            if self.open || count > self.tops.len() as f64 {
+                self.open = true;
+                return;
+            }
+            let along: Vec<DVec3> = (0..=count as usize).map(|at| *place + up * (long * at as f64 / count)).collect();
+            let touched: Vec<DVec3> = along.into_iter().filter(|own| body.distance(*own) <= radius + self.cell).collect();
+            self.lower(body, &touched, radius, deeper);
         }
     }
 

@@ -182,11 +182,9 @@ impl Watcher<'_> {
         let unit = self.unit;
         if let Some((line, place)) = stray(rows).or_else(|| self.beside_centres(rows)) {
             self.report(line, Incident::NotCentred(place.map(|own| own * unit)));
-        }
-        if let Some((line, place)) = self.left_out(rows, Kind::Drilled) {
+        } else if let Some((line, place)) = self.left_out(rows, Kind::Drilled) {
             self.report(line, Incident::OnlyOneNotCentred(place.map(|own| own * unit)));
-        }
-        if let Some((line, place)) = self.left_out(rows, Kind::Centred) {
+        } else if let Some((line, place)) = self.left_out(rows, Kind::Centred) {
             self.report(line, Incident::CentredInVain(place.map(|own| own * unit)));
         }
         if let Some((line, place, reamed)) = unfinished(rows) {

@@ -21,7 +21,7 @@ use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MessageKin
 use crate::engine::scene::Scene;
 use crate::engine::solid::Path;
 use crate::engine::stock::Blank;
-use crate::program::syntax::{self, Block, BlockKind, Program};
+use crate::program::syntax::{self, Block, BlockKind, CallForm, Program};
 use crate::spec::{Catalogue, Cycle, CycleKey, Group, Keyword, MM_PER_INCH, OnControl};
 
 /// So many places of a movement are looked at.
@@ -125,8 +125,12 @@ pub(super) struct Watcher<'w> {
     pub(super) walls: Vec<Way>,
     /// Whether the contour with RL or RR was begun outside of the blank.
     pub(super) from_outside: bool,
+    /// How many contours there were.
+    pub(super) contour: usize,
     /// The lines of plain movements straight down: whether one goes into a hole, and one into solid material.
     pub(super) dips: BTreeMap<usize, [bool; 2]>,
+    /// How often plain movements through material have come back to the same way: tool call, line, beginning and end.
+    pub(super) passes: HashMap<(u32, usize, [i64; 6]), u8>,
     /// The places of holes, by what was done there.
     pub(super) series: Rows,
     /// The cycles with which tools have cut, each once.
@@ -204,7 +208,9 @@ impl<'w> Watcher<'w> {
             areas: Vec::new(),
             walls: Vec::new(),
             from_outside: false,
+            contour: 0,
             dips: BTreeMap::new(),
+            passes: HashMap::new(),
             series: Rows::default(),
             used: BTreeSet::new(),
             ways: Ways::default(),
@@ -315,9 +321,12 @@ impl<'w> Watcher<'w> {
         for block in blocks.into_iter().filter(|block| !block.skip) {
             if let BlockKind::Motion(element) = &block.kind {
                 let words = element.words();
+                let of_machine = words.functions.iter().any(|own| matches!(own.number, 91 | 92));
                 for (known, axis) in self.known.iter_mut().zip([self.plane.main, self.plane.secondary, self.plane.tool])
                 {
-                    *known |= words.coord(letter(axis)).is_some_and(|coord| !coord.incremental);
+                    let coord = words.coord(letter(axis));
+                    *known |= coord.is_some_and(|coord| !coord.incremental);
+                    *known &= coord.is_none() || !of_machine;
                 }
             }
         }
@@ -451,6 +460,11 @@ impl<'w> Watcher<'w> {
         self.learn(from, block);
         // A pattern goes to each of its places in both axes.
         let pattern = key.and_then(|key| self.cycle(key)).is_some_and(|own| own.file.group == Group::Patterns);
+        let called = self.blocks.get(&line).is_some_and(|own| match &own.kind {
+            BlockKind::CyclCall(call) => matches!(call.form, CallForm::Pattern),
+            _ => false,
+        });
+        let pattern = pattern || called;
         (self.known[0], self.known[1]) = (self.known[0] || pattern, self.known[1] || pattern);
         if let (Some(key), Some(_), Some(tool)) = (key, feed, self.tool) {
             self.use_tool(tool, key);
@@ -502,6 +516,7 @@ impl<'w> Watcher<'w> {
             self.look_at(&body, (key, plain), begun, from, feed, &places);
         }
         if key.is_none() && certain && begun {
+            self.note_pass(from, line, &places);
             self.note_way(from, &places);
             self.dips(from);
         }

@@ -14,6 +14,10 @@ const TIP: f64 = 25.0;
 const DISENGAGES: &str = "disengaging-direction";
 /// The meaning of how far beside the axis of the hole a bar goes through it.
 const ASIDE: &str = "off-centre-distance";
+/// The meaning of the circle on which slots lie.
+const ON_CIRCLE: &str = "pitch-circle-diameter";
+/// A bar takes no more off the diameter than this, and this part of the diameter, mm.
+const BORED: (f64, f64) = (4.0, 0.15);
 /// Two holes of one tool are no nearer to each other than so much of its diameter.
 const APART: f64 = 0.95;
 /// A reamer takes no more off the diameter than this, and this part of the diameter, mm.
@@ -318,6 +322,12 @@ impl Watcher<'_> {
         self.holes.iter().filter(here).copied().collect()
     }
 
+    /// How wide the widest of several holes is that go down to a height, or through the blank.
+    fn widest(&self, holes: &[Hole], height: f64) -> Option<f64> {
+        let deep = |own: &&Hole| own.bottom <= height + SKIN || self.goes_through(own);
+        holes.iter().filter(deep).filter_map(|own| own.width).reduce(f64::max)
+    }
+
     /// Whether a hole goes through the blank in its whole width; without a blank none does.
     fn goes_through(&self, hole: &Hole) -> bool {
         self.body.is_some_and(|body| match hole.pointed {
@@ -349,7 +359,7 @@ impl Watcher<'_> {
         let reams = reams || self.kind() == Some(ToolKind::Reamer);
         let here = self.holes_at(work.start);
         // What only centres is not as wide as its tool.
-        let widest = here.iter().filter(|own| own.bottom <= bottom + SKIN).filter_map(|own| own.width).reduce(f64::max);
+        let widest = self.widest(&here, bottom);
         // A reamer needs something to remove.
         let wider = |own: f64, hole: f64| hole > own + SAME || reams && hole > own - SAME;
         if let Some((own, hole)) = width.zip(widest).filter(|(own, hole)| wider(*own, *hole)) {
@@ -389,8 +399,7 @@ impl Watcher<'_> {
             let (value, other) = (work.low.z * unit, lowest.bottom * unit);
             return self.report(work.line, Incident::ReamedWrongly { what: "deep", value, other });
         }
-        let hole = here.iter().filter(|own| own.bottom <= work.low.z + SKIN).filter_map(|own| own.width);
-        let hole = hole.reduce(f64::max);
+        let hole = self.widest(here, work.low.z);
         if let Some((reamer, hole)) = self.width().zip(hole)
             && reamer - hole > REAMED.0 + REAMED.1 * reamer
             && self.kind() == Some(ToolKind::Reamer)
@@ -405,10 +414,16 @@ impl Watcher<'_> {
         let bores = self.cycle(work.key).is_some_and(|own| {
             own.file.group == Group::Drilling && own.params.iter().any(|param| param.is.as_str() == DISENGAGES)
         });
-        let Some(lowest) = lowest(here).filter(|_| bores && work.solid && !self.remains.open) else { return };
-        if !self.goes_through(&lowest) && work.low.z < lowest.bottom - SKIN {
+        let aside = self.cycle(work.key).is_some_and(|own| own.params.iter().any(|param| param.is.as_str() == ASIDE));
+        let Some(lowest) = lowest(here).filter(|_| bores && !aside && !self.remains.open) else { return };
+        if work.solid && !self.goes_through(&lowest) && work.low.z < lowest.bottom - SKIN {
             let (value, other) = (work.low.z * self.unit, lowest.bottom * self.unit);
-            self.report(work.line, Incident::ReamedWrongly { what: "bored", value, other });
+            return self.report(work.line, Incident::ReamedWrongly { what: "bored", value, other });
+        }
+        let hole = self.widest(here, work.low.z);
+        if let Some((bar, hole)) = self.width().zip(hole).filter(|(bar, hole)| bar - hole > BORED.0 + BORED.1 * bar) {
+            let (value, other) = (bar * self.unit, hole * self.unit);
+            self.report(work.line, Incident::ReamedWrongly { what: "stock", value, other });
         }
     }
 
@@ -432,7 +447,14 @@ impl Watcher<'_> {
         let extent = work.high - work.low;
         let middle = work.middle();
         let round = (extent.x - extent.y).abs() <= 0.05 * extent.x;
-        if let Some(width) = self.width().filter(|_| round && extent.x > 0.0) {
+        // Slots on a circle are none.
+        let slots = self.cycle(work.key).is_some_and(|own| own.params.iter().any(|param| param.is.as_str() == ON_CIRCLE));
+        if let Some(width) = self.width().filter(|_| round && extent.x > 0.0 && !slots) {
+            let here = self.holes_at(middle);
+            let whole = extent.x + width;
+            if let Some(hole) = self.widest(&here, work.low.z).filter(|hole| *hole > whole + SAME) {
+                self.report(work.line, Incident::NothingLeft { tool: whole * self.unit, hole: hole * self.unit });
+            }
             self.remember(work, Some(extent.x + width), middle);
         }
     }
