@@ -39,7 +39,11 @@ diag-preset-row-wrong =
         [same] Preset { $row } is active already; here it is activated again, after the program has stopped for the operator.
        *[unused] Preset { $row } is written here and never activated: machining goes on with another preset.
     }
-diag-repeat-without-effect = A repeat of zero times does nothing.
+diag-repeat-without-effect =
+    { $what ->
+        [same] The contour is repeated at the same depth { $value }: incremental steps of it would go through the blank.
+       *[zero] A repeat of zero times does nothing.
+    }
 diag-slot-too-narrow = The tool with the diameter { $tool } does not fit between the walls here: this line is only { $value } long.
 diag-spindle-start-wrong =
     { $what ->
@@ -76,6 +80,7 @@ related-preset-written-here = written here
 diag-character-unknown = The text has “{ $character }”, which the font does not have.
 diag-allowance-left =
     { $what ->
+        [order] The contour is machined with the oversize { $value } (DR) here and afterwards with the greater one { $other } by the same tool: nothing is left for the second pass.
         [below] The contour of label { $label } is machined with the negative oversize { $value } first: nothing is left for the tool that machines it afterwards.
        *[left] The contour of label { $label } is machined with the oversize { $value } with this tool, too: the allowance stays on the part.
     }

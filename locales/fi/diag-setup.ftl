@@ -39,7 +39,11 @@ diag-preset-row-wrong =
         [same] Esiasetus { $row } on jo voimassa; tässä se aktivoidaan uudelleen sen jälkeen, kun ohjelma on pysähtynyt käyttäjää varten.
        *[unused] Esiasetus { $row } kirjoitetaan tässä, mutta sitä ei koskaan aktivoida: koneistus jatkuu toisella esiasetuksella.
     }
-diag-repeat-without-effect = Nolla toistoa ei tee mitään.
+diag-repeat-without-effect =
+    { $what ->
+        [same] Muoto toistetaan samalla syvyydellä { $value }: samansuuruisin inkrementaalisin askelin se menisi aihion läpi.
+       *[zero] Nolla toistoa ei tee mitään.
+    }
 diag-slot-too-narrow = Työkalu, jonka halkaisija on { $tool }, ei mahdu tässä seinämien väliin: tämän suoran pituus on vain { $value }.
 diag-spindle-start-wrong =
     { $what ->
@@ -76,6 +80,7 @@ related-preset-written-here = kirjoitettu tässä
 diag-character-unknown = Tekstissä on merkki ”{ $character }”, jota kirjasimessa ei ole.
 diag-allowance-left =
     { $what ->
+        [order] Muoto työstetään tässä työvaralla { $value } (DR) ja sen jälkeen samalla työkalulla suuremmalla työvaralla { $other }: toiselle ajolle ei jää mitään.
         [below] Labelin { $label } muoto koneistetaan ensin negatiivisella työvaralla { $value }: sen jälkeen koneistavalle työkalulle ei jää mitään.
        *[left] Labelin { $label } muoto koneistetaan myös tällä työkalulla työvaralla { $value }: työvara jää kappaleeseen.
     }

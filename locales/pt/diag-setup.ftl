@@ -39,7 +39,11 @@ diag-preset-row-wrong =
         [same] O preset { $row } já está ativo; aqui é ativado de novo, depois de o programa ter parado para o operador.
        *[unused] O preset { $row } é escrito aqui e nunca é ativado: a maquinação prossegue com outro preset.
     }
-diag-repeat-without-effect = Uma repetição de zero vezes não tem efeito.
+diag-repeat-without-effect =
+    { $what ->
+        [same] O contorno é repetido à mesma profundidade { $value }: com passos incrementais desse valor atravessaria o bloco.
+       *[zero] Uma repetição de zero vezes não tem efeito.
+    }
 diag-slot-too-narrow = A ferramenta com o diâmetro { $tool } não cabe aqui entre as paredes: esta reta só tem { $value } de comprimento.
 diag-spindle-start-wrong =
     { $what ->
@@ -76,6 +80,7 @@ related-preset-written-here = escrito aqui
 diag-character-unknown = O texto contém «{ $character }», que o tipo de letra não tem.
 diag-allowance-left =
     { $what ->
+        [order] Aqui o contorno é maquinado com a medida excedente { $value } (DR) e depois, com a mesma ferramenta, com a medida maior { $other }: nada resta para a segunda passagem.
         [below] O contorno do label { $label } é maquinado primeiro com a medida excedente negativa { $value }: não fica nada para a ferramenta que o maquina depois.
        *[left] O contorno do label { $label } também é maquinado com esta ferramenta com a medida excedente { $value }: a medida excedente fica na peça.
     }

@@ -41,7 +41,11 @@ diag-preset-row-wrong =
         [same] Prednastavitev { $row } je že aktivna; tukaj se aktivira še enkrat, potem ko se je program ustavil za upravljavca.
        *[unused] Prednastavitev { $row } se tukaj zapiše in se nikoli ne aktivira: obdelava se nadaljuje z drugo prednastavitvijo.
     }
-diag-repeat-without-effect = Nič ponovitev nima nobenega učinka.
+diag-repeat-without-effect =
+    { $what ->
+        [same] Kontura se ponovi na isti globini { $value }: z inkrementalnimi koraki te velikosti bi šla skozi surovec.
+       *[zero] Nič ponovitev nima nobenega učinka.
+    }
 diag-slot-too-narrow = Orodje s premerom { $tool } tukaj ne gre med stene: ta premica je dolga samo { $value }.
 diag-spindle-start-wrong =
     { $what ->
@@ -78,6 +82,7 @@ related-preset-written-here = zapisano tukaj
 diag-character-unknown = Besedilo vsebuje »{ $character }«, znak, ki ga pisava nima.
 diag-allowance-left =
     { $what ->
+        [order] Kontura se tukaj obdela z nadmero { $value } (DR), pozneje pa z istim orodjem z večjo nadmero { $other }: za drugi prehod ne ostane nič.
         [below] Kontura oznake { $label } se najprej obdela z negativno nadmero { $value }: orodju, ki jo obdela za tem, ne ostane nič.
        *[left] Kontura oznake { $label } se tudi s tem orodjem obdela z nadmero { $value }: nadmera ostane na obdelovancu.
     }

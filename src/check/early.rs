@@ -140,6 +140,7 @@ impl Early {
             pitch: None,
             feeds: Vec::new(),
             sides: Vec::new(),
+            corner: None,
         }
     }
 
@@ -159,6 +160,7 @@ impl Early {
                 (3, 0, Work::Drilling | Work::Milling) => self.infeed = Some(placed),
                 (3, 0, Work::RigidTapping) => self.pitch = Some(placed),
                 (3.., _, _) if name == "F" => self.feeds.push(placed),
+                (6, 1.., Work::Milling) if name != "DR" => self.corner = Some(placed),
                 (4 | 5, 0, Work::Milling) if matches!(name.as_str(), "X" | "Y" | "Z") => self.sides.push(placed),
                 (4, 0, Work::Milling) => self.sides.push(doubled(placed)),
                 _ => {}
