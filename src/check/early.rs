@@ -114,6 +114,7 @@ fn of_iso(own: &IsoBlock, index: usize, block: &Block) -> Option<Early> {
             let round = words.len() == ROUND;
             let (sides, last) = if round { (vec![at(5).map(doubled)], 6) } else { (vec![at(5), at(6)], 7) };
             early.sides = sides.into_iter().flatten().collect();
+            early.corner = if round { None } else { at(8) };
             early.feeds = [at(4), at(last)].into_iter().flatten().collect();
         }
     }

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 use crate::base::diag::{Diagnostic, Severity};
-use crate::base::expr::{Node, QKind, QRef};
+use crate::base::expr::{Node, Op, QKind, QRef};
 use crate::check::loops::{Loop, numbers_of, set_once};
 use crate::check::program::reads;
 use crate::check::{Facts, Rule, Use, Way};
@@ -168,11 +168,8 @@ fn stays(facts: &Facts<'_>, body: &Loop<'_>, jump: &FnJump, blocks: &RangeInclus
     if hidden || body.written.iter().filter(|own| **own == q).count() != 1 {
         return false;
     }
-    let assigns = |at: &usize| match facts.program.blocks().get(*at).map(|block| &block.kind) {
-        Some(BlockKind::FnAssign(own)) if own.target == q => Some((*at, own)),
-        _ => None,
-    };
-    let Some((at, assign)) = blocks.clone().find_map(|at| assigns(&at)) else { return false };
+    let assigns = |at: usize| Some((at, assigned(facts.program.blocks().get(at)?, q)?));
+    let Some((at, (first, sign, other))) = blocks.clone().find_map(assigns) else { return false };
     // A jump over it would leave the value of before.
     let over = |own: &Use| {
         let target = own.mark.as_ref().and_then(|mark| facts.run.graph.block_of(mark));
@@ -181,7 +178,7 @@ fn stays(facts: &Facts<'_>, body: &Loop<'_>, jump: &FnJump, blocks: &RangeInclus
     if facts.run.graph.uses.iter().any(over) {
         return false;
     }
-    let values = |operand: &Operand| match operand.amount {
+    let values = |own: Amount| match own {
         Amount::Number(number) => Some(vec![number]),
         Amount::Q { q, negative } if !body.written.contains(&q) => {
             let sign = if negative { -1.0 } else { 1.0 };
@@ -189,20 +186,43 @@ fn stays(facts: &Facts<'_>, body: &Loop<'_>, jump: &FnJump, blocks: &RangeInclus
         }
         Amount::Q { .. } | Amount::Text(_) => None,
     };
-    let sign = match assign.op {
-        FnOp::Set => 0.0,
-        FnOp::Add => 1.0,
-        FnOp::Sub => -1.0,
-        _ => return false,
-    };
-    let other = assign.b.as_ref().map_or(Some(vec![0.0]), values);
-    let (Some(first), Some(other)) = (values(&assign.a), other) else { return false };
+    let (Some(first), Some(other)) = (values(first), values(other)) else { return false };
     first.iter().flat_map(|a| other.iter().map(move |b| a + sign * b)).all(|own| match jump.relation {
         Relation::Less => own < limit,
         Relation::Greater => own > limit,
         Relation::NotEqual => own != limit,
         _ => false,
     })
+}
+
+/// What a block gives a parameter, if that is a sum or a difference of two values: the first one, the sign of the other one,
+/// and that.
+fn assigned(block: &Block, q: QRef) -> Option<(Amount, f64, Amount)> {
+    match &block.kind {
+        BlockKind::FnAssign(own) if own.target == q => {
+            let sign = match own.op {
+                FnOp::Set | FnOp::Add => 1.0,
+                FnOp::Sub => -1.0,
+                _ => return None,
+            };
+            Some((own.a.amount, sign, own.b.as_ref().map_or(Amount::Number(0.0), |own| own.amount)))
+        }
+        BlockKind::Formula(own) if own.target == q => {
+            let value = |node: &Node| match node {
+                Node::Number(number) => Some(Amount::Number(*number)),
+                Node::Q(q) => Some(Amount::Q { q: *q, negative: false }),
+                _ => None,
+            };
+            match &own.expr.node {
+                Node::Binary(op @ (Op::Add | Op::Sub), left, right) => {
+                    let sign = if *op == Op::Add { 1.0 } else { -1.0 };
+                    Some((value(&left.node)?, sign, value(&right.node)?))
+                }
+                own => Some((value(own)?, 1.0, Amount::Number(0.0))),
+            }
+        }
+        _ => None,
+    }
 }
 
 /// Whether the jump is not taken after the first time: from values that are written once before the loop, and a step.
