@@ -23,6 +23,7 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [across] The side of { $value } lies across the face milled in this plane, which is only { $other } wide: turned by 90 degrees it would lie on it.
         [above] The cycle goes no lower than { $value }, which is above the blank: it removes nothing.
         [below] The tool cuts at a height of { $value }, far below the blank.
         [over] What is machined at { $value }, { $other } goes over the edge of the blank.

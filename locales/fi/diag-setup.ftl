@@ -23,6 +23,7 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [across] Sivu, jonka mitta on { $value }, on poikittain tässä tasossa jyrsittyyn pintaan nähden, jonka leveys on vain { $other }: 90 astetta käännettynä se mahtuisi pinnalle.
         [above] Työkierto ei laskeudu alemmas kuin { $value }, joka on aihion yläpuolella: se ei poista mitään.
         [below] Työkalu lastuaa korkeudella { $value }, kaukana aihion alapuolella.
         [over] Kohdassa { $value }; { $other } koneistus ulottuu aihion reunan yli.

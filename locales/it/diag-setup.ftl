@@ -23,6 +23,7 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [across] Il lato di { $value } sta di traverso sulla superficie fresata in questo piano, larga solo { $other }: ruotato di 90 gradi vi starebbe.
         [above] Il ciclo non scende sotto { $value }, cioè resta sopra il pezzo grezzo: non asporta nulla.
         [below] L’utensile taglia all’altezza { $value }, molto al di sotto del pezzo grezzo.
         [over] Ciò che viene lavorato in { $value }; { $other } oltrepassa il bordo del pezzo grezzo.

@@ -23,6 +23,7 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [across] O lado de { $value } fica atravessado na face fresada neste plano, que só tem { $other } de largura: rodado 90 graus caberia nela.
         [above] O ciclo não desce abaixo de { $value }, que fica acima do bloco: não remove nada.
         [below] A ferramenta corta à altura { $value }, muito abaixo do bloco.
         [over] O que é maquinado em { $value }; { $other } ultrapassa o bordo do bloco.

@@ -25,6 +25,7 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [across] Stranica { $value } leži počez na ploskvi, ki je rezkana v tej ravnini in je široka le { $other }: zavrtena za 90 stopinj bi ležala na njej.
         [above] Cikel ne gre nižje od { $value }, kar je nad surovcem: ničesar ne odstrani.
         [below] Orodje reže na višini { $value }, daleč pod surovcem.
         [over] Kar se obdeluje na { $value }; { $other }, sega čez rob surovca.
