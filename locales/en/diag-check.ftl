@@ -1,6 +1,10 @@
 # Findings of the program checker and of the translation of programs.
 
-diag-approach-twice = The contour is approached while radius compensation is still active: the previous contour was not left.
+diag-approach-twice =
+    { $what ->
+        [call] The subprogram begins a contour with RL or RR, but is called here while the compensation of its last call is still active.
+       *[approach] The contour is approached while radius compensation is still active: the previous contour was not left.
+    }
 diag-approach-without-compensation =
     { $what ->
         [approach] The contour is approached here without RL or RR.
@@ -47,6 +51,7 @@ diag-called-but-not-defined = A cycle is called here, but no cycle has been defi
 diag-called-program-in-other-unit = This program is in { $own }, but the called program { $name } is in { $other }.
 diag-called-program-missing = The called program { $name } is not in the folder of this program, where the control looks for it.
 diag-centre-in-other-plane = The arc and its centre are not in the same plane.
+diag-chamfer-wrong-side = The tip of the chamfering tool goes { $value } deep through solid material, { $other } inside the edge of the blank: outside the edge it would chamfer it.
 diag-choice-not-offered = { $parameter }={ $value } is not one of the choices: { $offered }.
 diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearance height { $parameter }={ $value } must be above { $least }.
 diag-compensation-at-cycle =
@@ -142,6 +147,11 @@ diag-cycle-of-previous-tool = { $cycle } was defined for the previous tool, whic
 diag-cycle-removes-nothing = { $cycle } removes nothing here: there is no material where its tool goes.
 diag-datum-table-late = The preceding datum shift takes its row from another table: program SEL TABLE before it.
 diag-defined-but-never-called = { $cycle } is defined here but never called.
+diag-deviation-compared =
+    { $what ->
+        [deviation] { $parameter } is the deviation from the nominal size { $other }, and is compared with { $value } as if it were the size itself.
+       *[size] { $parameter } is the measured size, nominally { $other }, and is compared with { $value } as if it were the deviation.
+    }
 diag-digitizing-wrong =
     { $what ->
         [swapped] { $word } is less than the MIN point of the range, { $other }.
@@ -161,6 +171,7 @@ diag-doubtful-value =
 diag-duplicate-parameter = { $parameter } is given twice in { $cycle }.
 diag-early-cycle-wrong =
     { $what ->
+        [corner] The corner radius { $value } of the pocket is less than the radius { $other } of the tool.
         [clearance] The set-up clearance { $value } is negative: the cycle would begin below its surface.
         [depth] The depth { $value } is positive: the cycle moves the tool away from the workpiece.
         [infeed] With a plunging depth of 0 the cycle cannot machine.
@@ -418,6 +429,7 @@ diag-row-not-in-table =
        *[datum] The datum table has no row { $row }.
     }
 diag-program-not-selected = A selected program is called here, but none has been selected.
+diag-shift-in-tilted-plane = The datum is shifted in the tilted plane to { $parameter }, which was measured in the untilted one.
 diag-speed-missing = The spindle is turned on here, but no speed has been programmed for this tool.
 diag-speed-out-of-range =
     { $what ->
@@ -647,6 +659,9 @@ diag-holes-differ =
     }
 diag-probing-place-wrong =
     { $what ->
+        [angle] A hole is measured at { $value } degrees, but the pattern makes none there.
+        [apart] The second hole is only { $value } from the first one, whose diameter is { $other }.
+        [side] A side of { $value } is probed here, and the blank is { $other } wide there: the probe goes down onto it.
         [centre] Nothing was machined at this centre, but something was at { $value }, { $other }.
         [corner] The corner is probed on the other side of the blank than the datum { $value }.
         [size] A size of { $value } is probed here, and the blank is only { $other } wide there.
@@ -661,6 +676,7 @@ diag-speed-and-feed-exchanged = The tool is called with a speed of { $value } an
 diag-stud-in-solid = The raw size { $value } is far less than the blank around the stud, which is { $other } wide here.
 diag-surface-wrong =
     { $what ->
+        [unlike] The surface is at { $value }, that of the other cycles at these places at { $other }, and nothing has been machined so deep before.
         [opposite] The surface at { $value } is above the blank; others begin or end at { $other }.
         [pattern] The surface of the pattern is at { $value }, that of the cycle which it calls at { $other }: the one of the pattern acts.
         [air] The cycle works in the air here: it goes down to { $value }, where everything has been milled away before.

@@ -23,6 +23,7 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [across] The side of { $value } lies across the face milled in this plane, which is only { $other } wide: turned by 90 degrees it would lie on it.
         [above] The cycle goes no lower than { $value }, which is above the blank: it removes nothing.
         [below] The tool cuts at a height of { $value }, far below the blank.
         [over] What is machined at { $value }, { $other } goes over the edge of the blank.
@@ -39,7 +40,11 @@ diag-preset-row-wrong =
         [same] Preset { $row } is active already; here it is activated again, after the program has stopped for the operator.
        *[unused] Preset { $row } is written here and never activated: machining goes on with another preset.
     }
-diag-repeat-without-effect = A repeat of zero times does nothing.
+diag-repeat-without-effect =
+    { $what ->
+        [same] The contour is repeated at the same depth { $value }: incremental steps of it would go through the blank.
+       *[zero] A repeat of zero times does nothing.
+    }
 diag-slot-too-narrow = The tool with the diameter { $tool } does not fit between the walls here: this line is only { $value } long.
 diag-spindle-start-wrong =
     { $what ->
@@ -76,6 +81,7 @@ related-preset-written-here = written here
 diag-character-unknown = The text has “{ $character }”, which the font does not have.
 diag-allowance-left =
     { $what ->
+        [order] The contour is machined with the oversize { $value } (DR) here and afterwards with the greater one { $other } by the same tool: nothing is left for the second pass.
         [below] The contour of label { $label } is machined with the negative oversize { $value } first: nothing is left for the tool that machines it afterwards.
         [cycle] { $label } machines the contour with this tool, too, with the allowance { $value }: it stays on the part.
        *[left] The contour of label { $label } is machined with the oversize { $value } with this tool, too: the allowance stays on the part.

@@ -1,6 +1,10 @@
 # Ohjelmien tarkastuksen ja kääntämisen havainnot; ks. englanninkielinen tiedosto.
 
-diag-approach-twice = Muotoon ajetaan tässä, vaikka sädekorjaus on vielä voimassa: edellisestä muodosta ei ole poistuttu.
+diag-approach-twice =
+    { $what ->
+        [call] Aliohjelma aloittaa muodon sanalla RL tai RR, mutta sitä kutsutaan tässä, vaikka edellisen kutsun sädekorjaus on vielä voimassa.
+       *[approach] Muotoon ajetaan tässä, vaikka sädekorjaus on vielä voimassa: edellisestä muodosta ei ole poistuttu.
+    }
 diag-approach-without-compensation =
     { $what ->
         [approach] Muotoon ajetaan tässä ilman sanaa RL tai RR.
@@ -47,6 +51,7 @@ diag-called-but-not-defined = Tässä kutsutaan työkiertoa, mutta sitä ennen e
 diag-called-program-in-other-unit = Tämän ohjelman mittayksikkö on { $own }, kutsutun ohjelman { $name } { $other }.
 diag-called-program-missing = Ohjelma { $name } ei ole tämän ohjelman kansiossa, josta ohjaus etsii sitä.
 diag-centre-in-other-plane = Kaari ja sen keskipiste eivät ole samassa tasossa.
+diag-chamfer-wrong-side = Viistetyökalun kärki kulkee { $value } syvällä umpinaisessa aineessa, { $other } aihion reunan sisäpuolella: reunan ulkopuolella se viistäisi reunan.
 diag-choice-not-offered = { $parameter }={ $value } ei ole mikään vaihtoehdoista: { $offered }.
 diag-clearance-height-too-low = { $cycle } koskettaa korkeudella { $touched }: varmuuskorkeuden { $parameter }={ $value } on oltava suurempi kuin { $least }.
 diag-compensation-at-cycle =
@@ -142,6 +147,11 @@ diag-cycle-of-previous-tool = Työkierto { $cycle } määriteltiin edelliselle t
 diag-cycle-removes-nothing = { $cycle } ei poista tässä mitään: siellä, missä sen työkalu kulkee, ei ole materiaalia.
 diag-datum-table-late = Edeltävä nollapisteen siirto ottaa rivinsä toisesta taulukosta: ohjelmoi SEL TABLE ennen sitä.
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei koskaan kutsuta.
+diag-deviation-compared =
+    { $what ->
+        [deviation] { $parameter } on poikkeama nimellismitasta { $other }, mutta sitä verrataan arvoon { $value } kuin se olisi itse mitta.
+       *[size] { $parameter } on mitattu mitta (nimellismitta { $other }), mutta sitä verrataan arvoon { $value } kuin se olisi poikkeama.
+    }
 diag-digitizing-wrong =
     { $what ->
         [swapped] { $word } on pienempi kuin alueen MIN-piste { $other }.
@@ -161,6 +171,7 @@ diag-doubtful-value =
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
 diag-early-cycle-wrong =
     { $what ->
+        [corner] Taskun nurkan säde { $value } on pienempi kuin työkalun säde { $other }.
         [clearance] Varmuusetäisyys { $value } on negatiivinen: työkierto alkaisi yläpintansa alapuolelta.
         [depth] Syvyys { $value } on positiivinen: työkierto vie työkalun poispäin työkappaleesta.
         [infeed] Asetussyvyydellä 0 työkierto ei voi koneistaa.
@@ -417,6 +428,7 @@ diag-row-not-in-table =
        *[datum] Nollapistetaulukossa ei ole riviä { $row }.
     }
 diag-program-not-selected = Tässä kutsutaan valittua ohjelmaa, mutta mitään ei ole valittu.
+diag-shift-in-tilted-plane = Nollapiste siirretään käännetyssä tasossa arvoon { $parameter }, joka on mitattu kääntämättömässä tasossa.
 diag-speed-missing = Kara käynnistetään tässä, mutta tälle työkalulle ei ole ohjelmoitu kierroslukua.
 diag-speed-out-of-range =
     { $what ->
@@ -646,6 +658,9 @@ diag-holes-differ =
     }
 diag-probing-place-wrong =
     { $what ->
+        [angle] Reikä mitataan kulmassa { $value } astetta, mutta kuvio ei tee siihen reikää.
+        [apart] Toinen reikä on vain { $value } päässä ensimmäisestä, jonka halkaisija on { $other }.
+        [side] Tässä kosketetaan sivua, jonka mitta on { $value }, mutta aihio on siinä { $other } leveä: kosketuspää laskeutuu sen päälle.
         [centre] Tässä keskipisteessä ei ole koneistettu mitään, mutta kohdassa { $value }; { $other } on.
         [corner] Nurkka kosketetaan aihion toiselta puolelta kuin peruspiste { $value }.
         [size] Tässä kosketetaan mitta { $value }, mutta aihion leveys on siinä vain { $other }.
@@ -660,6 +675,7 @@ diag-speed-and-feed-exchanged = Työkalu kutsutaan kierrosluvulla { $value } ja 
 diag-stud-in-solid = Koneistamaton mitta { $value } on paljon pienempi kuin aihio kaulan ympärillä, jonka leveys tässä on { $other }.
 diag-surface-wrong =
     { $what ->
+        [unlike] Yläpinta on kohdassa { $value }, muiden työkiertojen pinta näissä paikoissa kohdassa { $other }, eikä mitään ole koneistettu näin syvälle aikaisemmin.
         [opposite] Pinta { $value } on aihion yläpuolella; muut alkavat tai päättyvät arvoon { $other }.
         [pattern] Kuvion pinta on { $value }, sen kutsuman työkierron pinta { $other }: kuvion pinta on voimassa.
         [air] Työkierto työstää tässä ilmaa: se menee arvoon { $value }, missä kaikki on jyrsitty pois jo aiemmin.

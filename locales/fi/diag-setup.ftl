@@ -23,6 +23,7 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [across] Sivu, jonka mitta on { $value }, on poikittain tässä tasossa jyrsittyyn pintaan nähden, jonka leveys on vain { $other }: 90 astetta käännettynä se mahtuisi pinnalle.
         [above] Työkierto ei laskeudu alemmas kuin { $value }, joka on aihion yläpuolella: se ei poista mitään.
         [below] Työkalu lastuaa korkeudella { $value }, kaukana aihion alapuolella.
         [over] Kohdassa { $value }; { $other } koneistus ulottuu aihion reunan yli.
@@ -39,7 +40,11 @@ diag-preset-row-wrong =
         [same] Esiasetus { $row } on jo voimassa; tässä se aktivoidaan uudelleen sen jälkeen, kun ohjelma on pysähtynyt käyttäjää varten.
        *[unused] Esiasetus { $row } kirjoitetaan tässä, mutta sitä ei koskaan aktivoida: koneistus jatkuu toisella esiasetuksella.
     }
-diag-repeat-without-effect = Nolla toistoa ei tee mitään.
+diag-repeat-without-effect =
+    { $what ->
+        [same] Muoto toistetaan samalla syvyydellä { $value }: samansuuruisin inkrementaalisin askelin se menisi aihion läpi.
+       *[zero] Nolla toistoa ei tee mitään.
+    }
 diag-slot-too-narrow = Työkalu, jonka halkaisija on { $tool }, ei mahdu tässä seinämien väliin: tämän suoran pituus on vain { $value }.
 diag-spindle-start-wrong =
     { $what ->
@@ -76,6 +81,7 @@ related-preset-written-here = kirjoitettu tässä
 diag-character-unknown = Tekstissä on merkki ”{ $character }”, jota kirjasimessa ei ole.
 diag-allowance-left =
     { $what ->
+        [order] Muoto työstetään tässä työvaralla { $value } (DR) ja sen jälkeen samalla työkalulla suuremmalla työvaralla { $other }: toiselle ajolle ei jää mitään.
         [below] Labelin { $label } muoto koneistetaan ensin negatiivisella työvaralla { $value }: sen jälkeen koneistavalle työkalulle ei jää mitään.
         [cycle] { $label } koneistaa muodon myös tällä työkalulla työvaralla { $value }: työvara jää kappaleeseen.
        *[left] Labelin { $label } muoto koneistetaan myös tällä työkalulla työvaralla { $value }: työvara jää kappaleeseen.

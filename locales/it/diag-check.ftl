@@ -1,6 +1,10 @@
 # Segnalazioni della verifica e della traduzione di programmi; vedere il file inglese.
 
-diag-approach-twice = Qui ci si avvicina al profilo con la correzione del raggio ancora attiva: il profilo precedente non è stato lasciato.
+diag-approach-twice =
+    { $what ->
+        [call] Il sottoprogramma inizia un profilo con RL o RR, ma qui viene chiamato con la correzione della chiamata precedente ancora attiva.
+       *[approach] Qui ci si avvicina al profilo con la correzione del raggio ancora attiva: il profilo precedente non è stato lasciato.
+    }
 diag-approach-without-compensation =
     { $what ->
         [approach] Qui ci si avvicina al profilo senza RL o RR.
@@ -47,6 +51,7 @@ diag-called-but-not-defined = Qui viene chiamato un ciclo, ma non ne è stato de
 diag-called-program-in-other-unit = Questo programma è in { $own }, ma il programma chiamato { $name } è in { $other }.
 diag-called-program-missing = Il programma { $name } non si trova accanto a questo, dove il controllo lo cerca.
 diag-centre-in-other-plane = L’arco e il suo centro non si trovano nello stesso piano.
+diag-chamfer-wrong-side = La punta dell’utensile per smussi passa a una profondità di { $value } nel pieno, { $other } all’interno del bordo del grezzo: all’esterno lo smusserebbe.
 diag-choice-not-offered = { $parameter }={ $value } non è una delle scelte: { $offered }.
 diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di sicurezza { $parameter }={ $value } deve trovarsi sopra { $least }.
 diag-compensation-at-cycle =
@@ -142,6 +147,11 @@ diag-cycle-of-previous-tool = { $cycle } è stato definito per l’utensile prec
 diag-cycle-removes-nothing = { $cycle } qui non asporta nulla: dove passa il suo utensile non c’è materiale.
 diag-datum-table-late = Lo spostamento origine precedente prende la sua riga da un’altra tabella: programmare prima SEL TABLE.
 diag-defined-but-never-called = { $cycle } è definito qui, ma non viene mai chiamato.
+diag-deviation-compared =
+    { $what ->
+        [deviation] { $parameter } è lo scostamento dalla quota nominale { $other }, ma viene confrontato con { $value } come se fosse la quota stessa.
+       *[size] { $parameter } è la quota misurata (nominale { $other }), ma viene confrontato con { $value } come se fosse lo scostamento.
+    }
 diag-digitizing-wrong =
     { $what ->
         [swapped] { $word } è minore del punto MIN del campo, { $other }.
@@ -161,6 +171,7 @@ diag-doubtful-value =
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
 diag-early-cycle-wrong =
     { $what ->
+        [corner] Il raggio dell’angolo { $value } della tasca è minore del raggio { $other } dell’utensile.
         [clearance] La distanza di sicurezza { $value } è negativa: il ciclo inizierebbe sotto la sua superficie.
         [depth] La profondità { $value } è positiva: il ciclo allontana l’utensile dal pezzo.
         [infeed] Con una profondità incremento di 0 il ciclo non può lavorare.
@@ -417,6 +428,7 @@ diag-row-not-in-table =
        *[datum] La tabella origini non contiene la riga { $row }.
     }
 diag-program-not-selected = Qui si chiama un programma selezionato, ma nessuno è stato selezionato.
+diag-shift-in-tilted-plane = L’origine viene spostata nel piano ruotato su { $parameter }, che è stato misurato nel piano non ruotato.
 diag-speed-missing = Il mandrino viene avviato qui, ma per questo utensile non è programmato alcun numero di giri.
 diag-speed-out-of-range =
     { $what ->
@@ -646,6 +658,9 @@ diag-holes-differ =
     }
 diag-probing-place-wrong =
     { $what ->
+        [angle] Un foro viene misurato a { $value } gradi, ma la sagoma lì non ne esegue nessuno.
+        [apart] Il secondo foro dista solo { $value } dal primo, il cui diametro è { $other }.
+        [side] Qui viene tastato un lato di { $value }, mentre il grezzo lì è largo { $other }: il tastatore scende su di esso.
         [centre] In questo centro non è stato lavorato nulla, in { $value }; { $other } invece sì.
         [corner] Lo spigolo viene tastato sul lato del pezzo grezzo opposto all’origine { $value }.
         [size] Qui si tasta una misura di { $value }, ma il pezzo grezzo è largo solo { $other }.
@@ -660,6 +675,7 @@ diag-speed-and-feed-exchanged = L’utensile è chiamato con { $value } giri e u
 diag-stud-in-solid = La misura grezza { $value } è molto minore del pezzo grezzo intorno all’isola, largo qui { $other }.
 diag-surface-wrong =
     { $what ->
+        [unlike] La superficie è a { $value }, quella degli altri cicli in queste posizioni a { $other }, e prima niente è stato lavorato a tale profondità.
         [opposite] La superficie a { $value } è sopra il pezzo grezzo; altre lavorazioni iniziano o finiscono a { $other }.
         [pattern] La superficie della sagoma è a { $value }, quella del ciclo che essa chiama a { $other }: vale quella della sagoma.
         [air] Qui il ciclo lavora a vuoto: scende a { $value }, dove tutto è già stato asportato.

@@ -23,6 +23,7 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [across] Il lato di { $value } sta di traverso sulla superficie fresata in questo piano, larga solo { $other }: ruotato di 90 gradi vi starebbe.
         [above] Il ciclo non scende sotto { $value }, cioè resta sopra il pezzo grezzo: non asporta nulla.
         [below] L’utensile taglia all’altezza { $value }, molto al di sotto del pezzo grezzo.
         [over] Ciò che viene lavorato in { $value }; { $other } oltrepassa il bordo del pezzo grezzo.
@@ -39,7 +40,11 @@ diag-preset-row-wrong =
         [same] Il Preset { $row } è già attivo; qui viene attivato di nuovo, dopo che il programma si è fermato per l’operatore.
        *[unused] Il Preset { $row } viene scritto qui e mai attivato: la lavorazione prosegue con un altro Preset.
     }
-diag-repeat-without-effect = Una ripetizione di zero volte non ha alcun effetto.
+diag-repeat-without-effect =
+    { $what ->
+        [same] Il profilo viene ripetuto alla stessa profondità { $value }: con passi incrementali di tale misura attraverserebbe il grezzo.
+       *[zero] Una ripetizione di zero volte non ha alcun effetto.
+    }
 diag-slot-too-narrow = L’utensile di diametro { $tool } qui non passa tra le pareti: questa retta è lunga solo { $value }.
 diag-spindle-start-wrong =
     { $what ->
@@ -76,6 +81,7 @@ related-preset-written-here = scritto qui
 diag-character-unknown = Il testo contiene «{ $character }», che il carattere di incisione non possiede.
 diag-allowance-left =
     { $what ->
+        [order] Qui il profilo viene lavorato con il sovrametallo { $value } (DR) e in seguito, con lo stesso utensile, con quello maggiore { $other }: per la seconda passata non rimane nulla.
         [below] Il profilo del label { $label } viene lavorato prima con il sovrametallo negativo { $value }: all’utensile che lo lavora in seguito non resta nulla.
         [cycle] Anche con questo utensile { $label } lavora il profilo con il sovrametallo { $value }, che rimane sul pezzo.
        *[left] Il profilo del label { $label } viene lavorato anche con questo utensile con il sovrametallo { $value }: il sovrametallo rimane sul pezzo.

@@ -1,6 +1,10 @@
 # Mensagens da verificação e da tradução de programas; ver o ficheiro inglês.
 
-diag-approach-twice = Faz-se a aproximação ao contorno com a correção de raio ainda ativa: não se saiu do contorno anterior.
+diag-approach-twice =
+    { $what ->
+        [call] O subprograma começa um contorno com RL ou RR, mas é chamado aqui com a correção da chamada anterior ainda ativa.
+       *[approach] Faz-se a aproximação ao contorno com a correção de raio ainda ativa: não se saiu do contorno anterior.
+    }
 diag-approach-without-compensation =
     { $what ->
         [approach] A aproximação ao contorno faz-se aqui sem RL nem RR.
@@ -47,6 +51,7 @@ diag-called-but-not-defined = Aqui é chamado um ciclo, mas não foi definido ne
 diag-called-program-in-other-unit = Este programa está em { $own }, mas o programa chamado { $name } está em { $other }.
 diag-called-program-missing = O programa { $name } não está junto deste, onde o comando o procura.
 diag-centre-in-other-plane = O arco e o seu centro não estão no mesmo plano.
+diag-chamfer-wrong-side = A ponta da ferramenta de chanfrar passa a { $value } de profundidade por material maciço, { $other } para dentro da aresta do bloco: por fora, chanfraria a aresta.
 diag-choice-not-offered = { $parameter }={ $value } não é uma das opções: { $offered }.
 diag-clearance-height-too-low = { $cycle } apalpa em { $touched }: a altura segura { $parameter }={ $value } tem de estar acima de { $least }.
 diag-compensation-at-cycle =
@@ -142,6 +147,11 @@ diag-cycle-of-previous-tool = { $cycle } foi definido para a ferramenta anterior
 diag-cycle-removes-nothing = { $cycle } não remove nada aqui: não há material onde a sua ferramenta passa.
 diag-datum-table-late = A deslocação do ponto zero anterior vai buscar a sua linha a outra tabela: programe SEL TABLE antes dela.
 diag-defined-but-never-called = { $cycle } é definido aqui, mas nunca é chamado.
+diag-deviation-compared =
+    { $what ->
+        [deviation] { $parameter } é o desvio em relação à medida nominal { $other }, mas é comparado com { $value } como se fosse a própria medida.
+       *[size] { $parameter } é a medida obtida (nominal { $other }), mas é comparado com { $value } como se fosse o desvio.
+    }
 diag-digitizing-wrong =
     { $what ->
         [swapped] { $word } é menor do que o ponto MIN do campo, { $other }.
@@ -161,6 +171,7 @@ diag-doubtful-value =
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
 diag-early-cycle-wrong =
     { $what ->
+        [corner] O raio de canto { $value } da caixa é menor do que o raio { $other } da ferramenta.
         [clearance] A distância de segurança { $value } é negativa: o ciclo começaria abaixo da sua superfície.
         [depth] A profundidade { $value } é positiva: o ciclo afasta a ferramenta da peça.
         [infeed] Com uma profundidade de passo de 0 o ciclo não pode maquinar.
@@ -418,6 +429,7 @@ diag-row-not-in-table =
        *[datum] A tabela de pontos zero não tem a linha { $row }.
     }
 diag-program-not-selected = Chama-se aqui um programa selecionado, mas nenhum foi selecionado.
+diag-shift-in-tilted-plane = O ponto zero é deslocado no plano inclinado para { $parameter }, que foi medido no plano não inclinado.
 diag-speed-missing = O cabeçote é ligado aqui, mas não foram programadas rotações para esta ferramenta.
 diag-speed-out-of-range =
     { $what ->
@@ -647,6 +659,9 @@ diag-holes-differ =
     }
 diag-probing-place-wrong =
     { $what ->
+        [angle] Um furo é medido a { $value } graus, mas a figura não faz aí nenhum.
+        [apart] O segundo furo está só a { $value } do primeiro, cujo diâmetro é { $other }.
+        [side] Aqui é apalpado um lado de { $value }, e o bloco tem aí { $other } de largura: o apalpador desce sobre ele.
         [centre] Neste centro nada foi maquinado, mas em { $value }; { $other } foi.
         [corner] O canto é apalpado no lado do bloco oposto ao ponto de referência { $value }.
         [size] Aqui apalpa-se uma medida de { $value }, mas o bloco só tem { $other } de largura.
@@ -661,6 +676,7 @@ diag-speed-and-feed-exchanged = A ferramenta é chamada com { $value } rotaçõe
 diag-stud-in-solid = A medida em bruto { $value } é muito menor do que o bloco à volta da ilha, que tem aqui a largura { $other }.
 diag-surface-wrong =
     { $what ->
+        [unlike] A superfície está em { $value }, a dos outros ciclos nestas posições em { $other }, e nada foi maquinado antes a essa profundidade.
         [opposite] A superfície em { $value } está acima do bloco; outras maquinações começam ou terminam em { $other }.
         [pattern] A superfície do padrão está em { $value }, a do ciclo que ele chama em { $other }: vale a do padrão.
         [air] O ciclo trabalha aqui no ar: desce até { $value }, onde já tudo foi fresado antes.

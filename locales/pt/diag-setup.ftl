@@ -23,6 +23,7 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [across] O lado de { $value } fica atravessado na face fresada neste plano, que só tem { $other } de largura: rodado 90 graus caberia nela.
         [above] O ciclo não desce abaixo de { $value }, que fica acima do bloco: não remove nada.
         [below] A ferramenta corta à altura { $value }, muito abaixo do bloco.
         [over] O que é maquinado em { $value }; { $other } ultrapassa o bordo do bloco.
@@ -39,7 +40,11 @@ diag-preset-row-wrong =
         [same] O preset { $row } já está ativo; aqui é ativado de novo, depois de o programa ter parado para o operador.
        *[unused] O preset { $row } é escrito aqui e nunca é ativado: a maquinação prossegue com outro preset.
     }
-diag-repeat-without-effect = Uma repetição de zero vezes não tem efeito.
+diag-repeat-without-effect =
+    { $what ->
+        [same] O contorno é repetido à mesma profundidade { $value }: com passos incrementais desse valor atravessaria o bloco.
+       *[zero] Uma repetição de zero vezes não tem efeito.
+    }
 diag-slot-too-narrow = A ferramenta com o diâmetro { $tool } não cabe aqui entre as paredes: esta reta só tem { $value } de comprimento.
 diag-spindle-start-wrong =
     { $what ->
@@ -76,6 +81,7 @@ related-preset-written-here = escrito aqui
 diag-character-unknown = O texto contém «{ $character }», que o tipo de letra não tem.
 diag-allowance-left =
     { $what ->
+        [order] Aqui o contorno é maquinado com a medida excedente { $value } (DR) e depois, com a mesma ferramenta, com a medida maior { $other }: nada resta para a segunda passagem.
         [below] O contorno do label { $label } é maquinado primeiro com a medida excedente negativa { $value }: não fica nada para a ferramenta que o maquina depois.
         [cycle] Também com esta ferramenta { $label } maquina o contorno com a medida excedente { $value }, que fica na peça.
        *[left] O contorno do label { $label } também é maquinado com esta ferramenta com a medida excedente { $value }: a medida excedente fica na peça.

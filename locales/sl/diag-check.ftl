@@ -1,6 +1,10 @@
 # Findings of the program checker and of the translation of programs.
 
-diag-approach-twice = Orodje se tu primakne na konturo, čeprav je popravek polmera še aktiven: prejšnja kontura ni bila zapuščena.
+diag-approach-twice =
+    { $what ->
+        [call] Podprogram začne konturo z RL ali RR, tu pa je priklican, ko je popravek prejšnjega priklica še aktiven.
+       *[approach] Orodje se tu primakne na konturo, čeprav je popravek polmera še aktiven: prejšnja kontura ni bila zapuščena.
+    }
 diag-approach-without-compensation =
     { $what ->
         [approach] Primik na konturo je tu brez RL ali RR.
@@ -47,6 +51,7 @@ diag-called-but-not-defined = Tu se prikliče cikel, definiran pa ni bil noben.
 diag-called-program-in-other-unit = Ta program je v { $own }, klicani program { $name } pa v { $other }.
 diag-called-program-missing = Programa { $name } ni ob tem programu, kjer ga krmiljenje išče.
 diag-centre-in-other-plane = Lok in njegovo središče nista v isti ravnini.
+diag-chamfer-wrong-side = Konica orodja za posnemanje robov gre { $value } globoko skozi polni material, { $other } znotraj roba surovca: zunaj bi rob posnela.
 diag-choice-not-offered = { $parameter }={ $value } ni med možnostmi: { $offered }.
 diag-clearance-height-too-low = { $cycle } tipa pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
 diag-compensation-at-cycle =
@@ -142,6 +147,11 @@ diag-cycle-of-previous-tool = { $cycle } je bil definiran za prejšnje orodje, k
 diag-cycle-removes-nothing = { $cycle } tu ne odstrani ničesar: kjer gre njegovo orodje, ni materiala.
 diag-datum-table-late = Prejšnji zamik ničelne točke vzame svojo vrstico iz druge preglednice: SEL TABLE programirajte pred njim.
 diag-defined-but-never-called = { $cycle } je tu definiran, nikoli pa priklican.
+diag-deviation-compared =
+    { $what ->
+        [deviation] { $parameter } je odstopanje od nazivne mere { $other }, primerja pa se s { $value }, kot da bi bil sama mera.
+       *[size] { $parameter } je izmerjena mera (nazivna { $other }), primerja pa se s { $value }, kot da bi bil odstopanje.
+    }
 diag-digitizing-wrong =
     { $what ->
         [swapped] { $word } je pod točko MIN območja, { $other }.
@@ -161,6 +171,7 @@ diag-doubtful-value =
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
 diag-early-cycle-wrong =
     { $what ->
+        [corner] Polmer vogala žepa { $value } je manjši od polmera orodja { $other }.
         [clearance] Varnostna razdalja { $value } je negativna: cikel bi se začel pod svojo površino.
         [depth] Globina { $value } je pozitivna: cikel orodje odmika od obdelovanca.
         [infeed] Z globino primika 0 cikel ne more obdelovati.
@@ -421,6 +432,7 @@ diag-row-not-in-table =
        *[datum] V preglednici ničelnih točk ni vrstice { $row }.
     }
 diag-program-not-selected = Tu se prikliče izbrani program, izbran pa ni bil noben.
+diag-shift-in-tilted-plane = Ničelna točka se v zavrteni ravnini premakne na { $parameter }, ki je bil izmerjen v nezavrteni.
 diag-speed-missing = Vreteno se tu vklopi, število vrtljajev za to orodje pa ni programirano.
 diag-speed-out-of-range =
     { $what ->
@@ -650,6 +662,9 @@ diag-holes-differ =
     }
 diag-probing-place-wrong =
     { $what ->
+        [angle] Izvrtina se meri pri { $value } stopinjah, vzorec pa je tam ne naredi.
+        [apart] Druga izvrtina je le { $value } od prve, katere premer je { $other }.
+        [side] Tu se tipa stranica { $value }, surovec pa je tam širok { $other }: tipalo se spusti nanj.
         [centre] Pri tem središču ni bilo nič obdelano, pri { $value }; { $other } pa je bilo.
         [corner] Vogal se tipa na drugi strani surovca kot referenčna točka { $value }.
         [size] Tu se tipa mera { $value }, surovec pa je tam širok le { $other }.
@@ -664,6 +679,7 @@ diag-speed-and-feed-exchanged = Orodje se prikliče s številom vrtljajev { $val
 diag-stud-in-solid = Surova mera { $value } je veliko manjša od surovca okrog čepa, ki je tu širok { $other }.
 diag-surface-wrong =
     { $what ->
+        [unlike] Površina je na { $value }, površina drugih ciklov na teh mestih na { $other }, tako globoko pa doslej ni bilo nič obdelano.
         [opposite] Površina pri { $value } je nad surovcem; druge obdelave se začnejo ali končajo pri { $other }.
         [pattern] Površina vzorca je pri { $value }, površina cikla, ki ga kliče, pa pri { $other }: velja tista iz vzorca.
         [air] Cikel tu dela v zraku: gre do { $value }, kjer je bilo vse že prej odstranjeno.

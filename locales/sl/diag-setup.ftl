@@ -25,6 +25,7 @@ diag-machine-limit =
     }
 diag-machining-outside-blank =
     { $what ->
+        [across] Stranica { $value } leži počez na ploskvi, ki je rezkana v tej ravnini in je široka le { $other }: zavrtena za 90 stopinj bi ležala na njej.
         [above] Cikel ne gre nižje od { $value }, kar je nad surovcem: ničesar ne odstrani.
         [below] Orodje reže na višini { $value }, daleč pod surovcem.
         [over] Kar se obdeluje na { $value }; { $other }, sega čez rob surovca.
@@ -41,7 +42,11 @@ diag-preset-row-wrong =
         [same] Prednastavitev { $row } je že aktivna; tukaj se aktivira še enkrat, potem ko se je program ustavil za upravljavca.
        *[unused] Prednastavitev { $row } se tukaj zapiše in se nikoli ne aktivira: obdelava se nadaljuje z drugo prednastavitvijo.
     }
-diag-repeat-without-effect = Nič ponovitev nima nobenega učinka.
+diag-repeat-without-effect =
+    { $what ->
+        [same] Kontura se ponovi na isti globini { $value }: z inkrementalnimi koraki te velikosti bi šla skozi surovec.
+       *[zero] Nič ponovitev nima nobenega učinka.
+    }
 diag-slot-too-narrow = Orodje s premerom { $tool } tukaj ne gre med stene: ta premica je dolga samo { $value }.
 diag-spindle-start-wrong =
     { $what ->
@@ -78,6 +83,7 @@ related-preset-written-here = zapisano tukaj
 diag-character-unknown = Besedilo vsebuje »{ $character }«, znak, ki ga pisava nima.
 diag-allowance-left =
     { $what ->
+        [order] Kontura se tukaj obdela z nadmero { $value } (DR), pozneje pa z istim orodjem z večjo nadmero { $other }: za drugi prehod ne ostane nič.
         [below] Kontura oznake { $label } se najprej obdela z negativno nadmero { $value }: orodju, ki jo obdela za tem, ne ostane nič.
         [cycle] { $label } tudi s tem orodjem obdela konturo z nadmero { $value }: nadmera ostane na obdelovancu.
        *[left] Kontura oznake { $label } se tudi s tem orodjem obdela z nadmero { $value }: nadmera ostane na obdelovancu.

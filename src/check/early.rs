@@ -114,6 +114,7 @@ fn of_iso(own: &IsoBlock, index: usize, block: &Block) -> Option<Early> {
             let round = words.len() == ROUND;
             let (sides, last) = if round { (vec![at(5).map(doubled)], 6) } else { (vec![at(5), at(6)], 7) };
             early.sides = sides.into_iter().flatten().collect();
+            early.corner = if round { None } else { at(8) };
             early.feeds = [at(4), at(last)].into_iter().flatten().collect();
         }
     }
@@ -140,6 +141,7 @@ impl Early {
             pitch: None,
             feeds: Vec::new(),
             sides: Vec::new(),
+            corner: None,
         }
     }
 
@@ -159,6 +161,7 @@ impl Early {
                 (3, 0, Work::Drilling | Work::Milling) => self.infeed = Some(placed),
                 (3, 0, Work::RigidTapping) => self.pitch = Some(placed),
                 (3.., _, _) if name == "F" => self.feeds.push(placed),
+                (6, 1.., Work::Milling) if name != "DR" => self.corner = Some(placed),
                 (4 | 5, 0, Work::Milling) if matches!(name.as_str(), "X" | "Y" | "Z") => self.sides.push(placed),
                 (4, 0, Work::Milling) => self.sides.push(doubled(placed)),
                 _ => {}

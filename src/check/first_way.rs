@@ -24,6 +24,8 @@ pub(super) struct Early {
     pub feeds: Vec<Placed>,
     /// The sides of a slot or pocket, or the diameter of a round one.
     pub sides: Vec<Placed>,
+    /// The radius of the corners of a pocket.
+    pub corner: Option<Placed>,
 }
 
 /// What the spindle does.

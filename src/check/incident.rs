@@ -154,6 +154,13 @@ pub enum Incident {
     MissesBlankInTiltedPlane,
     /// A tool that only cuts along its axis goes sideways through material.
     SidewaysWithDrill,
+    /// The tip of a tool for chamfers goes through solid material beside an edge of the blank.
+    ChamferInside {
+        /// How deep it is in there.
+        depth: f64,
+        /// How far inside of the edge.
+        edge: f64,
+    },
     /// The tool goes down to a height before it was positioned in the plane.
     DownBeforePositioned(f64),
     /// A tool that has cut at all of so many equal angles of a turn but one.

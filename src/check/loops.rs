@@ -63,6 +63,24 @@ pub(super) fn set_once(facts: &Facts<'_>, q: QRef, blocks: &RangeInclusive<usize
     found
 }
 
+/// All numbers that a program gives a parameter, if it gives it nothing else.
+pub(super) fn numbers_of(facts: &Facts<'_>, q: QRef) -> Option<Vec<f64>> {
+    if q.kind != QKind::Ql && (q.kind != QKind::Q || q.number >= 100) {
+        return None;
+    }
+    let mut none = 0;
+    let mut all = Loop::new(&mut none);
+    let mut found = Vec::new();
+    for block in facts.program.blocks() {
+        let before = all.written.len();
+        all.block(facts, block);
+        if all.written.get(before..)?.contains(&q) {
+            found.push(constant(block)?);
+        }
+    }
+    Some(found).filter(|own| !own.is_empty())
+}
+
 /// The number that a block gives a parameter.
 fn constant(block: &Block) -> Option<f64> {
     match &block.kind {

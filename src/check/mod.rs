@@ -12,6 +12,7 @@ mod cycle;
 mod early;
 mod facts;
 mod first_way;
+mod floors;
 mod flow;
 mod guards;
 mod incident;
@@ -39,6 +40,7 @@ pub use flow::{
 };
 pub use incident::{Incident, Observed};
 pub use machine::Machine;
+pub use program::mills_by_name;
 pub use program::{Defined, Definition, Flow, Item, Reading, Unread};
 pub use rule::Rule;
 pub use rules::RULES;

@@ -177,7 +177,7 @@ impl TurnedPart {
         const OUTSIDE: (&[&str], &[&str]) =
             (&["OUT", "EXT"], &["OUTSIDE", "OUTER", "EXTERN", "EXTERIOR", "AUSSEN", "ESTERN", "ULKO", "ZUNAN"]);
         const INSIDE: (&[&str], &[&str]) = (
-            &["INT", "BORING"],
+            &["INT", "BORING", "BORE"],
             &[
                 "INSIDE", "INNER", "INTERN", "INTERIOR", "INNEN", "SISÄ", "SISA", "NOTRAN", "BAREN", "MANDRIL",
                 "BOREBAR", "BORBAR", "BORINGB", "BOHRST",

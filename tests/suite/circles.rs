@@ -65,6 +65,7 @@ const CHECKER: &[&str] = &[
     "blank",
     "contours",
     "spikes",
+    "floors",
     "loops",
     "travel",
     "rule",

@@ -232,6 +232,10 @@ impl State {
         }
         let mut state = before.clone();
         state.modal.aspects = state.modal.aspects & !touched.aspects | exit.modal.aspects & touched.aspects;
+        // A shift along one axis leaves those along the others.
+        if Aspect::SHIFTS.iter().any(|(aspect, _)| touched.aspects & (3 << shift(*aspect)) != 0) {
+            state.modal.shift([None; 3]);
+        }
         if touched.pending {
             state.modal.pending = exit.modal.pending;
         }

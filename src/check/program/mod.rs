@@ -22,3 +22,4 @@ pub use unread::Unread;
 pub(super) use unread::{Hides, hides, names_end};
 pub(super) use values::{bits, each_refused, kind, number, refused, refused_by_all, shown};
 pub(super) use work::Work;
+pub use work::mills_by_name;

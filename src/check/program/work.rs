@@ -68,7 +68,8 @@ impl Work {
         own.functions.is_empty().then_some(work)
     }
 
-    fn named(name: &str) -> Option<Self> {
+    /// What a cycle does by its name.
+    pub(in crate::check) fn named(name: &str) -> Option<Self> {
         let name = name.to_uppercase();
         let words = || name.split(|sign: char| !sign.is_alphabetic()).filter(|word| !word.is_empty());
         let says = |stems: &[&str]| words().any(|word| stems.iter().any(|stem| word.starts_with(stem)));
@@ -83,4 +84,9 @@ impl Work {
             () => None,
         }
     }
+}
+
+/// Whether a cycle that no control describes mills a slot, a pocket, a stud or a face, by its name.
+pub fn mills_by_name(name: &str) -> bool {
+    Work::named(name) == Some(Work::Milling)
 }

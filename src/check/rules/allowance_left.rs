@@ -1,13 +1,15 @@
 //! A contour that is machined with two tools and the same oversize DR both times: the allowance of roughing is still there
 //! after finishing. Also one that a negative DR machines first, and another tool then with a greater one: it finds nothing.
-//! Also a contour train that two tools machine with the same allowance for the side.
+//! So does the same tool with any greater oversize than before. Also a contour train that two tools machine with the same
+//! allowance for the side.
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::contours::listed;
 use crate::check::program::number;
+use crate::check::tools::named;
 use crate::check::{Facts, Loaded, Mark, Pending, Rule, Way};
-use crate::program::syntax::{Amount, BlockKind, ToolRef};
+use crate::program::syntax::{Amount, Block, BlockKind, Compensates, ToolCall, ToolRef};
 
 pub(super) const RULE: Rule = Rule { code: "allowance-left", severity: Severity::Warning, run };
 
@@ -16,6 +18,7 @@ const ALLOWANCE: &str = "side-allowance";
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     trains(rule, facts, found);
+    in_order(rule, facts, found);
     let blocks = facts.program.blocks();
     // The calls of each subprogram: the block of the tool and its oversize.
     let mut calls: BTreeMap<&Mark, Vec<(u32, f64)>> = BTreeMap::new();
@@ -45,7 +48,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         {
             let finding = rule.at(facts, facts.content(block)).arg("what", "below");
             let finding = finding.arg("value", Arg::Number(*left));
-            found.push(finding.arg("label", mark.to_string()));
+            found.push(finding.arg("label", mark.to_string()).arg("other", ""));
         }
         if same
             && other
@@ -54,7 +57,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         {
             let finding = rule.at(facts, facts.content(block)).arg("what", "left");
             let finding = finding.arg("value", Arg::Number(*end));
-            found.push(finding.arg("label", mark.to_string()));
+            found.push(finding.arg("label", mark.to_string()).arg("other", ""));
         }
     }
 }
@@ -94,7 +97,92 @@ fn trains(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if same && first.2 != last.2 && called_tool(facts, first.0) != called_tool(facts, last.0) {
             let name = facts.definitions.get(last.2 as usize).map_or_else(String::new, |own| own.key.to_string());
             let finding = rule.at(facts, last.3).arg("what", "cycle").arg("label", name);
-            found.push(finding.arg("value", Arg::Number(last.1)));
+            found.push(finding.arg("value", Arg::Number(last.1)).arg("other", ""));
         }
     }
+}
+
+/// Oversizes that differ by less are the same, mm or inch.
+const SAME: f64 = 1e-6;
+
+/// The tool in the spindle with its oversize.
+#[derive(Clone, Copy)]
+struct Tool {
+    block: usize,
+    oversize: f64,
+    span: Span,
+}
+
+/// Whether a tool machines a contour with an oversize, and afterwards with a greater one: only where nothing between the two
+/// calls could make something else of the contour, no parameters, transformations, jumps or cycles.
+fn in_order(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let blocks = facts.program.blocks();
+    let mut tool: Option<Tool> = None;
+    // The contours that were machined, by the blocks of their labels.
+    let mut machined: Vec<(usize, Tool)> = Vec::new();
+    for (index, block) in blocks.iter().enumerate() {
+        if facts.ends(block) || block.skip {
+            return;
+        }
+        match &block.kind {
+            BlockKind::ToolCall(call) if call.tool.is_some() => tool = called(facts, index, block, call),
+            BlockKind::CallLbl(call) if call.repeat.is_none() => {
+                let (Some(label), Some(tool)) = (facts.run.graph.called_from(index), tool) else {
+                    machined.clear();
+                    continue;
+                };
+                if !compensates(facts, label) {
+                    continue;
+                }
+                let before = machined.iter().find(|(own, before)| {
+                    *own == label && before.oversize < tool.oversize - SAME && is_same(facts, before.block, tool.block)
+                });
+                if let Some((_, before)) = before {
+                    let finding = rule.at(facts, before.span).arg("what", "order").arg("label", "");
+                    let finding = finding.arg("value", Arg::Number(before.oversize));
+                    found.push(finding.arg("other", Arg::Number(tool.oversize)));
+                    return;
+                }
+                machined.push((label, tool));
+            }
+            BlockKind::Motion(_) | BlockKind::Functions(_) | BlockKind::Stop(_) => {}
+            BlockKind::Comment | BlockKind::Empty | BlockKind::Structure(_) => {}
+            _ => machined.clear(),
+        }
+    }
+}
+
+/// The tool that a block calls; nothing if its oversize is not known.
+fn called(facts: &Facts<'_>, index: usize, block: &Block, call: &ToolCall) -> Option<Tool> {
+    let (oversize, span) = match &call.dr {
+        Some(own) => (facts.number(own)?, own.span),
+        None => (0.0, facts.content(block)),
+    };
+    Some(Tool { block: index, oversize, span })
+}
+
+/// Whether two blocks call the same tool.
+fn is_same(facts: &Facts<'_>, one: usize, other: usize) -> bool {
+    let key = |at: usize| match facts.program.blocks().get(at).map(|block| &block.kind) {
+        Some(BlockKind::ToolCall(call)) => named(facts, call.tool?).map(|name| name.key()),
+        _ => None,
+    };
+    key(one).is_some() && key(one) == key(other)
+}
+
+/// Whether a subprogram has a contour with compensation, and nothing in it that depends on when it is called.
+fn compensates(facts: &Facts<'_>, label: usize) -> bool {
+    let Some(body) = facts.subprogram(label) else { return false };
+    let plain = |block: &Block| match &block.kind {
+        BlockKind::Motion(motion) => !motion.outline().has_parameters(),
+        BlockKind::CallLbl(call) => call.repeat.is_some_and(|times| matches!(times.amount, Amount::Number(_))),
+        BlockKind::Lbl(_) | BlockKind::Functions(_) => true,
+        BlockKind::Comment | BlockKind::Empty | BlockKind::Structure(_) => true,
+        _ => block.is_blend(),
+    };
+    let beside = |block: &Block| match &block.kind {
+        BlockKind::Motion(motion) => motion.outline().compensates() == Compensates::Beside,
+        _ => false,
+    };
+    body.iter().all(plain) && body.iter().any(beside)
 }

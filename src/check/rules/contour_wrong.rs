@@ -189,16 +189,19 @@ fn nested<'f, 'a>(list: &Listed<'f, 'a>, patience: &mut usize) -> Option<(&'a Bl
     let reader = list.readers.iter().find(roughs)?;
     let shapes = shapes(list, patience)?;
     let lies_in = |inner: &[[f64; 2]], outer: &[[f64; 2]]| inner.iter().all(|point| holds(outer, *point));
-    let (what, contour) = shapes.iter().zip(&list.contours).enumerate().find_map(|(at, ((points, pocket), contour))| {
-        let others = || shapes.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, own)| own);
-        let inside = others().any(|(other, is_pocket)| *is_pocket && lies_in(points, other));
-        let island = others().any(|(other, is_pocket)| !is_pocket && points.iter().any(|point| holds(other, *point)));
-        if *pocket {
-            return (inside && !island && points.len() > 2).then_some(("nested", contour));
-        }
-        let mut pockets = others().filter(|(_, is_pocket)| *is_pocket).peekable();
-        (pockets.peek().is_some() && pockets.all(|(pocket, _)| are_apart(points, pocket))).then_some(("beside", contour))
-    })?;
+    let (what, contour) =
+        shapes.iter().zip(&list.contours).enumerate().find_map(|(at, ((points, pocket), contour))| {
+            let others = || shapes.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, own)| own);
+            let inside = others().any(|(other, is_pocket)| *is_pocket && lies_in(points, other));
+            let island =
+                others().any(|(other, is_pocket)| !is_pocket && points.iter().any(|point| holds(other, *point)));
+            if *pocket {
+                return (inside && !island && points.len() > 2).then_some(("nested", contour));
+            }
+            let mut pockets = others().filter(|(_, is_pocket)| *is_pocket).peekable();
+            (pockets.peek().is_some() && pockets.all(|(pocket, _)| are_apart(points, pocket)))
+                .then_some(("beside", contour))
+        })?;
     let block = contour.iter().find(|block| matches!(block.kind, BlockKind::Motion(_)))?;
     Some((block, what, *reader))
 }

@@ -2,7 +2,8 @@
 //!
 //! A deviation is the actual size less the nominal one: what is too large is made smaller by taking it away from the size
 //! with which it is machined again, be it a pocket or a stud. Only of parameters that are corrected by themselves, or
-//! are a number and the deviation, and are a size of a pocket, a stud or a slot.
+//! are a number and the deviation, and are a size of a pocket, a stud or a slot; or where the deviation of the other side of
+//! the same rectangle is taken away.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Diagnostic, Severity, Span};
@@ -53,7 +54,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let meanings: BTreeSet<(usize, &str)> = results.iter().map(|((at, _), meaning)| (*at, *meaning)).collect();
     let sizes_of = |own: &Correction| sizes.get(&own.target);
     for own in &corrections {
-        let Some(sizes) = sizes_of(own) else { continue };
+        let Some(sizes) = sizes_of(own) else {
+            if own.added && unlike_other_side(own, &corrections, &results) {
+                let finding = rule.at(facts, own.span).arg("what", "added").arg("parameter", own.target.to_string());
+                found.push(finding.arg("other", own.deviation.to_string()));
+            }
+            continue;
+        };
         let finding_of = |what: &'static str| {
             let finding = rule.at(facts, own.span).arg("what", what).arg("parameter", own.target.to_string());
             finding.arg("other", own.deviation.to_string())
@@ -81,6 +88,21 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding_of("side"));
         }
     }
+}
+
+/// Whether the deviation of one side of a rectangle is added though that of the other side, of the same measurement, is taken
+/// away from what it corrects: this needs no cycle that says what is corrected.
+fn unlike_other_side(own: &Correction, all: &[Correction], results: &BTreeMap<(usize, QRef), &'static str>) -> bool {
+    let meaning = |other: &Correction| results.get(&(other.measured, other.deviation)).copied();
+    let side = match meaning(own) {
+        Some(MAIN) => MINOR,
+        Some(MINOR) => MAIN,
+        _ => return false,
+    };
+    let first = all.partition_point(|other| other.measured < own.measured);
+    let same = all.get(first..).unwrap_or_default().iter().take(MOST).filter(|other| other.measured == own.measured);
+    let others: Vec<&Correction> = same.filter(|other| meaning(other) == Some(side)).collect();
+    !others.is_empty() && others.iter().all(|other| !other.added && other.target != own.target)
 }
 
 /// The meanings of results, by the measurement and the parameter; and what they correct.

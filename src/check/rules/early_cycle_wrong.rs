@@ -1,6 +1,7 @@
 //! A machining cycle of the first controls, which no manual here describes, with a value that it cannot work with: a
-//! set-up clearance with another sign than the others, a depth above the surface, a plunging depth or a feed of 0, a slot or pocket that is
-//! narrower than the tool, a pitch or a feed that is not that of the tap.
+//! set-up clearance with another sign than the others, a depth above the surface, a plunging depth or a feed of 0, a slot
+//! or pocket that is narrower than the tool, corners with a smaller radius than it, a pitch or a feed that is not that of
+//! the tap.
 //!
 //! What its words mean, their order says. Tools count as far as a tool table or a TOOL DEF gives their data, a pitch
 //! also where their name does.
@@ -61,7 +62,9 @@ fn misfit(own: &Early, tool: Tool) -> Option<(&'static str, Placed, f64)> {
         Work::Milling => {
             let narrowest = own.sides.iter().min_by(|one, other| one.0.abs().total_cmp(&other.0.abs()))?;
             let diameter = 2.0 * tool.radius;
-            (narrowest.0.abs() < diameter - TOLERANCE).then_some(("narrow", *narrowest, diameter))
+            let round = own.corner.filter(|(radius, _)| *radius > 0.0 && *radius < tool.radius - TOLERANCE);
+            let corner = round.map(|placed| ("corner", placed, tool.radius));
+            (narrowest.0.abs() < diameter - TOLERANCE).then_some(("narrow", *narrowest, diameter)).or(corner)
         }
         Work::RigidTapping => {
             let (pitch, placed) = (tool.pitch?, own.pitch?);

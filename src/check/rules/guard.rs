@@ -10,7 +10,7 @@ use crate::base::diag::{Diagnostic, Severity, interned};
 use crate::check::cycle::Ready;
 use crate::check::guards::{Written, place};
 use crate::check::incident::Incident;
-use crate::check::tools::Tools;
+use crate::check::tools::{Tool, Tools};
 use crate::check::travel::incidents;
 use crate::check::{Defined, Definition, Facts, Pending, Rule};
 use crate::language::text;
@@ -18,6 +18,9 @@ use crate::program::syntax::BlockKind;
 use crate::spec::{Cycle, CycleKey, Keyword, Outcome};
 
 pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run };
+
+/// The code of a feed that is compared with the spindle speed.
+const FEED: &str = "feed-per-revolution-too-great";
 
 /// What guards ask of the tool that a call finds in the spindle: the one that the program defines, or that of the table
 /// which was given.
@@ -96,6 +99,14 @@ fn with_tools(facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let written = known.unwrap_or_else(|| Written::of(facts, &facts.read(&related), cycle)).with(tool);
         for (at, ready) in guards.iter().enumerate().filter(|(_, own)| own.asks_tool) {
             let (Some(code), Some(true)) = (ready.code.as_deref(), written.holds(ready)) else { continue };
+            // A program in inches may have feeds in tenths of them.
+            let in_tenths = || {
+                let faster = Tool { speed: tool.speed.map(|speed| 10.0 * speed), ..tool };
+                Written::of(facts, &facts.read(&related), cycle).with(faster).holds(ready) == Some(true)
+            };
+            if facts.inch && code == FEED && !in_tenths() {
+                continue;
+            }
             if !reported.insert((index, at)) {
                 continue;
             }

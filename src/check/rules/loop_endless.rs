@@ -1,6 +1,7 @@
 //! A jump back that nothing in the loop can end: its condition always holds, or compares what the loop does not change,
 //! or changes it away from the end, or steps over it.
 //!
+//! So does a counter that each pass calculates anew from what the loop does not change.
 //! Also a jump out of a loop that waits for a counter which nothing counts.
 //!
 //! Silent where the loop stops for the operator, calls programs, has another way out, may be changed by what cannot be
@@ -9,8 +10,8 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 use crate::base::diag::{Diagnostic, Severity};
-use crate::base::expr::{Node, QKind, QRef};
-use crate::check::loops::{Loop, set_once};
+use crate::base::expr::{Node, Op, QKind, QRef};
+use crate::check::loops::{Loop, numbers_of, set_once};
 use crate::check::program::reads;
 use crate::check::{Facts, Rule, Use, Way};
 use crate::program::syntax::{Amount, Block, BlockKind, FnJump, FnOp, Operand, Relation};
@@ -135,7 +136,9 @@ fn never_ends<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut
     };
     match (changes(&jump.a), changes(&jump.b)) {
         (false, false) => true,
-        (true, false) => goes_away(facts, &body, jump, &(from..=own.block), true),
+        (true, false) => {
+            goes_away(facts, &body, jump, &(from..=own.block), true) || stays(facts, &body, jump, &(from..=own.block))
+        }
         (false, true) => goes_away(facts, &body, jump, &(from..=own.block), false),
         (true, true) => false,
     }
@@ -152,6 +155,73 @@ fn goes_away(facts: &Facts<'_>, body: &Loop<'_>, jump: &FnJump, blocks: &RangeIn
         Relation::Less => (grows <= 0.0) == left || grows == 0.0,
         Relation::Greater => (grows >= 0.0) == left || grows == 0.0,
         _ => false,
+    }
+}
+
+/// Whether each pass gives the left side of a comparison with a number the same value, for which it holds: the value is
+/// calculated from what the loop does not change, instead of from the counter itself.
+fn stays(facts: &Facts<'_>, body: &Loop<'_>, jump: &FnJump, blocks: &RangeInclusive<usize>) -> bool {
+    let (Amount::Q { q, negative: false }, Amount::Number(limit)) = (jump.a.amount, jump.b.amount) else {
+        return false;
+    };
+    let hidden = facts.flow.skips || facts.flow.programs || facts.flow.unread.any() || !facts.calls.is_empty();
+    if hidden || body.written.iter().filter(|own| **own == q).count() != 1 {
+        return false;
+    }
+    let assigns = |at: usize| Some((at, assigned(facts.program.blocks().get(at)?, q)?));
+    let Some((at, (first, sign, other))) = blocks.clone().find_map(assigns) else { return false };
+    // A jump over it would leave the value of before.
+    let over = |own: &Use| {
+        let target = own.mark.as_ref().and_then(|mark| facts.run.graph.block_of(mark));
+        own.way == Way::Jump && blocks.contains(&own.block) && own.block < at && target.is_none_or(|to| to > at)
+    };
+    if facts.run.graph.uses.iter().any(over) {
+        return false;
+    }
+    let values = |own: Amount| match own {
+        Amount::Number(number) => Some(vec![number]),
+        Amount::Q { q, negative } if !body.written.contains(&q) => {
+            let sign = if negative { -1.0 } else { 1.0 };
+            numbers_of(facts, q).map(|all| all.into_iter().map(|own| sign * own).collect())
+        }
+        Amount::Q { .. } | Amount::Text(_) => None,
+    };
+    let (Some(first), Some(other)) = (values(first), values(other)) else { return false };
+    first.iter().flat_map(|a| other.iter().map(move |b| a + sign * b)).all(|own| match jump.relation {
+        Relation::Less => own < limit,
+        Relation::Greater => own > limit,
+        Relation::NotEqual => own != limit,
+        _ => false,
+    })
+}
+
+/// What a block gives a parameter, if that is a sum or a difference of two values: the first one, the sign of the other one,
+/// and that.
+fn assigned(block: &Block, q: QRef) -> Option<(Amount, f64, Amount)> {
+    match &block.kind {
+        BlockKind::FnAssign(own) if own.target == q => {
+            let sign = match own.op {
+                FnOp::Set | FnOp::Add => 1.0,
+                FnOp::Sub => -1.0,
+                _ => return None,
+            };
+            Some((own.a.amount, sign, own.b.as_ref().map_or(Amount::Number(0.0), |own| own.amount)))
+        }
+        BlockKind::Formula(own) if own.target == q => {
+            let value = |node: &Node| match node {
+                Node::Number(number) => Some(Amount::Number(*number)),
+                Node::Q(q) => Some(Amount::Q { q: *q, negative: false }),
+                _ => None,
+            };
+            match &own.expr.node {
+                Node::Binary(op @ (Op::Add | Op::Sub), left, right) => {
+                    let sign = if *op == Op::Add { 1.0 } else { -1.0 };
+                    Some((value(&left.node)?, sign, value(&right.node)?))
+                }
+                own => Some((value(own)?, 1.0, Amount::Number(0.0))),
+            }
+        }
+        _ => None,
     }
 }
 

@@ -2,7 +2,8 @@
 //! a round pocket that the edge of the blank cuts, a rectangular one that leaves nothing of it or goes far beyond it at
 //! both ends; a cycle that stays above the blank, and a movement that cuts far below it, where an execution shows them;
 //! a cycle of the old form that no manual describes and that is called far above the blank: it works from where the
-//! tool is; a contour that is called above the blank, and elsewhere inside of it.
+//! tool is; a contour that is called above the blank, and elsewhere inside of it; a pocket or slot that lies across the face
+//! milled in a tilted plane, and goes beyond it at both ends.
 //!
 //! Only at places that are known, in programs with a box as their blank and without transformations. Each is said once
 //! a program.
@@ -10,12 +11,13 @@ use std::collections::BTreeMap;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank::Blank;
+use crate::check::contours::place_of_call;
 use crate::check::incident::Incident;
-use crate::check::program::is_silent;
+use crate::check::program::{is_silent, number};
 use crate::check::travel::incidents;
-use crate::check::{Aspect, Defined, Facts, Rule, Tri};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensates, CycleForm, Path, ValueKind};
-use crate::spec::{Keyword, Known};
+use crate::check::{Aspect, CycleCall, Defined, Facts, Pending, Rule, Tri};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensates, CycleForm, Path, StatementKind, ValueKind};
+use crate::spec::{Group, Keyword, Known};
 
 pub(super) const RULE: Rule = Rule { code: "machining-outside-blank", severity: Severity::Warning, run };
 
@@ -23,6 +25,9 @@ pub(super) const RULE: Rule = Rule { code: "machining-outside-blank", severity: 
 const HIGH: f64 = 50.0;
 /// So many lines a cycle has that machines: its name, clearance, depth and more.
 const LINES: usize = 4;
+/// The meanings of a face that is milled: where it begins, its sides, and its height.
+const FACE: [&str; 5] =
+    ["starting-point-main", "starting-point-minor", "first-side-length", "second-side-length", "end-point-tool"];
 /// So many blocks before a call are looked at for the height.
 const BACK: usize = 32;
 
@@ -41,6 +46,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.arg("other", Arg::Number(y)));
         }
     }
+    if let Some((span, long, room)) = across(facts) {
+        let finding = rule.at(facts, span).arg("what", "across").arg("value", Arg::Number(long));
+        found.push(finding.arg("other", Arg::Number(room)));
+    }
     if let Some((span, height)) = called_above(facts).filter(|_| !above) {
         let finding = rule.at(facts, span).arg("what", "contour").arg("value", Arg::Number(height));
         found.push(finding.arg("other", Arg::Number(0.0)));
@@ -49,6 +58,71 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = rule.at(facts, span).arg("what", "above").arg("value", Arg::Number(height));
         found.push(finding.arg("other", Arg::Number(0.0)));
     }
+}
+
+/// A pocket or slot in the only tilted plane of a program that goes beyond the face milled there, at its surface, at both ends,
+/// while it would lie on it if it were turned by 90 degrees: where its angle is, its side and that of the face.
+fn across(facts: &Facts<'_>) -> Option<(Span, f64, f64)> {
+    let tilts = |block: &Block| match &block.kind {
+        BlockKind::Statement(own) if own.kind == StatementKind::Plane => {
+            !facts.text(facts.content(block)).to_ascii_uppercase().contains("RESET")
+        }
+        _ => false,
+    };
+    if facts.marked().filter(|(_, block)| tilts(block)).count() != 1 {
+        return None;
+    }
+    let tilted = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Tilting) == Tri::Yes);
+    let of = |call: &CycleCall| match call.modal.pending {
+        Pending::Definition(index) => facts.definitions.get(index as usize),
+        Pending::None | Pending::Unknown => None,
+    };
+    let called: Vec<(usize, &Defined<'_>)> = tilted.filter_map(|call| Some((call.block, of(call)?))).collect();
+    let group = |own: &Defined<'_>| own.related_cycle().map(|cycle| cycle.file.group);
+    let mut faces = called.iter().filter(|(_, own)| group(own) == Some(Group::Surfaces));
+    let face = faces.next().filter(|_| faces.next().is_none()).map(|(_, own)| own.as_related_cycle())?;
+    let read = facts.read(&face);
+    let [x, y, long, wide, end] = FACE.map(|meaning| read.item(meaning).and_then(number));
+    let corner = [(x?, long?), (y?, wide?)].map(|(from, side)| [from.min(from + side), from.max(from + side)]);
+    let pockets = called.iter().filter(|(_, own)| group(own) == Some(Group::Pockets));
+    pockets.into_iter().find_map(|(block, own)| beyond(facts, *block, own, corner, end?))
+}
+
+/// Whether a pocket goes beyond a face in this way.
+fn beyond(
+    facts: &Facts<'_>,
+    block: usize,
+    own: &Defined<'_>,
+    face: [[f64; 2]; 2],
+    end: f64,
+) -> Option<(Span, f64, f64)> {
+    let related = own.as_related_cycle();
+    let read = facts.read(&related);
+    let value = |meaning: &str| read.item(meaning).and_then(number);
+    let first = |all: [&str; 2]| all.into_iter().find_map(value);
+    let sides = [first(["slot-length", "first-side-length"])?, first(["milled-slot-width", "second-side-length"])?];
+    let centred = first(["slot-position", "pocket-position"])? == 0.0;
+    let turn = read.item("angle-of-rotation")?;
+    let quarters = number(turn)? / 90.0;
+    if !centred || quarters.fract() != 0.0 || (value("surface-coordinate")? - end).abs() > 1e-6 {
+        return None;
+    }
+    let middle = place_of_call(facts, block)?;
+    let room = facts.millimetre();
+    let ends = |axis: usize, side: f64| [middle[axis] - side / 2.0, middle[axis] + side / 2.0];
+    let fits = |axis: usize, side: f64| {
+        let [low, high] = ends(axis, side);
+        face[axis][0] <= low && high <= face[axis][1]
+    };
+    let turned = quarters.rem_euclid(2.0) == 1.0;
+    let side = |axis: usize| sides[usize::from((axis == 1) != turned)];
+    let exceeds = |axis: &usize| {
+        let [low, high] = ends(*axis, side(*axis));
+        low < face[*axis][0] - room && high > face[*axis][1] + room
+    };
+    let axis = (0..2).find(exceeds)?;
+    let would_fit = fits(0, side(1)) && fits(1, side(0));
+    would_fit.then_some((turn.value_span, side(axis), face[axis][1] - face[axis][0]))
 }
 
 /// The first call of a contour directly after a movement at feed to a height above the blank, if it is called at a

@@ -22,6 +22,7 @@ mod called_program_in_other_unit;
 mod called_program_missing;
 mod called_program_wants;
 mod centre_in_other_plane;
+mod chamfer_wrong_side;
 mod choice_not_offered;
 mod circle_point_wrong;
 mod clearance_height_too_low;
@@ -61,6 +62,7 @@ mod datum_table_late;
 mod decimal_comma;
 mod defined_but_never_called;
 mod definitions_differ;
+mod deviation_compared;
 mod differs_from_other_control;
 mod digitizing_wrong;
 mod division_by_zero;
@@ -171,6 +173,7 @@ mod rough_out_tool_other;
 mod row_not_in_table;
 mod same_datum_twice;
 mod selected_table_missing;
+mod shift_in_tilted_plane;
 mod slot_too_narrow;
 mod speed_and_feed_exchanged;
 mod speed_missing;
@@ -254,6 +257,7 @@ pub const RULES: &[&Rule] = &[
     &called_program_missing::RULE,
     &called_program_wants::RULE,
     &centre_in_other_plane::RULE,
+    &chamfer_wrong_side::RULE,
     &choice_not_offered::RULE,
     &circle_point_wrong::RULE,
     &clearance_height_too_low::RULE,
@@ -293,6 +297,7 @@ pub const RULES: &[&Rule] = &[
     &decimal_comma::RULE,
     &defined_but_never_called::RULE,
     &definitions_differ::RULE,
+    &deviation_compared::RULE,
     &differs_from_other_control::RULE,
     &digitizing_wrong::RULE,
     &division_by_zero::RULE,
@@ -403,6 +408,7 @@ pub const RULES: &[&Rule] = &[
     &row_not_in_table::RULE,
     &same_datum_twice::RULE,
     &selected_table_missing::RULE,
+    &shift_in_tilted_plane::RULE,
     &slot_too_narrow::RULE,
     &speed_and_feed_exchanged::RULE,
     &speed_missing::RULE,

@@ -2,11 +2,14 @@
 //!
 //! Several tools may machine in one tilted plane, so that alone is none. It is one where nothing resets the plane up to
 //! the end of the program, and where a program that resets its planes before tool calls tilts the next one from a plane
-//! that is still tilted, with a tool call between and nothing machined after it. Reported once a program.
+//! that is still tilted, with a tool call between and nothing machined after it. So is one where the tool is placed, before
+//! the plane is tilted, by the same blocks as another tool that was placed in the untilted plane. Reported once a program.
+use std::collections::BTreeSet;
+
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::Effect;
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
-use crate::program::syntax::{Block, BlockKind, Compensates, StatementKind};
+use crate::program::syntax::{Axis, Block, BlockKind, Compensates, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "plane-left-on", severity: Severity::Warning, run };
 
@@ -58,9 +61,46 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let ends_tilted =
         !facts.run.ends.is_empty() && facts.run.ends.iter().all(|(_, modal)| modal.is(Aspect::Tilting) == Tri::Yes);
     let first = forgotten.filter(|_| resets_for_tools).or(in_plane.filter(|_| ends_tilted));
+    let first = first.or_else(|| placed_as_untilted(facts));
     if let Some(block) = first.and_then(|block| facts.program.blocks().get(block)) {
         found.push(rule.at(facts, facts.content(block)));
     }
+}
+
+/// The tool call after which the tool is placed in the tilted plane, by the very blocks that have placed another one in
+/// the untilted one before the plane was tilted.
+fn placed_as_untilted(facts: &Facts<'_>) -> Option<usize> {
+    let tilting = |at: usize| facts.run.before(at).map(|modal| modal.is(Aspect::Tilting));
+    let places = |block: &Block| match &block.kind {
+        BlockKind::Motion(motion) => {
+            let words = motion.words();
+            let of_machine = words.functions.iter().any(|own| matches!(own.number, 91 | 92));
+            let in_plane = [Axis::X, Axis::Y].iter().any(|axis| words.coord(*axis).is_some_and(|own| !own.incremental));
+            motion.outline().is_rapid() && in_plane && !of_machine
+        }
+        _ => false,
+    };
+    let mut untilted = BTreeSet::new();
+    let (mut tool, mut moves) = (None, Vec::new());
+    for (at, block) in facts.program.blocks().iter().enumerate() {
+        match &block.kind {
+            _ if facts.ends(block) => return None,
+            BlockKind::ToolCall(call) if call.tool.is_some() => (tool, moves) = (Some(at), Vec::new()),
+            BlockKind::Motion(_) if places(block) => moves.push(facts.text(facts.content(block))),
+            BlockKind::Motion(motion) if motion.outline().is_rapid() => {}
+            BlockKind::Statement(own) if own.kind == StatementKind::Plane => {
+                match tool.and_then(tilting) {
+                    Some(Tri::No) => untilted.extend(moves.drain(..)),
+                    Some(Tri::Yes) if moves.iter().any(|own| untilted.contains(own)) => return tool,
+                    _ => {}
+                }
+                tool = None;
+            }
+            BlockKind::Comment | BlockKind::Empty | BlockKind::Structure(_) | BlockKind::Functions(_) => {}
+            _ => tool = None,
+        }
+    }
+    None
 }
 
 /// What matters of the main program, in the order of the text.

@@ -10,6 +10,7 @@ use crate::check::program::words::has_function;
 use crate::check::program::{number, with_meaning};
 use crate::check::{Aspect, Defined, Definition, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{Block, BlockKind, Compensates};
+use crate::spec::Cycle;
 
 pub(super) const RULE: Rule = Rule { code: "preset-row-wrong", severity: Severity::Warning, run };
 
@@ -57,7 +58,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let straight = if facts.flow.jumps { first_turn(facts) } else { usize::MAX };
     let (mut written, mut activated): (Vec<Written>, Vec<Activated>) = (Vec::new(), Vec::new());
     let names_row = |own: &&Defined<'_>| {
-        own.related_cycle().is_some_and(|cycle| cycle.params.iter().any(|param| matches!(param.is.as_str(), ROW | PRESET)))
+        let named = |cycle: &Cycle| cycle.params.iter().any(|param| matches!(param.is.as_str(), ROW | PRESET));
+        own.related_cycle().is_some_and(named)
     };
     for definition in facts.definitions.iter().filter(names_row) {
         let related = definition.as_related_cycle();

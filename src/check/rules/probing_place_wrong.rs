@@ -1,11 +1,14 @@
 //! A place that is probed where the part cannot be: far beside the blank, or, of cycles that probe along the tool axis,
 //! next to it; a corner that gets the coordinates of another one of the blank; a centre that misses the only pocket or
-//! hole by a slip of the keyboard in one coordinate; a hole or pocket as large as the blank, or a stud larger than it.
+//! hole by a slip of the keyboard in one coordinate; a hole or pocket as large as the blank, or a stud larger than it; one
+//! side of the blank that is probed as if it were narrower; a second hole within the first one; an angle of a circle of holes
+//! at which the program makes none.
 //!
 //! Only in programs with a box as their blank, without transformations, before another preset is set.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::place_of_call;
+use crate::check::cycle::removes_material;
 use crate::check::program::{number, with_meaning};
 use crate::check::slip::is_slip;
 use crate::check::{Defined, Definition, Facts, Pending, Rule};
@@ -44,6 +47,18 @@ const SIZES: [(&str, &[usize]); 5] = [
     ("probing-first-side-length", &[0]),
     ("probing-second-side-length", &[1]),
 ];
+/// The meanings of the sides of a rectangle, whether for the datum or measured.
+const SIDES: [[&str; 2]; 2] = [[SIZES[1].0, SIZES[3].0], [SIZES[2].0, SIZES[4].0]];
+/// The meanings of the angles at which three holes are measured, and those of a circle of holes.
+const HOLES: [&str; 3] = ["first-hole-angle", "second-hole-angle", "third-hole-angle"];
+const CIRCLE: [&str; 6] = [
+    "pitch-circle-centre-main",
+    "pitch-circle-centre-minor",
+    "pitch-circle-diameter",
+    "pattern-starting-angle",
+    "pattern-stepping-angle",
+    "number-of-operations",
+];
 /// The words in the names of cycles that probe inside of something, and around it.
 const INSIDE: [&str; 3] = ["inside", "hole", "pocket"];
 const AROUND: [&str; 2] = ["outside", "stud"];
@@ -55,6 +70,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins() && !facts.flow.unread.any()) else { return };
     let unit = facts.millimetre();
     let milled = milled(facts);
+    let (known, circles) = (holes(facts), circles(facts));
     // How many are far outside: of several parts in a fixture the blank is only one.
     let mut far = Vec::new();
     let first = found.len();
@@ -90,6 +106,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         } else if let Some((span, size, room)) = too_large(&read, cycle, &blank) {
             let finding = rule.at(facts, span).arg("what", "size").arg("value", Arg::Number(size));
             found.push(finding.arg("other", Arg::Number(room)));
+        } else if let Some((span, size, room)) = narrower(facts, &read, cycle, &blank) {
+            let finding = rule.at(facts, span).arg("what", "side").arg("value", Arg::Number(size));
+            found.push(finding.arg("other", Arg::Number(room)));
+        } else if let Some((span, apart, diameter)) = within(&read, &known) {
+            let finding = rule.at(facts, span).arg("what", "apart").arg("value", Arg::Number(apart));
+            found.push(finding.arg("other", Arg::Number(diameter)));
+        } else if let Some((span, angle)) = beside_holes(&read, &circles) {
+            let finding = rule.at(facts, span).arg("what", "angle").arg("value", Arg::Number(angle));
+            found.push(finding.arg("other", ""));
         } else if let Some((item, datum)) = corner(&read, &blank, unit) {
             let span = read.item(item).map_or(own.view.head, |item| item.value_span);
             let finding = rule.at(facts, span).arg("what", "corner").arg("value", Arg::Number(datum));
@@ -117,6 +142,106 @@ fn too_large(read: &Definition<'_>, cycle: &Cycle, blank: &Blank) -> Option<(Spa
         let room = axes.iter().map(|axis| blank.high[*axis] - blank.low[*axis]).fold(f64::INFINITY, f64::min);
         (size >= most * room).then_some((item.value_span, size, room))
     })
+}
+
+/// A side of a stud that is probed before anything was machined, far less than that of the blank, although the other side
+/// and the centre are those of the blank.
+fn narrower(facts: &Facts<'_>, read: &Definition<'_>, cycle: &Cycle, blank: &Blank) -> Option<(Span, f64, f64)> {
+    /// A blank may be so much larger than the part, of its side.
+    const ALLOWANCE: f64 = 0.2;
+    let around = AROUND.iter().any(|own| cycle.file.name.as_str().contains(own));
+    let machined = facts
+        .definitions
+        .iter()
+        .any(|own| own.view.first < read.view.first && own.related_cycle().is_none_or(removes_material));
+    let shaped = facts.shaped().next().is_some_and(|(index, _)| index < read.view.first);
+    if !around || machined || shaped {
+        return None;
+    }
+    let near = NEAR * facts.millimetre();
+    let items = SIDES.map(|pair| pair.into_iter().find_map(|meaning| read.item(meaning)));
+    let sides = [number(items[0]?)?, number(items[1]?)?];
+    let centre = [number(read.item(PLACES[0][0])?)?, number(read.item(PLACES[0][1])?)?];
+    let room = [0, 1].map(|axis| blank.high[axis] - blank.low[axis]);
+    let middle = |axis: usize| (centre[axis] - (blank.high[axis] + blank.low[axis]) / 2.0).abs() <= near;
+    let whole = |axis: usize| (sides[axis] - room[axis]).abs() <= near;
+    let narrow = |axis: usize| sides[axis] < (1.0 - ALLOWANCE) * room[axis];
+    let axis = (0..2).find(|axis| narrow(*axis) && whole(1 - axis))?;
+    (middle(0) && middle(1)).then_some((items[axis]?.value_span, sides[axis], room[axis]))
+}
+
+/// The holes that are probed at a place: centre and diameter.
+fn holes(facts: &Facts<'_>) -> Vec<([f64; 2], f64)> {
+    let inside = facts.definitions.iter().filter(|own| {
+        own.related_cycle().is_some_and(|cycle| {
+            INSIDE.iter().any(|word| cycle.file.name.as_str().contains(word)) && with_meaning(cycle, HOLES[0]).is_none()
+        })
+    });
+    let of = |own: &Defined<'_>| {
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        Some(([value(PLACES[0][0])?, value(PLACES[0][1])?], value(SIZES[0].0)?))
+    };
+    inside.filter_map(of).collect()
+}
+
+/// A centre of a second hole that lies within a hole whose diameter is probed elsewhere, at the centre of the first: the
+/// distance of the two, and the diameter.
+fn within(read: &Definition<'_>, known: &[([f64; 2], f64)]) -> Option<(Span, f64, f64)> {
+    let place = |pair: [&str; 2]| Some([read.item(pair[0]).and_then(number)?, read.item(pair[1]).and_then(number)?]);
+    let (first, second) = (place(PLACES[5])?, place(PLACES[6])?);
+    let apart = |one: [f64; 2], other: [f64; 2]| libm::hypot(one[0] - other[0], one[1] - other[1]);
+    let hole = known.iter().find(|(centre, _)| apart(*centre, first) < 1e-3 || apart(*centre, second) < 1e-3)?;
+    let axis = if (first[0] - second[0]).abs() >= (first[1] - second[1]).abs() { 0 } else { 1 };
+    let span = read.item(PLACES[6][axis])?.value_span;
+    (apart(first, second) < hole.1).then_some((span, apart(first, second), hole.1))
+}
+
+/// A circle of holes that is made by a pattern: centre, diameter and angles.
+struct Circle {
+    at: [f64; 3],
+    angles: Vec<f64>,
+}
+
+/// The circles of a program.
+fn circles(facts: &Facts<'_>) -> Vec<Circle> {
+    /// So many positions are looked at.
+    const MOST: f64 = 1_000.0;
+    let of = |own: &Defined<'_>| {
+        own.related_cycle().filter(|cycle| with_meaning(cycle, CIRCLE[2]).is_some())?;
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        let [x, y, diameter, start, step, count] = CIRCLE.map(value);
+        let (start, step, count) = (start?, step?, count?);
+        if step == 0.0 || !(1.0..MOST).contains(&count) {
+            return None;
+        }
+        let angles = (0..count as usize).map(|at| start + at as f64 * step).collect();
+        Some(Circle { at: [x?, y?, diameter?], angles })
+    };
+    facts.definitions.iter().filter_map(of).collect()
+}
+
+/// An angle at which a hole of a circle is measured and none was made, while the others of the three are there.
+fn beside_holes(read: &Definition<'_>, circles: &[Circle]) -> Option<(Span, f64)> {
+    /// Angles that are so near are the same, degrees.
+    const SAME: f64 = 0.01;
+    let items = HOLES.map(|meaning| read.item(meaning));
+    let at = [PLACES[0][0], PLACES[0][1], SIZES[0].0].map(|meaning| read.item(meaning).and_then(number));
+    let same = |own: &&Circle| own.at.iter().zip(at).all(|(own, at)| at.is_some_and(|at| (own - at).abs() < 1e-3));
+    let all: Vec<f64> = circles.iter().filter(same).flat_map(|own| own.angles.iter().copied()).collect();
+    let made = |angle: f64| {
+        all.iter().any(|own| {
+            let apart = (own - angle).rem_euclid(360.0);
+            apart < SAME || apart > 360.0 - SAME
+        })
+    };
+    let angles = [number(items[0]?)?, number(items[1]?)?, number(items[2]?)?];
+    let mut none = (0..3).filter(|own| !made(angles[*own]));
+    let (first, None) = (none.next()?, none.next()) else { return None };
+    Some((items[first]?.value_span, angles[first]))
 }
 
 /// How many rows of tables are written: each may be another part.

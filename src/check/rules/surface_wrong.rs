@@ -10,7 +10,10 @@
 //! Also a cycle for holes, pockets or contours that meets nothing although it goes below the top of the blank, where an
 //! execution shows it: a tool that the table knows has removed all of it before.
 //!
-//! Only where numbers say all of it, in programs with a box as their blank; not after transformations.
+//! Also a cycle in a tilted plane whose surface lies below everything that was machined before, while the other cycles at the
+//! same places all have another surface.
+//!
+//! Only where numbers say all of it, in programs with a box as their blank; not after transformations, but that one.
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -18,10 +21,11 @@ use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, diameter, is_unmoved, top};
 use crate::check::cycle::removes_material;
 use crate::check::first_way::FirstWay;
+use crate::check::floors::lowest_before;
 use crate::check::incident::Incident;
 use crate::check::program::number;
 use crate::check::travel::first_incident;
-use crate::check::{Facts, Pending, Rule};
+use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{Amount, Axis, BlockKind, StatementKind};
 use crate::spec::Group;
 
@@ -41,12 +45,17 @@ const SURFACE: &str = "surface-coordinate";
 /// The meaning of the radius of a cylinder on whose surface is machined.
 const CYLINDER: &str = "cylinder-radius";
 const DEPTHS: [&str; 2] = ["depth", "thread-depth"];
+/// The meaning of the distance above the surface down to which the tool goes at rapid.
+const CLEARANCE: &str = "set-up-clearance";
+/// So many others make a surface unlike them.
+const OTHERS: usize = 2;
 /// A surface so much higher is no longer the milled one, mm.
 const HIGHER: f64 = 1.0;
 /// So much of the blank a face covers at least.
 const MOST: f64 = 0.9;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    unlike_others(rule, facts, found);
     let Some(top) = top(facts.program).filter(|_| facts.begins()) else { return };
     let unit = facts.millimetre();
     patterns(rule, facts, top, found);
@@ -109,6 +118,42 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if let Some((surface, span)) = opposite {
         let finding = rule.at(facts, *span).arg("what", "opposite").arg("value", Arg::Number(*surface));
         found.push(finding.arg("other", Arg::Number(-surface)));
+    }
+}
+
+/// A cycle for holes in a tilted plane that begins below all floors, unlike at least two others that the same blocks call.
+fn unlike_others(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let unit = facts.millimetre();
+    let mut called: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
+    for call in &facts.run.calls {
+        let Pending::Definition(index) = call.modal.pending else { return };
+        if call.modal.is(Aspect::Tilting) == Tri::Yes {
+            called.entry(call.block).or_default().insert(index as usize);
+        }
+    }
+    let value = |index: &usize, meaning: &str| {
+        let own = facts.definitions.get(*index)?;
+        let related = own.as_related_cycle();
+        facts.read(&related).item(meaning).and_then(|item| Some((number(item)?, item.value_span)))
+    };
+    for all in called.values().filter(|all| all.len() > OTHERS) {
+        for own in all {
+            let Some((surface, span)) = value(own, SURFACE) else { continue };
+            let others: Option<Vec<f64>> =
+                all.iter().filter(|other| *other != own).map(|other| Some(value(other, SURFACE)?.0)).collect();
+            let Some([first, rest @ ..]) = others.as_deref() else { continue };
+            if rest.iter().any(|other| (other - first).abs() > 1e-6) {
+                continue;
+            }
+            let begins = surface + value(own, CLEARANCE).map_or(0.0, |(clearance, _)| clearance.max(0.0));
+            if begins < first - HIGHER * unit
+                && lowest_before(facts, *own).is_some_and(|lowest| begins < lowest - HIGHER * unit)
+            {
+                let finding = rule.at(facts, span).arg("what", "unlike").arg("value", Arg::Number(surface));
+                found.push(finding.arg("other", Arg::Number(*first)));
+                return;
+            }
+        }
     }
 }
 

@@ -19,7 +19,7 @@ use crate::check::travel::first_incident;
 use crate::check::{
     Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolKind, ToolName, Tri, diameter_of, is_left, is_milling,
 };
-use crate::program::syntax::{BlockKind, Compensates, ToolRef};
+use crate::program::syntax::{Amount, BlockKind, Compensates, ToolRef};
 use crate::spec::{Cycle, Group, MM_PER_INCH};
 
 pub(super) const RULE: Rule = Rule { code: "tool-table-contradicts", severity: Severity::Warning, run };
@@ -149,7 +149,7 @@ fn observed(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         Incident::Oversize { tool, value, radius } => Some((tool, value, radius)),
         _ => None,
     });
-    if let Some((span, (tool, value, radius))) = oversize {
+    if let Some((span, (tool, value, radius))) = oversize.filter(|(_, (tool, ..))| !in_steps(facts, *tool)) {
         let finding = rule.at(facts, span).arg("what", "large").arg("tool", tool.to_string());
         found.push(finding.arg("value", Arg::Number(value)).arg("other", Arg::Number(radius)));
     }
@@ -161,6 +161,20 @@ fn observed(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = rule.at(facts, span).arg("what", "type").arg("tool", tool.to_string());
         found.push(finding.arg("value", cycle.to_string()).arg("other", kind.word()));
     }
+}
+
+/// Whether a tool is also called with a positive oversize that is no more than an allowance: the larger one then roughs
+/// the same contour farther out.
+fn in_steps(facts: &Facts<'_>, tool: f64) -> bool {
+    const ALLOWANCE: f64 = 2.0;
+    facts.marked().any(|(_, block)| match &block.kind {
+        BlockKind::ToolCall(call) => {
+            let own = matches!(call.tool, Some(ToolRef::Number(own)) if own.amount == Amount::Number(tool));
+            let oversize = call.dr.and_then(|own| facts.number(&own)).unwrap_or_default();
+            own && oversize > 0.0 && oversize <= ALLOWANCE * facts.millimetre()
+        }
+        _ => false,
+    })
 }
 
 /// Tools whose name gives another diameter than their radius does.

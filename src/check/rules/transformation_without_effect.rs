@@ -48,18 +48,17 @@ fn again(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     let blocks = facts.program.blocks();
-    // Up to the first label and the first jump the order of the text is that of the run.
+    // Between labels, jumps and repeats the order of the text is that of the run.
     let turns = |block: &Block| match &block.kind {
         BlockKind::CallLbl(call) => call.repeat.is_some(),
         BlockKind::FnJump(_) | BlockKind::Lbl(_) => true,
         _ => false,
     };
-    let straight = facts.marked().find(|(_, block)| turns(block)).map_or(usize::MAX, |(index, _)| index);
-    let all: Vec<&Defined<'_>> = facts
-        .definitions
-        .iter()
-        .filter(|own| own.view.first < straight && own.related_cycle().is_some_and(transforms))
-        .collect();
+    let straight = |from: usize, to: usize| {
+        !blocks.get(from..to).unwrap_or_default().iter().any(|block| turns(block) || block.skip)
+    };
+    let all: Vec<&Defined<'_>> =
+        facts.definitions.iter().filter(|own| own.related_cycle().is_some_and(transforms)).collect();
     let words = |own: &Defined<'_>| -> Vec<&str> {
         let lines = blocks.get(own.view.first..=own.view.last).unwrap_or_default().iter();
         let code = |block| facts.text(facts.content(block)).split(';').next().unwrap_or_default();
@@ -86,6 +85,9 @@ fn again(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         };
         let said = words(own);
+        if !straight(before.view.first, own.view.last + 1) {
+            continue;
+        }
         if said != words(before) || incremental(&said) || !moves(own) || !moves(before) {
             continue;
         }

@@ -15,6 +15,7 @@ use crate::engine::report::ending::Done;
 use crate::engine::report::ending::Leave;
 use crate::engine::report::event::EventKind;
 use crate::engine::report::event::MessageKind;
+use crate::engine::report::event::PASSED_OVER;
 use crate::engine::report::fault::{Class, Fault};
 use crate::engine::report::outcome::Noted;
 use crate::engine::scene::{Orientation, ParameterValue};
@@ -32,10 +33,18 @@ impl<'e> Run<'_, 'e> {
     pub(crate) fn call_last_cycle(&mut self) -> Done {
         self.drives.not_compensated("CYCL CALL")?;
         if self.cycles.last.is_none() && self.cycles.passed_over {
+            self.pass_over();
             return Ok(());
         }
         let Some(definition) = self.cycles.last.clone() else { return Err(Fault::program("no-cycle-to-call").into()) };
         self.execute(&definition)
+    }
+
+    /// Says that a cycle is passed over, to those who go on after it.
+    pub(crate) fn pass_over(&mut self) {
+        if self.settings.after_faults {
+            self.drives.report.report(EventKind::Function(PASSED_OVER.into()));
+        }
     }
 
     /// The guards that look when the cycle is defined.

@@ -300,6 +300,9 @@ impl Status {
     }
 }
 
+/// What stands for a cycle that nobody describes, where it is defined or called and the run goes on without it.
+pub const PASSED_OVER: &str = "CYCL";
+
 /// What happens.
 #[derive(Clone, Debug)]
 pub enum EventKind {
@@ -360,7 +363,7 @@ pub enum EventKind {
     /// The coolant is switched.
     Coolant(bool),
     /// A block that neither moves the tool nor changes what other events say, as it is written: what goes to the PLC,
-    /// how the drives keep the feed.
+    /// how the drives keep the feed; or [`PASSED_OVER`].
     Function(Arc<str>),
     /// The probe moves towards the workpiece.
     Probe(Probing),

@@ -55,6 +55,7 @@ impl<'e> Run<'_, 'e> {
         if (of_lines || machines) && known.as_ref().is_err_and(is_undescribed) {
             // It would machine when it is called: what, no one knows.
             (self.cycles.last, self.cycles.passed_over, self.modal.call_always) = (None, true, false);
+            self.pass_over();
             return Ok(());
         }
         let (cycle, on) = known?;

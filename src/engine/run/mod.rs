@@ -32,8 +32,8 @@ pub use super::machine::Tool;
 pub use super::params::{Content, Params};
 pub use super::report::envelope::{Ended, Envelope, FORMAT as ENVELOPE_FORMAT, Near, Obstacle, Touching};
 pub use super::report::event::{
-    At, Coordinates, Event, EventKind, FORMAT, FindingKind, MessageKind, MoveKind, OnDiameter, Probing, Slid, Status,
-    Threaded, Turned,
+    At, Coordinates, Event, EventKind, FORMAT, FindingKind, MessageKind, MoveKind, OnDiameter, PASSED_OVER, Probing,
+    Slid, Status, Threaded, Turned,
 };
 pub use super::report::fault::{CODES, Class, Fault};
 pub use super::report::foreign_outcome::ForeignOutcome;

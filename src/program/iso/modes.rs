@@ -66,7 +66,8 @@ impl InRun {
 pub(super) fn in_run(program: &Program) -> Option<InRun> {
     let steps: Vec<Step> = program.blocks().iter().map(|block| step(program, block)).collect();
     let is_incremental = |step: &Step| step.sets == Some(false);
-    if !steps.iter().any(is_incremental) || !steps.iter().any(|step| matches!(step.goes, Goes::Call(_) | Goes::Jump(_))) {
+    if !steps.iter().any(is_incremental) || !steps.iter().any(|step| matches!(step.goes, Goes::Call(_) | Goes::Jump(_)))
+    {
         return None;
     }
     let mut labels = HashMap::new();

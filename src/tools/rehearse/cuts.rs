@@ -12,6 +12,8 @@ use crate::spec::CycleKey;
 /// it.
 const POSITIONING: f64 = 3.0;
 const CUTTING: f64 = 1.1;
+/// A chamfer is so wide at least, and at most, mm.
+const CHAMFER: (f64, f64) = (0.1, 3.0);
 /// A floor beside a stud lies so far below the place where a milled thread begins, mm.
 const FLOOR: f64 = 6.0;
 
@@ -70,6 +72,31 @@ impl Watcher<'_> {
         }
         if level && along > SAME && self.kind().is_some_and(ToolKind::only_along_axis) {
             self.report(self.line, Incident::SidewaysWithDrill);
+        }
+    }
+
+    /// A plain movement at feed of a tool for chamfers: whether its tip goes through solid material along an edge of the
+    /// blank that its cone reaches, and would only chamfer that edge from outside.
+    pub(super) fn chamfers(&mut self, from: DVec3, places: &[DVec3]) {
+        let angle = self.points.iter().find(|(number, _)| Some(*number) == self.tool).map(|(_, angle)| *angle);
+        let Some((body, angle)) = self.body.zip(angle).filter(|_| self.kind() == Some(ToolKind::Chamfer)) else {
+            return;
+        };
+        let way = self.at - from;
+        let (along, across) = match () {
+            () if body.is_round() || way.z.abs() > SAME => return,
+            () if way.y.abs() <= SAME && way.x.abs() > SAME => (0, 1),
+            () if way.x.abs() <= SAME && way.y.abs() > SAME => (1, 0),
+            () => return,
+        };
+        let inside = |place: &&DVec3| (body.low[along]..=body.high[along]).contains(&place[along]);
+        let depths: Vec<f64> =
+            places.iter().filter(inside).map(|place| self.remains.above(*place)).filter(|depth| *depth > 0.0).collect();
+        let depth = depths.iter().copied().fold(f64::INFINITY, f64::min);
+        let edge = (self.at[across] - body.low[across]).min(body.high[across] - self.at[across]);
+        let width = depth * libm::tan((angle / 2.0).to_radians()) - edge;
+        if depths.len() > 2 && edge > CHAMFER.0 && width > CHAMFER.0 && width <= CHAMFER.1 {
+            self.report(self.line, Incident::ChamferInside { depth: depth * self.unit, edge: edge * self.unit });
         }
     }
 

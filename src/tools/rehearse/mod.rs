@@ -11,7 +11,7 @@
 //! `cuts.rs` judges movements that cut, `work.rs` what a cycle has done, `path.rs` what plain movements have,
 //! `tilted.rs` what is done in a tilted plane, `turned.rs` what is turned (`lathe.rs` keeps the workpiece meanwhile),
 //! `overlaps.rs` compares pockets and holes (`areas.rs`), `edges.rs` finds what open contours leave (`walls.rs`),
-//! `series.rs` the holes of the whole program together, `undescribed.rs` which cycles are passed over, `unsure.rs`
+//! `series.rs` the holes of the whole program together, `undescribed.rs` what cycles do that are passed over, `unsure.rs`
 //! forgets what is no longer known. `works.rs` is for an execution with the real stock: cycles that remove nothing.
 //!
 //! Invariant: a run is bounded. It goes on after a cycle that fails or that nobody describes, and what that cycle may
@@ -106,8 +106,17 @@ impl Rehearsal<'_> {
         for tool in guess.tools.iter().filter(|tool| tool.origin != Origin::Assumed && tool.size[1] > 0.0) {
             watcher.radii.push((tool.number, tool.size[1]));
             watcher.flat.extend(self.flat(tool).map(|radius| (tool.number, radius)));
+            let point = self.tools.and_then(|table| table.number(tool.number, "T-ANGLE").ok().flatten());
+            watcher
+                .points
+                .extend(point.filter(|angle| (10.0..170.0).contains(angle)).map(|angle| (tool.number, angle)));
         }
         watcher.kinds = guess.tools.iter().filter_map(|tool| Some((tool.number, self.kind(program, tool)?))).collect();
+        let called = |number: f64| guess.tools.iter().any(|tool| tool.number == number);
+        watcher.spare_thread_mill = self.tools.is_some_and(|table| {
+            let named = |row: f64| table.text(row, "NAME").ok().and_then(ToolKind::named);
+            table.rows().any(|row| named(row) == Some(ToolKind::ThreadMill) && !called(row))
+        });
         let turning = || guess.tools.iter().filter(|tool| tool.turns);
         let named = turning().filter_map(|tool| Some((tool.number, self.said(program, tool, &TurnedPart::named)?)));
         watcher.turned.named = named.collect();

@@ -37,6 +37,9 @@ const ANGLES: usize = 5;
 /// A place, in steps; its height in hundredths of a millimetre.
 type Place = [i64; 3];
 
+/// The line of a movement and its ends, hundredths of a millimetre.
+type Stroke = (usize, [i64; 6]);
+
 /// The plain movements of a tool.
 #[derive(Default)]
 pub(super) struct Ways {
@@ -55,8 +58,9 @@ pub(super) struct Ways {
     /// Under other transformations, and under the one in effect with the line of the first.
     before: HashSet<Place>,
     now: HashSet<Place>,
-    /// How many movements are in `now`.
-    strokes: usize,
+    /// The movements in `now`, and those under other transformations: their lines and both ends.
+    strokes: Vec<Stroke>,
+    done: HashSet<Stroke>,
     first: Option<usize>,
     /// The feeds of the movements through solid material, mm/min and mm per revolution, each with its first line.
     feeds: Vec<([f64; 2], usize)>,
@@ -82,7 +86,8 @@ impl Ways {
         if flat && to.z < body.high.z - SKIN && self.now.len() + self.before.len() < MOST {
             let count = ((to - from).length() / STEP).ceil().clamp(1.0, LONGEST);
             self.now.extend((0..=count as usize).map(|at| steps(from.lerp(to, at as f64 / count))));
-            self.strokes += 1;
+            let ends = [from, to].map(|own| (own / SAME).to_array().map(|own| own.round() as i64));
+            self.strokes.push((line, [ends[0][0], ends[0][1], ends[0][2], ends[1][0], ends[1][1], ends[1][2]]));
             self.first.get_or_insert(line);
         }
     }
@@ -202,12 +207,13 @@ impl Watcher<'_> {
         let (now, first) = (std::mem::take(&mut self.ways.now), self.ways.first.take());
         let strokes = std::mem::take(&mut self.ways.strokes);
         if let Some(line) = first
-            && strokes >= LEAST
-            && self.ways.covers(&now)
+            && (strokes.len() >= LEAST && self.ways.covers(&now)
+                || strokes.iter().all(|own| self.ways.done.contains(own)))
             && !self.away()
         {
             self.report(line, Incident::PathTwice);
         }
         self.ways.before.extend(now);
+        self.ways.done.extend(strokes);
     }
 }

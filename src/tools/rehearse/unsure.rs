@@ -14,17 +14,14 @@ impl Watcher<'_> {
         self.areas.clear();
     }
 
-    /// What a cycle before a line drills and mills is not known if no description says how to execute it: it may have
-    /// made the holes deeper and wider that are there when it is passed over.
-    pub(super) fn pass_undescribed(&mut self, to: usize) {
-        if self.unknown.first().is_none_or(|line| *line >= to) {
-            return;
-        }
-        (self.remains.open, self.series.open, self.others, self.turned.open) = (true, true, true, true);
-        if self.unknown.iter().any(|line| (self.line..to).contains(line)) {
-            self.holes.clear();
-            self.threads.clear();
-        }
+    /// What a cycle drills and mills is not known if no description says how to execute it: it may have made the holes
+    /// deeper and wider that are there when it is passed over.
+    pub(super) fn pass_undescribed(&mut self) {
+        self.finish();
+        (self.remains.open, self.others, self.turned.open) = (true, true, true);
+        self.series.open |= !self.undescribed_mills;
+        self.holes.clear();
+        self.threads.clear();
     }
 
     /// Whether the workpiece turns from here on. What is left of it is not known then, but a round one is no wider than

@@ -12,12 +12,14 @@ use super::remains::Remains;
 use super::series::Rows;
 use super::undescribed;
 use super::walls::Way;
-use super::work::{Hole, Thread, Work};
+use super::work::{Hole, Job, Thread, Work};
 use crate::base::diag::{Arg, interned};
 use crate::check::{Incident, Observed, ToolKind, removes_material};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::machine::Machine;
-use crate::engine::run::{Class, Coordinates, Event, EventKind, Fault, MessageKind, MoveKind, Status, Tool};
+use crate::engine::run::{
+    Class, Coordinates, Event, EventKind, Fault, MessageKind, MoveKind, PASSED_OVER, Status, Tool,
+};
 use crate::engine::scene::Scene;
 use crate::engine::solid::Path;
 use crate::engine::stock::Blank;
@@ -50,8 +52,6 @@ pub(super) struct Watcher<'w> {
     pub(super) blocks: BTreeMap<usize, &'w Block>,
     /// A millimetre in the unit of the program.
     pub(super) unit: f64,
-    /// The first lines of the cycles that no description says how to execute: they are passed over.
-    pub(super) unknown: Vec<usize>,
     /// The blank, if its size is known.
     pub(super) body: Option<Body>,
     to_blank: Frame,
@@ -101,9 +101,15 @@ pub(super) struct Watcher<'w> {
     pub(super) radii: Vec<(f64, f64)>,
     /// The radii within which tools are flat at their end.
     pub(super) flat: Vec<(f64, f64)>,
+    /// The angles of the points of tools, degrees.
+    pub(super) points: Vec<(f64, f64)>,
     /// What tools are called.
     pub(super) kinds: Vec<(f64, ToolKind)>,
     pub(super) probes: Vec<f64>,
+    /// Whether the cycles that no control describes only mill.
+    pub(super) undescribed_mills: bool,
+    /// Whether the tool table has a thread mill that the program does not call.
+    pub(super) spare_thread_mill: bool,
     pub(super) tool: Option<f64>,
     pub(super) calls: u32,
     /// The line of the last tool call.
@@ -157,7 +163,6 @@ impl<'w> Watcher<'w> {
             on,
             catalogue,
             program,
-            unknown: undescribed::lines(program, on, catalogue),
             blocks: program.blocks().iter().rev().map(|block| (block.line, block)).collect(),
             unit: if inch { 1.0 / MM_PER_INCH } else { 1.0 },
             body,
@@ -190,8 +195,11 @@ impl<'w> Watcher<'w> {
             stopped: None,
             radii: Vec::new(),
             flat: Vec::new(),
+            points: Vec::new(),
             kinds: Vec::new(),
             probes: Vec::new(),
+            undescribed_mills: undescribed::only_mills(program, on, catalogue),
+            spare_thread_mill: false,
             tool: None,
             calls: 0,
             called: 0,
@@ -234,7 +242,6 @@ impl<'w> Watcher<'w> {
         if event.at.line > 0 {
             if own {
                 self.pass_over(event.at.line);
-                self.pass_undescribed(event.at.line);
             }
             self.line = if own { event.at.line } else { self.calling_line() };
         }
@@ -253,6 +260,7 @@ impl<'w> Watcher<'w> {
                 }
             }
             EventKind::Insert(insert) => self.hold_insert(*insert),
+            EventKind::Function(what) if &**what == PASSED_OVER => self.pass_undescribed(),
             EventKind::Turn { axes, .. } => {
                 for turned in axes {
                     self.angles.retain(|(axis, _)| *axis != turned.axis);
@@ -579,6 +587,7 @@ impl<'w> Watcher<'w> {
         }
         if solid && key.is_none() {
             self.cuts_sideways(from, places, feed);
+            self.chamfers(from, places);
         }
         if solid && group == Some(Group::Threads) {
             self.mills_thread(key, from, places);
@@ -622,8 +631,14 @@ impl<'w> Watcher<'w> {
         }
         let job = |key: CycleKey| self.cycle(key).and_then(super::work::job);
         let own = job(key);
+        // An end mill that stands for the thread mill of the table.
+        let instead = self.spare_thread_mill && self.kind() != Some(ToolKind::ThreadMill);
+        let mills = |own: Job, other: Job| {
+            instead && matches!((own, other), (Job::Milling, Job::MilledThread) | (Job::MilledThread, Job::Milling))
+        };
         let other = self.used.iter().find(|(before, done)| {
-            *before == number && own.zip(job(*done)).is_some_and(|(own, other)| !own.goes_with(other))
+            *before == number
+                && own.zip(job(*done)).is_some_and(|(own, other)| !own.goes_with(other) || mills(own, other))
         });
         if let Some((_, before)) = other.copied() {
             self.report(self.line, Incident::ToolHasOtherJob { cycle: key, before });
