@@ -227,6 +227,7 @@ diag-hole-outside-blank =
 diag-incremental-left-on = The coordinates of this contour are incremental; only as absolute ones do they lead back to its beginning.
 diag-pattern-not-called = The cycle is called at one position here, and no CYCL CALL PAT uses the pattern of line { $line }.
 diag-plunge-beside-hole = The block has plunged into a hole before, but at { $value }, { $other } it plunges into solid material.
+diag-polygon-incomplete = A regular polygon with { $count } corners lacks the one at { $value }°.
 diag-position-without-call = The tool goes to { $value }, { $other } between two calls and does nothing there: a call (M99, CYCL CALL) may be missing.
 diag-result-of-other-axis =
     { $what ->
@@ -688,6 +689,7 @@ diag-surface-wrong =
 diag-turned-thread-wrong =
     { $what ->
         [pitch] The pitch { $value } is far too large for a thread with the diameter { $other }.
+        [tool] The thread has a pitch of { $value }, but the tool is made for { $other }.
         [end] The thread goes to { $value }, behind the end of its cylinder at { $other }.
         [groove] The thread goes to { $value }, past the groove that ends at { $other }.
         [inside] An inside thread is cut at the diameter { $value }, which was turned outside.

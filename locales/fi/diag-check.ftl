@@ -227,6 +227,7 @@ diag-hole-outside-blank =
 diag-incremental-left-on = Tämän muodon koordinaatit ovat inkrementaalisia; vain absoluuttisina ne johtavat takaisin sen alkuun.
 diag-pattern-not-called = Työkierto kutsutaan tässä yhdessä paikassa, eikä mikään CYCL CALL PAT käytä rivin { $line } pistekuviota.
 diag-plunge-beside-hole = Lause on aiemmin ajanut reikään, mutta kohdassa { $value }, { $other } se ajaa kiinteään materiaaliin.
+diag-polygon-incomplete = Säännöllisestä monikulmiosta, jossa on { $count } nurkkaa, puuttuu nurkka kulmasta { $value }°.
 diag-position-without-call = Työkalu käy kahden kutsun välissä paikassa { $value }, { $other } eikä tee siellä mitään: kutsu (M99, CYCL CALL) voi puuttua.
 diag-result-of-other-axis =
     { $what ->
@@ -687,6 +688,7 @@ diag-surface-wrong =
 diag-turned-thread-wrong =
     { $what ->
         [pitch] Nousu { $value } on aivan liian suuri kierteelle, jonka halkaisija on { $other }.
+        [tool] Kierteen nousu on { $value }, mutta työkalu on tehty nousulle { $other }.
         [end] Kierre ulottuu arvoon { $value }, lieriönsä pään { $other } taakse.
         [groove] Kierre ulottuu arvoon { $value }, kohdassa { $other } päättyvän uran ohi.
         [inside] Halkaisijalle { $value }, joka on sorvattu ulkopuolelta, tehdään sisäkierre.

@@ -227,6 +227,7 @@ diag-hole-outside-blank =
 diag-incremental-left-on = Le coordinate di questo profilo sono incrementali; solo come assolute riportano al suo inizio.
 diag-pattern-not-called = Qui il ciclo è richiamato in una sola posizione e nessun CYCL CALL PAT usa la sagoma della riga { $line }.
 diag-plunge-beside-hole = Prima il blocco è sceso in un foro, ma a { $value }, { $other } penetra nel materiale pieno.
+diag-polygon-incomplete = A un poligono regolare con { $count } vertici manca quello a { $value }°.
 diag-position-without-call = Tra due chiamate l’utensile va a { $value }, { $other } e lì non fa nulla: potrebbe mancare una chiamata (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->
@@ -687,6 +688,7 @@ diag-surface-wrong =
 diag-turned-thread-wrong =
     { $what ->
         [pitch] Il passo { $value } è troppo grande per una filettatura del diametro { $other }.
+        [tool] La filettatura ha il passo { $value }, ma l’utensile è fatto per { $other }.
         [end] La filettatura arriva a { $value }, oltre la fine del suo cilindro a { $other }.
         [groove] La filettatura arriva a { $value }, oltre la gola che termina a { $other }.
         [inside] Al diametro { $value }, tornito all’esterno, viene eseguita una filettatura interna.

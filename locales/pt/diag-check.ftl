@@ -227,6 +227,7 @@ diag-hole-outside-blank =
 diag-incremental-left-on = As coordenadas deste contorno são incrementais; só como absolutas levam de volta ao seu início.
 diag-pattern-not-called = Aqui o ciclo é chamado numa só posição, e nenhum CYCL CALL PAT utiliza a figura da linha { $line }.
 diag-plunge-beside-hole = Antes a frase desceu num furo, mas em { $value }, { $other } penetra em material maciço.
+diag-polygon-incomplete = A um polígono regular com { $count } vértices falta o que está a { $value }°.
 diag-position-without-call = Entre duas chamadas a ferramenta vai a { $value }, { $other } e não faz lá nada: pode faltar uma chamada (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->
@@ -688,6 +689,7 @@ diag-surface-wrong =
 diag-turned-thread-wrong =
     { $what ->
         [pitch] O passo { $value } é demasiado grande para uma rosca com o diâmetro { $other }.
+        [tool] A rosca tem o passo { $value }, mas a ferramenta é feita para { $other }.
         [end] A rosca vai até { $value }, para lá do fim do seu cilindro em { $other }.
         [groove] A rosca vai até { $value }, para lá do recesso que acaba em { $other }.
         [inside] No diâmetro { $value }, torneado por fora, é aberta uma rosca interior.

@@ -227,6 +227,7 @@ diag-hole-outside-blank =
 diag-incremental-left-on = Koordinate te konture so inkrementalne; samo kot absolutne vodijo nazaj na njen začetek.
 diag-pattern-not-called = Cikel se tu prikliče na enem položaju, vzorca v vrstici { $line } pa ne uporabi noben CYCL CALL PAT.
 diag-plunge-beside-hole = Stavek je prej zapeljal v vrtino, na { $value }, { $other } pa gre v poln material.
+diag-polygon-incomplete = Pravilnemu mnogokotniku s { $count } oglišči manjka tisto pri { $value }°.
 diag-position-without-call = Orodje gre med dvema priklicema na { $value }, { $other } in tam ne naredi ničesar: morda manjka priklic (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->
@@ -691,6 +692,7 @@ diag-surface-wrong =
 diag-turned-thread-wrong =
     { $what ->
         [pitch] Korak { $value } je veliko prevelik za navoj s premerom { $other }.
+        [tool] Navoj ima korak { $value }, orodje pa je narejeno za { $other }.
         [end] Navoj sega do { $value }, čez konec svojega valja pri { $other }.
         [groove] Navoj sega do { $value }, čez utor, ki se konča pri { $other }.
         [inside] Na premeru { $value }, ki je bil stružen zunaj, se reže notranji navoj.

@@ -165,6 +165,16 @@ fn defined<'a>(facts: &Facts<'a>) -> HashMap<ToolKey<'a>, Option<f64>> {
     radii
 }
 
+/// The pitch of the tool that is in the spindle, by the column PITCH of the table or by its name: in the unit of the program.
+pub(super) fn pitch_of_loaded(facts: &Facts<'_>, loaded: Loaded) -> Option<f64> {
+    let Loaded::By(block) = loaded else { return None };
+    let BlockKind::ToolCall(call) = &facts.program.blocks().get(block as usize)?.kind else { return None };
+    let (name, listed) = (named(facts, call.tool?)?, facts.project?);
+    let own = listed.tool_value(name, "PITCH").and_then(|own| pitch(facts, own));
+    let by_name = || listed.tool_word(name, "NAME").and_then(pitch_of);
+    own.or_else(|| by_name().map(|pitch| if facts.inch { pitch / MM_PER_INCH } else { pitch }))
+}
+
 /// A tool as a table knows it; nothing if a parameter chooses it.
 pub(super) fn named<'a>(facts: &Facts<'a>, tool: ToolRef) -> Option<ToolName<'a>> {
     match tool {

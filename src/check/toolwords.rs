@@ -50,7 +50,7 @@ const WORDS: [(ToolKind, &[&str], &[&str]); 13] = [
     (ToolKind::Chamfer, &[], &["CHAMFER", "FASENFR", "COUNTERSINK", "CSINK", "SENKER"]),
     (ToolKind::Engraver, &[], &["ENGRAV", "GRAVIER"]),
     (ToolKind::Drill, &["DRILL", "BOHRER", "BROCA", "PORA", "SVEDER"], &["SPIRALB", "TWISTDRILL"]),
-    (ToolKind::EndMill, &["EM", "ENDMILL", "FRESA", "JYRSIN"], &["ENDMILL", "SCHAFTFR", "SCHLICHTFR", "SCHRUPPFR"]),
+    (ToolKind::EndMill, &["EM", "ENDMILL", "FRESA", "JYRSIN"], &["ENDMILL", "SLOTDRILL", "SLOTMILL", "SCHAFTFR", "SCHLICHTFR", "SCHRUPPFR"]),
 ];
 
 impl ToolKind {
@@ -63,7 +63,7 @@ impl ToolKind {
             match (part, next) {
                 ("THREAD", "MILL") => return Some(Self::ThreadMill),
                 ("TAP" | "CORE" | "PILOT", "DRILL") => return Some(Self::Drill),
-                ("END", "MILL") => return Some(Self::EndMill),
+                ("END", "MILL") | ("SLOT", "DRILL" | "MILL") => return Some(Self::EndMill),
                 ("GEW" | "GEWINDE", _) if next.starts_with("BOHR") => return Some(Self::Tap),
                 ("GEW" | "GEWINDE", _) if next.starts_with("FR") => return Some(Self::ThreadMill),
                 ("CENTER" | "CENTRE" | "CENTERING" | "CENTRING", "DRILL") => return Some(Self::Spot),

@@ -20,6 +20,11 @@ const PLANE: [Axis; 2] = [Axis::X, Axis::Y];
 const JOINED: f64 = 1.0;
 /// And not if they differ by more.
 const KINK: f64 = 10.0;
+/// A corner of a contour is no sharper than this, degrees.
+const SHARP: f64 = 130.0;
+/// Corners as sharp as the first one at both ends of an arc are no contour, where the smaller part of the circle has corners
+/// as flat as the second one, degrees.
+const STEEP: [f64; 2] = [110.0, 70.0];
 /// At such an angle the tool goes back along the way that it has come.
 const BACK: f64 = 170.0;
 
@@ -80,6 +85,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let after = beside.unwrap_or(compensated);
         let switches = after != compensated;
         compensated = after && !matches!(words.path, Path::Dep(_));
+        let after_compensated = after;
         let way = matches!(words.path, Path::Appr(_) | Path::Dep(_));
         let away = motion.outline().is_rapid() || !flat || way || switches;
         let before = line.clone();
@@ -114,7 +120,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 doubtful.push(own.place);
             }
         } else if let [before, own, after] = last.as_slice()
-            && let Some(what) = is_strange(before, own, after)
+            && let Some(what) = is_strange(before, own, after).filter(|what| *what != "full" || after_compensated)
         {
             found.push(rule.at(facts, own.place).arg("what", what));
         }
@@ -159,8 +165,13 @@ fn is_strange(before: &Piece, own: &Piece, after: &Piece) -> Option<&'static str
         // Led to and away from tangentially it is a contour of its own.
         return kinks.iter().any(|own| *own > KINK).then_some("full");
     }
-    let signed = own.signed.as_ref().filter(|ways| joins(ways))?;
-    (signed != &own.ways && kinks.iter().all(|own| *own > KINK)).then_some("sign")
+    let signed = own.signed.as_ref()?;
+    let fits = joins(signed) && signed != &own.ways && kinks.iter().all(|own| *own > KINK);
+    // At its ends the tool would go back on itself, and not with the other sign.
+    let other = [angle(before.ways[1], signed[0]), angle(signed[1], after.ways[0])];
+    let back = kinks.iter().any(|own| *own > BACK) && other.iter().all(|own| *own < SHARP);
+    let back = back || kinks.iter().all(|own| *own > STEEP[0]) && other.iter().all(|own| *own < STEEP[1]);
+    (fits || back).then_some("sign")
 }
 
 /// A contour is over: one doubtful arc in it is wrong, several are meant.

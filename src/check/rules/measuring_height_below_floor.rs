@@ -23,6 +23,9 @@ const MEASURED: [&str; 3] = ["probing-centre-main", "probing-centre-minor", "mea
 /// The parameters by which a cycle says where it mills: centre, surface, depth.
 const MILLED: [&str; 4] = ["Q216", "Q217", "Q203", "Q201"];
 
+/// The words in the names of cycles that probe around something.
+const AROUND: [&str; 2] = ["outside", "stud"];
+
 /// So many cycles that measure are compared with what was milled before.
 const MOST: usize = 1 << 7;
 
@@ -110,9 +113,13 @@ const SAME: f64 = 0.01;
 fn by_definition(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // The lowest floor about each centre.
     let mut floors: HashMap<[u64; 2], Floor> = HashMap::new();
+    // A hole may be in the floor, which only matters to what probes inside.
+    let mut drilled = false;
     for definition in &facts.definitions {
+        let group = definition.related_cycle().map(|cycle| cycle.file.group);
         match definition.known {
             Known::Described(cycle) if is_harmless(cycle) => {}
+            _ if matches!(group, Some(Group::Drilling | Group::Threads | Group::Patterns)) => drilled = true,
             Known::Described(_) => return,
             _ => {
                 let Some((centre, floor)) = floor(&facts.read(definition)) else { return };
@@ -125,6 +132,9 @@ fn by_definition(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (definition, cycle) in facts.described() {
         let written = Written::of(facts, &definition, cycle);
         let is = |meaning: &str| with_meaning(cycle, meaning);
+        if drilled && !AROUND.iter().any(|own| cycle.file.name.as_str().contains(own)) {
+            continue;
+        }
         let [Some(main), Some(minor), Some(height)] = MEASURED.map(is) else { continue };
         let value = |param| written.number_of(param);
         let (Some(main), Some(minor), Some(measured)) = (value(main), value(minor), value(height)) else { continue };

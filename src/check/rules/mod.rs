@@ -141,6 +141,7 @@ mod plane_not_reset;
 mod plunge_beside_hole;
 mod plunge_too_fast;
 mod pole_missing;
+mod polygon_incomplete;
 mod position_after_contour;
 mod position_missing;
 mod position_twice;
@@ -376,6 +377,7 @@ pub const RULES: &[&Rule] = &[
     &plunge_beside_hole::RULE,
     &plunge_too_fast::RULE,
     &pole_missing::RULE,
+    &polygon_incomplete::RULE,
     &position_after_contour::RULE,
     &position_missing::RULE,
     &position_twice::RULE,

@@ -2,7 +2,8 @@
 //! CYCL CALL is missing, and so is a hole.
 //!
 //! Only a movement in the plane alone that follows a call, in programs with a box as their blank and without
-//! transformations; after it the tool is retracted, goes to the next call, or the subprogram ends.
+//! transformations; after it the tool is retracted, goes to the next call, or the subprogram ends. Halfway between two
+//! calls it needs neither.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::led;
@@ -16,7 +17,7 @@ use crate::spec::Group;
 pub(super) const RULE: Rule = Rule { code: "position-without-call", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
+    let blank = Blank::of(facts.program).filter(|_| facts.begins());
     let blocks = facts.program.blocks();
     // After M89 each position calls the cycle.
     if blocks.iter().any(|block| has_function(block, &[89])) {
@@ -24,7 +25,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     let called = |index: usize| facts.run.calls.iter().any(|call| call.block == index);
     let acts: Vec<usize> = (0..blocks.len()).filter(|index| blocks.get(*index).is_some_and(|own| !is_silent(own))).collect();
-    let mut at = None;
+    let (mut at, mut last) = (None, None);
     for (turn, index) in acts.iter().enumerate() {
         let Some(words) = blocks.get(*index).and_then(plain) else {
             // A call leaves the tool where it was.
@@ -32,14 +33,23 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             at = at.filter(|_| keeps);
             continue;
         };
+        if at.is_some() {
+            last = at;
+        }
         at = led(at, &words);
-        let before = turn.checked_sub(1).and_then(|before| acts.get(before)).is_some_and(|own| makes_holes(facts, *own));
+        let before = turn.checked_sub(1).and_then(|before| acts.get(before)).and_then(|own| makes_holes(facts, *own));
         let after = acts.get(turn + 1).copied();
         let ends = after.is_some_and(|after| called(after) && !calls_here(&blocks[after]) || ends_work(&blocks[after]));
-        if called(*index) || !before || !ends || !is_position(&words) {
+        if called(*index) || before.is_none() || !ends || !is_position(&words) {
             continue;
         }
-        let Some([x, y]) = at.filter(|place| blank.holds(place[0], place[1]) && *place != [0.0, 0.0]) else { continue };
+        let next = after.and_then(|after| blocks.get(after)).and_then(plain).and_then(|words| led(at, &words));
+        let halfway = at.zip(last).zip(next).is_some_and(|((at, last), next)| is_halfway(last, at, next));
+        let inside = |place: &[f64; 2]| {
+            let holds = blank.as_ref().is_some_and(|blank| blank.holds(place[0], place[1]));
+            before == Some(true) && holds && *place != [0.0, 0.0]
+        };
+        let Some([x, y]) = at.filter(|place| halfway || inside(place)) else { continue };
         let place = facts.content(&blocks[*index]);
         // One of a row of holes was reported before.
         if found.iter().any(|own| own.place.as_ref().is_some_and(|own| own.span == place)) {
@@ -81,13 +91,21 @@ fn lifts(element: &Element) -> bool {
     only && element.outline().is_rapid()
 }
 
-/// Whether a block calls cycles that make holes or pockets, and coordinates are those of the blank there.
-fn makes_holes(facts: &Facts<'_>, block: usize) -> bool {
+/// Whether a place is the middle between two others.
+fn is_halfway(one: [f64; 2], place: [f64; 2], other: [f64; 2]) -> bool {
+    let apart = (0..2).any(|axis| (one[axis] - other[axis]).abs() > 1.0);
+    apart && (0..2).all(|axis| (one[axis] + other[axis] - 2.0 * place[axis]).abs() < 1e-6)
+}
+
+/// Whether coordinates are those of the blank where a block calls a cycle that makes holes or pockets; nothing if it
+/// calls none.
+fn makes_holes(facts: &Facts<'_>, block: usize) -> Option<bool> {
     let makes = |call: &CycleCall| {
         let Pending::Definition(index) = call.modal.pending else { return false };
         let group = facts.definitions.get(index as usize).and_then(|own| own.related_cycle()).map(|own| own.file.group);
-        is_unmoved(&call.modal) && matches!(group, Some(Group::Drilling | Group::Threads | Group::Pockets))
+        matches!(group, Some(Group::Drilling | Group::Threads | Group::Pockets))
     };
-    let mut calls = facts.run.calls.iter().filter(|call| call.block == block).peekable();
-    calls.peek().is_some() && calls.all(makes)
+    let calls: Vec<&CycleCall> = facts.run.calls.iter().filter(|call| call.block == block).collect();
+    let all = !calls.is_empty() && calls.iter().all(|call| makes(call));
+    all.then(|| calls.iter().all(|call| is_unmoved(&call.modal)))
 }

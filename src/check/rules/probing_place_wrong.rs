@@ -159,15 +159,22 @@ fn narrower(facts: &Facts<'_>, read: &Definition<'_>, cycle: &Cycle, blank: &Bla
         return None;
     }
     let near = NEAR * facts.millimetre();
+    let middle = |axis: usize, at: f64| (at - (blank.high[axis] + blank.low[axis]) / 2.0).abs() <= near;
+    if let Some((item, diameter)) = read.item(SIZES[0].0).and_then(|item| Some((item, number(item)?))) {
+        // A round blank may be named by the box around it.
+        let room = (blank.high[0] - blank.low[0]).min(blank.high[1] - blank.low[1]);
+        let centre = [read.item(PLACES[0][0]).and_then(number)?, read.item(PLACES[0][1]).and_then(number)?];
+        let lost = diameter < (1.0 - ALLOWANCE) * room && is_slip(diameter, room);
+        return (lost && middle(0, centre[0]) && middle(1, centre[1])).then_some((item.value_span, diameter, room));
+    }
     let items = SIDES.map(|pair| pair.into_iter().find_map(|meaning| read.item(meaning)));
     let sides = [number(items[0]?)?, number(items[1]?)?];
     let centre = [number(read.item(PLACES[0][0])?)?, number(read.item(PLACES[0][1])?)?];
     let room = [0, 1].map(|axis| blank.high[axis] - blank.low[axis]);
-    let middle = |axis: usize| (centre[axis] - (blank.high[axis] + blank.low[axis]) / 2.0).abs() <= near;
     let whole = |axis: usize| (sides[axis] - room[axis]).abs() <= near;
     let narrow = |axis: usize| sides[axis] < (1.0 - ALLOWANCE) * room[axis];
     let axis = (0..2).find(|axis| narrow(*axis) && whole(1 - axis))?;
-    (middle(0) && middle(1)).then_some((items[axis]?.value_span, sides[axis], room[axis]))
+    (middle(0, centre[0]) && middle(1, centre[1])).then_some((items[axis]?.value_span, sides[axis], room[axis]))
 }
 
 /// The holes that are probed at a place: centre and diameter.

@@ -4,13 +4,16 @@
 //! Only where the places and depths of all holes are known, in programs with a box as their blank and without
 //! transformations; of cycles of the first controls also only without repetitions. A hole that goes through the blank
 //! is deep enough. Each is said once a program.
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::Blank;
 use crate::check::first_way::{EarlyCall, FirstWay};
 use crate::check::incident::Incident;
-use crate::check::program::Work;
+use crate::check::program::{Work, number};
 use crate::check::travel::incidents;
-use crate::check::{Facts, Rule};
+use crate::check::{Facts, Pending, Rule, is_milling};
+use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "tap-without-hole", severity: Severity::Warning, run };
 
@@ -34,6 +37,53 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
     }
     early(rule, facts, found);
+    if !found.iter().any(|own| own.code == rule.code) {
+        same_blocks(rule, facts, found);
+    }
+}
+
+/// A tap that goes deeper than the drill which is called by the same blocks, in whatever plane: not where the blank is so thin
+/// that the hole may go through it.
+fn same_blocks(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
+    let thinnest = (0..3).map(|axis| blank.high[axis] - blank.low[axis]).fold(f64::INFINITY, f64::min);
+    // The deepest drill and the taps of each block.
+    let mut drilled: BTreeMap<usize, f64> = BTreeMap::new();
+    let mut open = BTreeSet::new();
+    for call in &facts.run.calls {
+        let own = match call.modal.pending {
+            Pending::Definition(index) => facts.definitions.get(index as usize),
+            Pending::None | Pending::Unknown => None,
+        };
+        let Some((own, cycle)) = own.and_then(|own| Some((own, own.related_cycle()?))) else {
+            open.insert(call.block);
+            continue;
+        };
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        let surface = value("surface-coordinate");
+        if cycle.file.group == Group::Drilling {
+            match surface.zip(value("depth")) {
+                Some((surface, depth)) if !is_milling(cycle) => {
+                    let lowest = drilled.entry(call.block).or_insert(f64::INFINITY);
+                    *lowest = lowest.min(surface + depth);
+                }
+                _ => {
+                    open.insert(call.block);
+                }
+            }
+            continue;
+        }
+        let taps = cycle.file.group == Group::Threads && !is_milling(cycle);
+        let (Some((surface, depth)), true) = (surface.zip(value("thread-depth")), taps) else { continue };
+        let hole = drilled.get(&call.block).copied().filter(|_| !open.contains(&call.block));
+        if let Some(hole) = hole.filter(|hole| surface + depth < *hole && depth.abs() < thinnest) {
+            let place = read.item("thread-depth").map_or(call.span, |item| item.span);
+            let finding = rule.at(facts, place).arg("what", "shallow").arg("value", Arg::Number(surface + depth));
+            return found.push(finding.arg("other", Arg::Number(hole)));
+        }
+    }
 }
 
 /// Holes so close are the same one, mm.

@@ -1,6 +1,7 @@
 //! A turned thread that does not fit what was turned before: its pitch is far too large for its diameter, its diameter
 //! is another one than that of the cylinder on which it lies, it goes on beyond the end of that cylinder or past the
-//! only groove in it, in which it is to run out, or it is an inside thread on a cylinder that was turned outside. Also
+//! only groove in it, in which it is to run out, or it is an inside thread on a cylinder that was turned outside; or its pitch
+//! is not that of the insert, where the tool table or the name of the tool has one. Also
 //! one that is cut with a constant cutting speed: the spindle speed changes with the depth of each pass, and the flanks
 //! with it.
 //!
@@ -10,6 +11,7 @@ use super::cutting_speed_unlimited::switches;
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::contours::{listed, moved};
 use crate::check::program::{number, with_meaning};
+use crate::check::tools::pitch_of_loaded;
 use crate::check::{Defined, Facts, Pending, Rule};
 use crate::program::syntax::{Axis, BlockKind};
 use crate::spec::{Cycle, Group, MM_PER_INCH};
@@ -29,6 +31,8 @@ const START: [&str; 2] = ["contour-start-diameter", "contour-start-z"];
 const BEGIN: &str = "contour-start-z";
 /// The greatest part of the diameter that a pitch has: that of the coarsest trapezoidal threads.
 const COARSEST: f64 = 0.35;
+/// A pitch that differs by such a part is another one than that of the insert.
+const SAME: f64 = 0.02;
 /// So much the cylinder of an outside thread may differ from its diameter: part of the diameter, and mm.
 const NEAR: (f64, f64) = (0.04, 0.5);
 /// So far beyond the end of the cylinder a thread may go, mm: its runout.
@@ -81,6 +85,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             if before.checked_sub(1).is_some_and(|last| switches[last].1) {
                 let finding = rule.at(facts, own.view.head).arg("what", "speed").arg("value", "");
                 found.push(finding.arg("other", ""));
+            }
+            let item = read.item(PITCH).and_then(|item| Some((item, number(item)?)));
+            if let (Some((item, pitch)), Some(tool)) = (item, pitch_of_loaded(facts, call.modal.loaded))
+                && (pitch.abs() - tool).abs() > SAME * tool
+            {
+                let finding = rule.at(facts, item.value_span).arg("what", "tool").arg("value", Arg::Number(pitch));
+                found.push(finding.arg("other", Arg::Number(tool)));
+                continue;
             }
             if !shoulder(rule, facts, own, (&profiles, inside), unit, found) {
                 thread(rule, facts, own, (&cylinders, &grooves, open, inside), unit, found);

@@ -43,7 +43,7 @@ impl Watcher<'_> {
     }
 
     /// Whether RL or RR acts in the block that is executed, as the text before it says.
-    fn is_compensated(&self) -> bool {
+    pub(super) fn is_compensated(&self) -> bool {
         let last = self.blocks.range(..=self.line).rev().take(BACK).find_map(|(_, block)| match &block.kind {
             BlockKind::Motion(element) => element.words().compensation,
             _ => None,

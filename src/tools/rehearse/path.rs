@@ -157,6 +157,21 @@ impl Watcher<'_> {
         }
     }
 
+    /// Notes how high a movement along a contour goes: one that the same tool has made below the top of the blank before, and
+    /// makes above it now, removes nothing.
+    pub(super) fn note_height(&mut self, from: DVec3, line: usize) {
+        /// So far above the blank it is certainly in the air, mm.
+        const ABOVE: f64 = 1.0;
+        let flat = (self.at - from).truncate().length() > SAME && (self.at.z - from.z).abs() <= SAME;
+        let (Some(body), true) = (self.body, flat && self.is_compensated()) else { return };
+        let key = (self.calls, line);
+        if self.at.z < body.high.z - SKIN && self.lines_cut.len() < MOST {
+            self.lines_cut.insert(key);
+        } else if self.at.z > body.high.z + ABOVE && self.lines_cut.contains(&key) {
+            self.report(self.line, Incident::AboveBlank(self.at.z * self.unit));
+        }
+    }
+
     /// Notes a movement of a block: one that goes through material, and then twice more the same way, does nothing.
     pub(super) fn note_pass(&mut self, from: DVec3, line: usize, places: &[DVec3]) {
         /// So many ways are remembered, and so often one is gone.

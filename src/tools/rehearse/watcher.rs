@@ -135,6 +135,8 @@ pub(super) struct Watcher<'w> {
     pub(super) contour: usize,
     /// The lines of plain movements straight down: whether one goes into a hole, and one into solid material.
     pub(super) dips: BTreeMap<usize, [bool; 2]>,
+    /// The lines of plain movements with radius compensation: whether one has cut along them below the top of the blank.
+    pub(super) lines_cut: BTreeSet<(u32, usize)>,
     /// How often plain movements through material have come back to the same way: tool call, line, beginning and end.
     pub(super) passes: HashMap<(u32, usize, [i64; 6]), u8>,
     /// The places of holes, by what was done there.
@@ -219,6 +221,7 @@ impl<'w> Watcher<'w> {
             contour: 0,
             dips: BTreeMap::new(),
             passes: HashMap::new(),
+            lines_cut: BTreeSet::new(),
             series: Rows::default(),
             used: BTreeSet::new(),
             ways: Ways::default(),
@@ -525,6 +528,7 @@ impl<'w> Watcher<'w> {
         }
         if key.is_none() && certain && begun {
             self.note_pass(from, line, &places);
+            self.note_height(from, line);
             self.note_way(from, &places);
             self.dips(from);
         }
