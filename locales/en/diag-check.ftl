@@ -225,7 +225,7 @@ diag-hole-outside-blank =
        *[through] The hole goes down to { $value }, far through the blank.
     }
 diag-incremental-left-on = The coordinates of this contour are incremental; only as absolute ones do they lead back to its beginning.
-diag-pattern-not-called = The cycle is called at one position here, and no CYCL CALL PAT uses the pattern of line { $line }.
+diag-pattern-not-called = The cycle is called at one position here, but not at the positions of the pattern of line { $line }.
 diag-plunge-beside-hole = The block has plunged into a hole before, but at { $value }, { $other } it plunges into solid material.
 diag-polygon-incomplete = A regular polygon with { $count } corners lacks the one at { $value }°.
 diag-position-without-call = The tool goes to { $value }, { $other } between two calls and does nothing there: a call (M99, CYCL CALL) may be missing.
@@ -683,6 +683,7 @@ diag-surface-wrong =
         [air] The cycle works in the air here: it goes down to { $value }, where everything has been milled away before.
         [high] The cycle works from where it is called, at { $value }: its surface then lies at { $other }, above the blank.
         [low] The cycle is called inside the blank, at { $value }, and nothing has been machined down to its surface at { $other }.
+        [below] The cycle comes down at rapid to { $value }, but here others have gone only to { $other }: it goes into the material.
         [cylinder] The cylinder has the radius { $value }, but the blank about its axis has { $other }.
        *[faced] The surface is at { $value }, but the face was milled down to { $other }.
     }

@@ -31,7 +31,11 @@ diag-machining-outside-blank =
        *[outside] What is machined at { $value }, { $other } is far from the blank.
     }
 diag-milling-deeper-than-edges = The tool mills { $value } deep here, which is more than its cutting edges are long (LCUTS).
-diag-plane-left-on = The working plane is still tilted when this tool is called.
+diag-plane-left-on =
+    { $what ->
+        [axes] The plane is reset, but the rotary axes have not been turned back: the tool cuts into the tilted part.
+       *[tool] The working plane is still tilted when this tool is called.
+    }
 diag-preset-row-wrong =
     { $what ->
         [again] Preset { $row } is written again here, at another place, and nothing has activated it in between.
@@ -91,6 +95,7 @@ diag-contour-crossed =
         [back] This closed contour goes from a corner straight back to the one before it.
         [away] The tool leaves this closed contour for its other side: on the way it cuts through what it has just finished.
         [start] This closed contour is approached in an inside corner: the tool cuts into its last element there.
+        [short] This contour ends on its first line, short of its beginning: the rest of the line stays unmachined.
        *[side] With this radius compensation the tool crosses the closed contour: it comes from the other side of it.
     }
 diag-error-branch-entered =

@@ -225,7 +225,7 @@ diag-hole-outside-blank =
        *[through] Reikä ulottuu arvoon { $value }, kauas aihion läpi.
     }
 diag-incremental-left-on = Tämän muodon koordinaatit ovat inkrementaalisia; vain absoluuttisina ne johtavat takaisin sen alkuun.
-diag-pattern-not-called = Työkierto kutsutaan tässä yhdessä paikassa, eikä mikään CYCL CALL PAT käytä rivin { $line } pistekuviota.
+diag-pattern-not-called = Työkierto kutsutaan tässä yhdessä paikassa, ei rivin { $line } pistekuvion paikoissa.
 diag-plunge-beside-hole = Lause on aiemmin ajanut reikään, mutta kohdassa { $value }, { $other } se ajaa kiinteään materiaaliin.
 diag-polygon-incomplete = Säännöllisestä monikulmiosta, jossa on { $count } nurkkaa, puuttuu nurkka kulmasta { $value }°.
 diag-position-without-call = Työkalu käy kahden kutsun välissä paikassa { $value }, { $other } eikä tee siellä mitään: kutsu (M99, CYCL CALL) voi puuttua.
@@ -682,6 +682,7 @@ diag-surface-wrong =
         [air] Työkierto työstää tässä ilmaa: se menee arvoon { $value }, missä kaikki on jyrsitty pois jo aiemmin.
         [high] Työkierto alkaa kutsupaikastaan { $value }: sen yläpinta on silloin { $other }, aihion yläpuolella.
         [low] Työkierto kutsutaan aihion sisällä korkeudella { $value }, eikä mikään ole koneistettu sen yläpintaan { $other } asti.
+        [below] Työkierto tulee pikaliikkeellä korkeudelle { $value }, mutta muut ovat tässä menneet vain korkeudelle { $other }: se ajaa materiaaliin.
         [cylinder] Lieriön säde on { $value }, mutta aihion säde sen akselin ympärillä on { $other }.
        *[faced] Pinta on { $value }, mutta taso on jyrsitty arvoon { $other }.
     }

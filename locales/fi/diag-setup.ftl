@@ -31,7 +31,11 @@ diag-machining-outside-blank =
        *[outside] Koneistettava kohta { $value }; { $other } on kaukana aihiosta.
     }
 diag-milling-deeper-than-edges = Työkalu jyrsii tässä syvyyteen { $value }, mikä on enemmän kuin sen terien pituus (LCUTS).
-diag-plane-left-on = Koneistustaso on vielä käännettynä, kun tämä työkalu kutsutaan.
+diag-plane-left-on =
+    { $what ->
+        [axes] Taso on palautettu, mutta kiertoakseleita ei ole käännetty takaisin: työkalu lastuaa kallistettua kappaletta.
+       *[tool] Koneistustaso on vielä käännettynä, kun tämä työkalu kutsutaan.
+    }
 diag-preset-row-wrong =
     { $what ->
         [again] Esiasetus { $row } kirjoitetaan tässä uudelleen toisesta paikasta, eikä sitä ole välillä aktivoitu.
@@ -91,6 +95,7 @@ diag-contour-crossed =
         [back] Tämä suljettu muoto palaa nurkasta suoraan edelliseen nurkkaan.
         [away] Työkalu poistuu tästä suljetusta muodosta sen toiselle puolelle: matkalla se lastuaa sitä, minkä se juuri viimeisteli.
         [start] Tähän suljettuun muotoon ajetaan sisänurkassa: työkalu lastuaa siinä muodon viimeistä elementtiä.
+        [short] Tämä muoto päättyy ensimmäiselle suoralleen ennen alkupistettään: suoran loppuosa jää koneistamatta.
        *[side] Tällä sädekorjauksella työkalu kulkee suljetun muodon poikki: se tulee muodon toiselta puolelta.
     }
 diag-error-branch-entered =

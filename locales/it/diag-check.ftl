@@ -225,7 +225,7 @@ diag-hole-outside-blank =
        *[through] Il foro arriva a { $value }, ben oltre il pezzo grezzo.
     }
 diag-incremental-left-on = Le coordinate di questo profilo sono incrementali; solo come assolute riportano al suo inizio.
-diag-pattern-not-called = Qui il ciclo è richiamato in una sola posizione e nessun CYCL CALL PAT usa la sagoma della riga { $line }.
+diag-pattern-not-called = Qui il ciclo è richiamato in una sola posizione non nelle posizioni della sagoma della riga { $line }.
 diag-plunge-beside-hole = Prima il blocco è sceso in un foro, ma a { $value }, { $other } penetra nel materiale pieno.
 diag-polygon-incomplete = A un poligono regolare con { $count } vertici manca quello a { $value }°.
 diag-position-without-call = Tra due chiamate l’utensile va a { $value }, { $other } e lì non fa nulla: potrebbe mancare una chiamata (M99, CYCL CALL).
@@ -682,6 +682,7 @@ diag-surface-wrong =
         [air] Qui il ciclo lavora a vuoto: scende a { $value }, dove tutto è già stato asportato.
         [high] Il ciclo parte da dove viene chiamato, a { $value }: la sua superficie è quindi a { $other }, sopra il pezzo grezzo.
         [low] Il ciclo viene chiamato dentro il pezzo grezzo, a { $value }, e nulla è stato lavorato fino alla sua superficie a { $other }.
+        [below] Il ciclo scende in rapido a { $value }, ma qui gli altri sono arrivati solo a { $other }: entra nel materiale.
         [cylinder] Il cilindro ha il raggio { $value }, ma il pezzo grezzo attorno al suo asse ha { $other }.
        *[faced] La superficie è a { $value }, ma la faccia è stata fresata fino a { $other }.
     }

@@ -31,7 +31,11 @@ diag-machining-outside-blank =
        *[outside] Ciò che viene lavorato in { $value }; { $other } è lontano dal pezzo grezzo.
     }
 diag-milling-deeper-than-edges = Qui l’utensile fresa a una profondità di { $value }, maggiore della lunghezza dei suoi taglienti (LCUTS).
-diag-plane-left-on = Il piano di lavoro è ancora ruotato quando viene chiamato questo utensile.
+diag-plane-left-on =
+    { $what ->
+        [axes] Il piano è annullato, ma gli assi rotativi non sono tornati a zero: l’utensile taglia il pezzo ruotato.
+       *[tool] Il piano di lavoro è ancora ruotato quando viene chiamato questo utensile.
+    }
 diag-preset-row-wrong =
     { $what ->
         [again] Il Preset { $row } viene scritto di nuovo qui, in un altro punto, e nel frattempo nulla lo ha attivato.
@@ -91,6 +95,7 @@ diag-contour-crossed =
         [back] Questo profilo chiuso torna da uno spigolo direttamente a quello precedente.
         [away] L’utensile lascia questo profilo chiuso verso l’altro lato: lungo il percorso taglia ciò che ha appena finito.
         [start] Questo profilo chiuso viene raggiunto in uno spigolo interno: lì l’utensile intacca l’ultimo elemento.
+        [short] Questo profilo termina sulla sua prima retta prima dell’inizio: il resto della retta non viene lavorato.
        *[side] Con questa correzione del raggio l’utensile attraversa il profilo chiuso: arriva dall’altro lato.
     }
 diag-error-branch-entered =

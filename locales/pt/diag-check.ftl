@@ -225,7 +225,7 @@ diag-hole-outside-blank =
        *[through] O furo desce até { $value }, muito para além do bloco.
     }
 diag-incremental-left-on = As coordenadas deste contorno são incrementais; só como absolutas levam de volta ao seu início.
-diag-pattern-not-called = Aqui o ciclo é chamado numa só posição, e nenhum CYCL CALL PAT utiliza a figura da linha { $line }.
+diag-pattern-not-called = Aqui o ciclo é chamado numa só posição, e não nas posições da figura da linha { $line }.
 diag-plunge-beside-hole = Antes a frase desceu num furo, mas em { $value }, { $other } penetra em material maciço.
 diag-polygon-incomplete = A um polígono regular com { $count } vértices falta o que está a { $value }°.
 diag-position-without-call = Entre duas chamadas a ferramenta vai a { $value }, { $other } e não faz lá nada: pode faltar uma chamada (M99, CYCL CALL).
@@ -683,6 +683,7 @@ diag-surface-wrong =
         [air] O ciclo trabalha aqui no ar: desce até { $value }, onde já tudo foi fresado antes.
         [high] O ciclo parte de onde é chamado, em { $value }: a sua superfície fica então em { $other }, acima do bloco.
         [low] O ciclo é chamado dentro do bloco, em { $value }, e nada foi maquinado até à sua superfície em { $other }.
+        [below] O ciclo desce em marcha rápida até { $value }, mas aqui os outros só chegaram a { $other }: entra no material.
         [cylinder] O cilindro tem o raio { $value }, mas o bloco à volta do seu eixo tem { $other }.
        *[faced] A superfície está em { $value }, mas a face foi fresada até { $other }.
     }

@@ -31,7 +31,11 @@ diag-machining-outside-blank =
        *[outside] O que é maquinado em { $value }; { $other } está longe do bloco.
     }
 diag-milling-deeper-than-edges = Aqui a ferramenta fresa a uma profundidade de { $value }, maior do que a longitude das suas navalhas (LCUTS).
-diag-plane-left-on = O plano de maquinação ainda está inclinado quando esta ferramenta é chamada.
+diag-plane-left-on =
+    { $what ->
+        [axes] O plano foi anulado, mas os eixos rotativos não voltaram a zero: a ferramenta corta a peça inclinada.
+       *[tool] O plano de maquinação ainda está inclinado quando esta ferramenta é chamada.
+    }
 diag-preset-row-wrong =
     { $what ->
         [again] O preset { $row } volta a ser escrito aqui, noutro ponto, e entretanto nada o ativou.
@@ -91,6 +95,7 @@ diag-contour-crossed =
         [back] Este contorno fechado volta de uma esquina diretamente à anterior.
         [away] A ferramenta sai deste contorno fechado para o outro lado: no caminho corta o que acabou de terminar.
         [start] A aproximação a este contorno fechado é feita numa esquina interior: ali a ferramenta corta o último elemento.
+        [short] Este contorno termina na sua primeira reta antes do início: o resto da reta fica por maquinar.
        *[side] Com esta correção de raio a ferramenta atravessa o contorno fechado: vem do outro lado dele.
     }
 diag-error-branch-entered =

@@ -225,7 +225,7 @@ diag-hole-outside-blank =
        *[through] Vrtina sega do { $value }, daleč skozi surovec.
     }
 diag-incremental-left-on = Koordinate te konture so inkrementalne; samo kot absolutne vodijo nazaj na njen začetek.
-diag-pattern-not-called = Cikel se tu prikliče na enem položaju, vzorca v vrstici { $line } pa ne uporabi noben CYCL CALL PAT.
+diag-pattern-not-called = Cikel se tu prikliče na enem položaju, ne pa na položajih vzorca v vrstici { $line }.
 diag-plunge-beside-hole = Stavek je prej zapeljal v vrtino, na { $value }, { $other } pa gre v poln material.
 diag-polygon-incomplete = Pravilnemu mnogokotniku s { $count } oglišči manjka tisto pri { $value }°.
 diag-position-without-call = Orodje gre med dvema priklicema na { $value }, { $other } in tam ne naredi ničesar: morda manjka priklic (M99, CYCL CALL).
@@ -686,6 +686,7 @@ diag-surface-wrong =
         [air] Cikel tu dela v zraku: gre do { $value }, kjer je bilo vse že prej odstranjeno.
         [high] Cikel začne tam, kjer je priklican, pri { $value }: njegova površina je potem pri { $other }, nad surovcem.
         [low] Cikel je priklican v surovcu, pri { $value }, do njegove površine pri { $other } pa ni bilo obdelano nič.
+        [below] Cikel se v hitrem teku spusti na { $value }, drugi pa so tu šli samo do { $other }: zapelje v material.
         [cylinder] Valj ima polmer { $value }, surovec okrog njegove osi pa { $other }.
        *[faced] Površina je pri { $value }, ploskev pa je bila rezkana do { $other }.
     }

@@ -33,7 +33,11 @@ diag-machining-outside-blank =
        *[outside] Kar se obdeluje na { $value }; { $other }, je daleč od surovca.
     }
 diag-milling-deeper-than-edges = Orodje tukaj rezka { $value } globoko, kar je več od dolžine njegovih rezil (LCUTS).
-diag-plane-left-on = Obdelovalna ravnina je ob priklicu tega orodja še vedno zavrtena.
+diag-plane-left-on =
+    { $what ->
+        [axes] Ravnina je ponastavljena, rotacijske osi pa niso zasukane nazaj: orodje reže v nagnjen obdelovanec.
+       *[tool] Obdelovalna ravnina je ob priklicu tega orodja še vedno zavrtena.
+    }
 diag-preset-row-wrong =
     { $what ->
         [again] Prednastavitev { $row } se tukaj znova zapiše na drugem mestu, vmes pa je nič ni aktiviralo.
@@ -93,6 +97,7 @@ diag-contour-crossed =
         [back] Ta sklenjena kontura se od vogala vrne naravnost k prejšnjemu.
         [away] Orodje se s te sklenjene konture odmakne na njeno drugo stran: na poti reže to, kar je pravkar končalo.
         [start] Do te sklenjene konture orodje pride v notranjem vogalu: tam zareže v njen zadnji element.
+        [short] Ta kontura se konča na svoji prvi premici pred začetkom: preostanek premice ostane neobdelan.
        *[side] S tem popravkom polmera orodje prečka sklenjeno konturo: prihaja z njene druge strani.
     }
 diag-error-branch-entered =

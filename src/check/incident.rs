@@ -126,6 +126,8 @@ pub enum Incident {
         /// The radius of the hole.
         hole: f64,
     },
+    /// A cut after the plane was reset, while the rotary axes are still where they were in it.
+    AxesLeftTurned,
     /// A tool that is narrower than the hole in which it works, and goes no deeper.
     NothingLeft {
         /// The diameter of the tool.

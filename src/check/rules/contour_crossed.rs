@@ -1,7 +1,7 @@
 //! A closed contour with RL or RR to which the tool comes from the wrong side: it begins outside and compensates to the
 //! inside, or the other way round, and crosses the contour by its radius; or one that goes from a corner straight back to
 //! the one before it; or one that the tool leaves for its other side without being lifted; or one that is approached in an
-//! inside corner, which the tool damages by its radius.
+//! inside corner, which the tool damages by its radius; or one that ends on its first line, short of its beginning.
 //!
 //! Only contours whose elements are all numbers, that do not cross themselves, and whose height does not change from the
 //! compensating movement to the one that leaves: a tool that plunges at the contour may come from above.
@@ -71,7 +71,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                     own.start.is_some_and(|start| is_across(own.side, start, &ring)).then_some(("side", own.place));
                 let ends = || left_for(&line, &words).is_some_and(|end| is_across(own.side, end, &ring));
                 let corner = || own.begins_in_corner(&line.points).then_some(("start", own.place));
-                begins.or_else(|| ends().then(|| ("away", facts.content(block)))).or_else(corner)
+                let short = || stops_short(&line.points).then(|| ("short", facts.content(block)));
+                begins.or_else(|| ends().then(|| ("away", facts.content(block)))).or_else(corner).or_else(short)
             };
             // Against the other passes of the contour the side was reported before.
             let same = |known: &Diagnostic| {
@@ -102,6 +103,20 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             course = None;
         }
     }
+}
+
+/// Whether a contour comes back to the line with which it begins, in the same direction, and ends before its beginning.
+fn stops_short(points: &[[f64; 2]]) -> bool {
+    let [first, second, .., before, last] = points else { return false };
+    let way = [second[0] - first[0], second[1] - first[1]];
+    let end = [last[0] - before[0], last[1] - before[1]];
+    let (long, wide) = (libm::hypot(way[0], way[1]), libm::hypot(end[0], end[1]));
+    let gap = [first[0] - last[0], first[1] - last[1]];
+    let along = (gap[0] * way[0] + gap[1] * way[1]) / long;
+    let aside = (gap[0] * way[1] - gap[1] * way[0]) / long;
+    let turned = (way[0] * end[1] - way[1] * end[0]) / (long * wide);
+    let same = way[0] * end[0] + way[1] * end[1] > 0.0 && turned.abs() < 1e-3;
+    points.len() > 4 && same && aside.abs() < NEAR && along > NEAR
 }
 
 impl Course {

@@ -1,8 +1,12 @@
 //! A pattern at which no cycle is called, while one is called without it before the next pattern: `PAT` is missing in
-//! the call, and the cycle works at one place only.
+//! the call, and the cycle works at one place only. Also a call without it among others with it, where the tool has not been
+//! positioned since it was at the pattern.
+use std::ops::Range;
+
 use crate::base::diag::{Diagnostic, Severity};
+use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{BlockKind, CallForm};
+use crate::program::syntax::{Axis, BlockKind, CallForm};
 
 pub(super) const RULE: Rule = Rule { code: "pattern-not-called", severity: Severity::Warning, run };
 
@@ -28,12 +32,37 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let within = |index: usize| (pattern..next).contains(&index);
         // What is called or jumped to may call at the pattern.
         let leaves = called_anywhere && facts.run.graph.uses.iter().any(|own| within(own.block));
-        if leaves || facts.run.before(pattern).is_none() || (pattern..next).any(at_pattern) {
+        if (pattern..next).any(at_pattern) {
+            unplaced(rule, facts, pattern..next, found);
+            continue;
+        }
+        if leaves || facts.run.before(pattern).is_none() {
             continue;
         }
         let plain = facts.run.calls.iter().find(|call| within(call.block));
         if let Some(call) = plain {
             found.push(rule.at(facts, call.span).arg("line", pattern_line(facts, pattern)));
+        }
+    }
+}
+
+/// A plain call after one at the pattern, with no movement in the plane in between.
+fn unplaced(rule: &Rule, facts: &Facts<'_>, within: Range<usize>, found: &mut Vec<Diagnostic>) {
+    let blocks = facts.program.blocks().get(within.clone()).unwrap_or_default();
+    let mut at_pattern = false;
+    for block in blocks.iter().filter(|block| !is_silent(block)) {
+        match &block.kind {
+            BlockKind::CyclCall(own) if matches!(own.form, CallForm::Pattern) => at_pattern = true,
+            BlockKind::CyclCall(own) if matches!(own.form, CallForm::Plain) && at_pattern && !block.skip => {
+                let finding = rule.at(facts, facts.content(block));
+                return found.push(finding.arg("line", pattern_line(facts, within.start)));
+            }
+            BlockKind::Motion(motion) => {
+                let words = motion.words();
+                at_pattern &= words.coords.iter().all(|own| own.axis == Axis::Z);
+            }
+            BlockKind::ToolCall(_) | BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) | BlockKind::Functions(_) => {}
+            _ => at_pattern = false,
         }
     }
 }

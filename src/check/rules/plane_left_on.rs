@@ -4,10 +4,13 @@
 //! the end of the program, and where a program that resets its planes before tool calls tilts the next one from a plane
 //! that is still tilted, with a tool call between and nothing machined after it. So is one where the tool is placed, before
 //! the plane is tilted, by the same blocks as another tool that was placed in the untilted plane. Reported once a program.
+//! And where an execution shows it, a cut after the plane was reset while its rotary axes were not turned back.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::Effect;
+use crate::check::incident::Incident;
+use crate::check::travel::incidents;
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
 use crate::program::syntax::{Axis, Block, BlockKind, Compensates, StatementKind};
 
@@ -31,6 +34,8 @@ enum Step {
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let axes = incidents(facts).iter().find(|(_, own)| *own == Incident::AxesLeftTurned);
+    found.extend(axes.map(|(span, _)| rule.at(facts, *span).arg("what", "axes")));
     let steps = steps(facts);
     // Whether nothing was machined since the last tool call, the first one in the plane, the one at which a reset was
     // forgotten, and whether the program has reset a plane, and that before a tool call.
@@ -63,7 +68,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let first = forgotten.filter(|_| resets_for_tools).or(in_plane.filter(|_| ends_tilted));
     let first = first.or_else(|| placed_as_untilted(facts));
     if let Some(block) = first.and_then(|block| facts.program.blocks().get(block)) {
-        found.push(rule.at(facts, facts.content(block)));
+        found.push(rule.at(facts, facts.content(block)).arg("what", "tool"));
     }
 }
 

@@ -3,7 +3,7 @@
 //!
 //! Only a movement in the plane alone that follows a call, in programs with a box as their blank and without
 //! transformations; after it the tool is retracted, goes to the next call, or the subprogram ends. Halfway between two
-//! calls it needs neither.
+//! calls, or as far from the last one as that is from the one before it, it needs neither.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::led;
@@ -25,7 +25,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     let called = |index: usize| facts.run.calls.iter().any(|call| call.block == index);
     let acts: Vec<usize> = (0..blocks.len()).filter(|index| blocks.get(*index).is_some_and(|own| !is_silent(own))).collect();
-    let (mut at, mut last) = (None, None);
+    let (mut at, mut last, mut first) = (None, None, None);
     for (turn, index) in acts.iter().enumerate() {
         let Some(words) = blocks.get(*index).and_then(plain) else {
             // A call leaves the tool where it was.
@@ -34,7 +34,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         };
         if at.is_some() {
-            last = at;
+            (first, last) = (last, at);
         }
         at = led(at, &words);
         let before = turn.checked_sub(1).and_then(|before| acts.get(before)).and_then(|own| makes_holes(facts, *own));
@@ -45,11 +45,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         let next = after.and_then(|after| blocks.get(after)).and_then(plain).and_then(|words| led(at, &words));
         let halfway = at.zip(last).zip(next).is_some_and(|((at, last), next)| is_halfway(last, at, next));
+        // One more of a row.
+        let goes_on = at.zip(last).zip(first).is_some_and(|((at, last), first)| is_halfway(first, last, at));
         let inside = |place: &[f64; 2]| {
             let holds = blank.as_ref().is_some_and(|blank| blank.holds(place[0], place[1]));
             before == Some(true) && holds && *place != [0.0, 0.0]
         };
-        let Some([x, y]) = at.filter(|place| halfway || inside(place)) else { continue };
+        let Some([x, y]) = at.filter(|place| halfway || goes_on || inside(place)) else { continue };
         let place = facts.content(&blocks[*index]);
         // One of a row of holes was reported before.
         if found.iter().any(|own| own.place.as_ref().is_some_and(|own| own.span == place)) {

@@ -27,7 +27,7 @@ use crate::check::program::number;
 use crate::check::travel::first_incident;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{Amount, Axis, BlockKind, StatementKind};
-use crate::spec::Group;
+use crate::spec::{Cycle, Group};
 
 pub(super) const RULE: Rule = Rule { code: "surface-wrong", severity: Severity::Warning, run };
 
@@ -56,6 +56,7 @@ const MOST: f64 = 0.9;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     unlike_others(rule, facts, found);
+    same_blocks(rule, facts, found);
     let Some(top) = top(facts.program).filter(|_| facts.begins()) else { return };
     let unit = facts.millimetre();
     patterns(rule, facts, top, found);
@@ -152,6 +153,46 @@ fn unlike_others(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let finding = rule.at(facts, span).arg("what", "unlike").arg("value", Arg::Number(surface));
                 found.push(finding.arg("other", Arg::Number(*first)));
                 return;
+            }
+        }
+    }
+}
+
+/// A cycle that comes down at rapid to its set-up clearance where another one, called by the same block, has not been so
+/// deep: it goes into the solid material.
+fn same_blocks(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut bottoms: BTreeMap<usize, f64> = BTreeMap::new();
+    let mut open = BTreeSet::new();
+    for call in facts.run.calls.iter().filter(|call| is_unmoved(&call.modal)) {
+        let own = match call.modal.pending {
+            Pending::Definition(index) => facts.definitions.get(index as usize),
+            Pending::None | Pending::Unknown => None,
+        };
+        let drills = |cycle: &&Cycle| matches!(cycle.file.group, Group::Drilling | Group::Threads);
+        let Some(own) = own.filter(|own| own.related_cycle().as_ref().is_some_and(drills)) else {
+            open.insert(call.block);
+            continue;
+        };
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        let (Some(item), Some(surface)) = (read.item(SURFACE), value(SURFACE)) else { continue };
+        let height = surface + value("set-up-clearance").unwrap_or_default();
+        let before = bottoms.get(&call.block).copied().filter(|_| !open.contains(&call.block));
+        if let Some(bottom) = before.filter(|bottom| height < bottom - HIGHER * facts.millimetre()) {
+            let finding = rule.at(facts, item.value_span).arg("what", "below").arg("value", Arg::Number(height));
+            return found.push(finding.arg("other", Arg::Number(bottom)));
+        }
+        // What only centres is deeper than this by less than the diameter that it has.
+        let depth = DEPTHS.into_iter().find_map(value).or_else(|| value("centring-diameter").map(|own| -own.abs()));
+        let depth = depth.filter(|depth| *depth != 0.0).or_else(|| value("centring-diameter").map(|own| -own.abs()));
+        match depth {
+            Some(depth) => {
+                let lowest = bottoms.entry(call.block).or_insert(f64::INFINITY);
+                *lowest = lowest.min(surface - depth.abs());
+            }
+            None => {
+                open.insert(call.block);
             }
         }
     }

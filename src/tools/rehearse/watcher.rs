@@ -69,6 +69,8 @@ pub(super) struct Watcher<'w> {
     pub(super) faulty: bool,
     /// Whether the plane is tilted, be it without the axes.
     pub(super) tilted: bool,
+    /// Whether the plane was reset, and the rotary axes have stayed where they were.
+    left_turned: bool,
     /// The tilt of the plane, spatial angles.
     tilt: DVec3,
     /// Whether the tool has another axis than the blank.
@@ -177,6 +179,7 @@ impl<'w> Watcher<'w> {
             turning: false,
             faulty: false,
             tilted: false,
+            left_turned: false,
             tilt: DVec3::ZERO,
             across: false,
             frame: Vec::new(),
@@ -265,6 +268,7 @@ impl<'w> Watcher<'w> {
             EventKind::Insert(insert) => self.hold_insert(*insert),
             EventKind::Function(what) if &**what == PASSED_OVER => self.pass_undescribed(),
             EventKind::Turn { axes, .. } => {
+                self.left_turned = false;
                 for turned in axes {
                     self.angles.retain(|(axis, _)| *axis != turned.axis);
                     self.angles.push((turned.axis, turned.machine));
@@ -389,6 +393,8 @@ impl<'w> Watcher<'w> {
         if now.tilt.unwrap_or_default() != self.tilt {
             self.judge_tilted_ways();
         }
+        let reset = self.tilted && now.tilt.is_none_or(|tilt| tilt.length() <= 1e-6);
+        self.left_turned |= reset && self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6);
         self.tilt = now.tilt.unwrap_or_default();
         self.tilted = now.tilt.is_some_and(|tilt| tilt.length() > 1e-6);
         self.scaled = (now.scaling.0 - 1.0).abs() > 1e-9 || now.scaling.1.is_some();
@@ -479,6 +485,11 @@ impl<'w> Watcher<'w> {
         (self.known[0], self.known[1]) = (self.known[0] || pattern, self.known[1] || pattern);
         if let (Some(key), Some(_), Some(tool)) = (key, feed, self.tool) {
             self.use_tool(tool, key);
+        }
+        if self.left_turned && self.tilted {
+            self.left_turned = false;
+        } else if self.left_turned && feed.is_some() && !self.is_probe() {
+            self.report(self.line, Incident::AxesLeftTurned);
         }
         if self.away() {
             self.cut_tilted(path, feed.is_some(), key.is_none());
