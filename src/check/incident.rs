@@ -128,6 +128,8 @@ pub enum Incident {
     },
     /// A cut after the plane was reset, while the rotary axes are still where they were in it.
     AxesLeftTurned,
+    /// A movement along a contour above the blank, at a height, where the same tool has cut below its top before.
+    PassInAir(f64),
     /// A tool that is narrower than the hole in which it works, and goes no deeper.
     NothingLeft {
         /// The diameter of the tool.

@@ -14,7 +14,7 @@ use crate::check::blank::Blank;
 use crate::check::contours::place_of_call;
 use crate::check::incident::Incident;
 use crate::check::program::{is_silent, number};
-use crate::check::travel::incidents;
+use crate::check::travel::{first_incident, incidents};
 use crate::check::{Aspect, CycleCall, Defined, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensates, CycleForm, Path, StatementKind, ValueKind};
 use crate::spec::{Group, Keyword, Known};
@@ -46,11 +46,20 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.arg("other", Arg::Number(y)));
         }
     }
+    let pass = first_incident(facts, |own| match own {
+        Incident::PassInAir(height) => Some(height),
+        _ => None,
+    });
+    let contour = called_above(facts);
+    if let Some((span, height)) = pass.filter(|_| !above && contour.is_none()) {
+        let finding = rule.at(facts, span).arg("what", "above").arg("value", Arg::Number(height));
+        found.push(finding.arg("other", Arg::Number(0.0)));
+    }
     if let Some((span, long, room)) = across(facts) {
         let finding = rule.at(facts, span).arg("what", "across").arg("value", Arg::Number(long));
         found.push(finding.arg("other", Arg::Number(room)));
     }
-    if let Some((span, height)) = called_above(facts).filter(|_| !above) {
+    if let Some((span, height)) = contour.filter(|_| !above) {
         let finding = rule.at(facts, span).arg("what", "contour").arg("value", Arg::Number(height));
         found.push(finding.arg("other", Arg::Number(0.0)));
     }

@@ -7,7 +7,7 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use crate::base::diag::{Diagnostic, Severity};
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::cycle::{Effect, Then, removes_material};
 use crate::check::{Aspect, Defined, Facts, Pending, Rule};
 use crate::program::syntax::{
@@ -84,6 +84,9 @@ fn after_reset(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         }
         if let Some(reset) = left.filter(|_| works) {
+            // What an execution shows of it is the same mistake.
+            let axes = ("what", Arg::Text("axes".to_owned()));
+            found.retain(|own| own.code != super::plane_left_on::RULE.code || !own.args.contains(&axes));
             found.push(rule.at(facts, facts.content(reset)).arg("what", "reset"));
             return;
         }

@@ -168,7 +168,7 @@ impl Watcher<'_> {
         if self.at.z < body.high.z - SKIN && self.lines_cut.len() < MOST {
             self.lines_cut.insert(key);
         } else if self.at.z > body.high.z + ABOVE && self.lines_cut.contains(&key) {
-            self.report(self.line, Incident::AboveBlank(self.at.z * self.unit));
+            self.report(self.line, Incident::PassInAir(self.at.z * self.unit));
         }
     }
 
