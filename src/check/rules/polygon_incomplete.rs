@@ -86,6 +86,12 @@ fn corner(motion: &Motion, before: Option<f64>) -> Option<(f64, f64)> {
 fn judge(rule: &Rule, facts: &Facts<'_>, own: &Corners, after: Option<[f64; 2]>, found: &mut Vec<Diagnostic>) {
     let (Some(pole), Some(radius), Some(place)) = (own.pole, own.radius, own.last) else { return };
     let mut angles: Vec<f64> = own.angles.iter().map(|own| own.rem_euclid(360.0)).collect();
+    // A corner that is named twice is reported by itself.
+    let same = |one: &f64, other: &f64| (one - other).abs() < EQUAL;
+    let inner = angles.get(1..).unwrap_or_default();
+    if inner.iter().enumerate().any(|(at, one)| inner.iter().skip(at + 1).any(|other| same(one, other))) {
+        return;
+    }
     // A corner at the beginning or at the end may be written in other coordinates.
     for [x, y] in [own.before, after].into_iter().flatten() {
         let arm = [x - pole[0], y - pole[1]];
