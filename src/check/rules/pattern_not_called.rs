@@ -3,7 +3,7 @@
 //! positioned since it was at the pattern.
 use std::ops::Range;
 
-use crate::base::diag::{Diagnostic, Severity};
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Axis, BlockKind, CallForm};
@@ -26,12 +26,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     let called_anywhere = (0..blocks.len()).any(at_pattern);
+    let mut uses: Vec<usize> = facts.run.graph.uses.iter().map(|own| own.block).collect();
+    let mut calls: Vec<(usize, Span)> = facts.run.calls.iter().map(|call| (call.block, call.span)).collect();
+    uses.sort_unstable();
+    calls.sort_unstable_by_key(|(block, _)| *block);
     patterns.push(blocks.len());
     for pair in patterns.windows(2) {
         let [pattern, next] = *pair else { continue };
-        let within = |index: usize| (pattern..next).contains(&index);
         // What is called or jumped to may call at the pattern.
-        let leaves = called_anywhere && facts.run.graph.uses.iter().any(|own| within(own.block));
+        let first = uses.get(uses.partition_point(|block| *block < pattern));
+        let leaves = called_anywhere && first.is_some_and(|block| *block < next);
         if (pattern..next).any(at_pattern) {
             unplaced(rule, facts, pattern..next, found);
             continue;
@@ -39,9 +43,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if leaves || facts.run.before(pattern).is_none() {
             continue;
         }
-        let plain = facts.run.calls.iter().find(|call| within(call.block));
-        if let Some(call) = plain {
-            found.push(rule.at(facts, call.span).arg("line", pattern_line(facts, pattern)));
+        let plain = calls.get(calls.partition_point(|(block, _)| *block < pattern));
+        if let Some((_, span)) = plain.filter(|(block, _)| *block < next) {
+            found.push(rule.at(facts, *span).arg("line", pattern_line(facts, pattern)));
         }
     }
 }

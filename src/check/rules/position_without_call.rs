@@ -4,6 +4,8 @@
 //! Only a movement in the plane alone that follows a call, in programs with a box as their blank and without
 //! transformations; after it the tool is retracted, goes to the next call, or the subprogram ends. Halfway between two
 //! calls, or as far from the last one as that is from the one before it, it needs neither.
+use std::collections::BTreeMap;
+
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::led;
@@ -23,7 +25,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if blocks.iter().any(|block| has_function(block, &[89])) {
         return;
     }
-    let called = |index: usize| facts.run.calls.iter().any(|call| call.block == index);
+    let calls = calls(facts);
+    let called = |index: usize| calls.contains_key(&index);
     let acts: Vec<usize> = (0..blocks.len()).filter(|index| blocks.get(*index).is_some_and(|own| !is_silent(own))).collect();
     let (mut at, mut last, mut first) = (None, None, None);
     for (turn, index) in acts.iter().enumerate() {
@@ -37,7 +40,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             (first, last) = (last, at);
         }
         at = led(at, &words);
-        let before = turn.checked_sub(1).and_then(|before| acts.get(before)).and_then(|own| makes_holes(facts, *own));
+        let before = turn.checked_sub(1).and_then(|before| acts.get(before)).and_then(|own| *calls.get(own)?);
         let after = acts.get(turn + 1).copied();
         let ends = after.is_some_and(|after| called(after) && !calls_here(&blocks[after]) || ends_work(&blocks[after]));
         if called(*index) || before.is_none() || !ends || !is_position(&words) {
@@ -99,15 +102,18 @@ fn is_halfway(one: [f64; 2], place: [f64; 2], other: [f64; 2]) -> bool {
     apart && (0..2).all(|axis| (one[axis] + other[axis] - 2.0 * place[axis]).abs() < 1e-6)
 }
 
-/// Whether coordinates are those of the blank where a block calls a cycle that makes holes or pockets; nothing if it
-/// calls none.
-fn makes_holes(facts: &Facts<'_>, block: usize) -> Option<bool> {
+/// The blocks that call cycles: whether coordinates are those of the blank there, or nothing where one of the cycles makes
+/// neither holes nor pockets.
+fn calls(facts: &Facts<'_>) -> BTreeMap<usize, Option<bool>> {
     let makes = |call: &CycleCall| {
         let Pending::Definition(index) = call.modal.pending else { return false };
         let group = facts.definitions.get(index as usize).and_then(|own| own.related_cycle()).map(|own| own.file.group);
         matches!(group, Some(Group::Drilling | Group::Threads | Group::Pockets))
     };
-    let calls: Vec<&CycleCall> = facts.run.calls.iter().filter(|call| call.block == block).collect();
-    let all = !calls.is_empty() && calls.iter().all(|call| makes(call));
-    all.then(|| calls.iter().all(|call| is_unmoved(&call.modal)))
+    let mut all: BTreeMap<usize, Option<bool>> = BTreeMap::new();
+    for call in &facts.run.calls {
+        let own = all.entry(call.block).or_insert(Some(true));
+        *own = own.filter(|_| makes(call)).map(|unmoved| unmoved && is_unmoved(&call.modal));
+    }
+    all
 }

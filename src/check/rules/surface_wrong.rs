@@ -17,7 +17,7 @@
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank::{Blank, diameter, is_unmoved, top};
 use crate::check::cycle::removes_material;
 use crate::check::first_way::FirstWay;
@@ -158,44 +158,60 @@ fn unlike_others(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// What a definition does where it is called: where its surface is written, the height to which it comes down at rapid, and
+/// that to which it goes, if it is known.
+#[derive(Clone, Copy)]
+struct Stroke {
+    place: Span,
+    height: f64,
+    bottom: Option<f64>,
+}
+
 /// A cycle that comes down at rapid to its set-up clearance where another one, called by the same block, has not been so
 /// deep: it goes into the solid material.
 fn same_blocks(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut strokes: BTreeMap<u32, Option<Stroke>> = BTreeMap::new();
     let mut bottoms: BTreeMap<usize, f64> = BTreeMap::new();
     let mut open = BTreeSet::new();
     for call in facts.run.calls.iter().filter(|call| is_unmoved(&call.modal)) {
-        let own = match call.modal.pending {
-            Pending::Definition(index) => facts.definitions.get(index as usize),
+        let stroke = match call.modal.pending {
+            Pending::Definition(index) => *strokes.entry(index).or_insert_with(|| stroke(facts, index)),
             Pending::None | Pending::Unknown => None,
         };
-        let drills = |cycle: &&Cycle| matches!(cycle.file.group, Group::Drilling | Group::Threads);
-        let Some(own) = own.filter(|own| own.related_cycle().as_ref().is_some_and(drills)) else {
+        let Some(own) = stroke else {
             open.insert(call.block);
             continue;
         };
-        let related = own.as_related_cycle();
-        let read = facts.read(&related);
-        let value = |meaning: &str| read.item(meaning).and_then(number);
-        let (Some(item), Some(surface)) = (read.item(SURFACE), value(SURFACE)) else { continue };
-        let height = surface + value("set-up-clearance").unwrap_or_default();
         let before = bottoms.get(&call.block).copied().filter(|_| !open.contains(&call.block));
-        if let Some(bottom) = before.filter(|bottom| height < bottom - HIGHER * facts.millimetre()) {
-            let finding = rule.at(facts, item.value_span).arg("what", "below").arg("value", Arg::Number(height));
+        if let Some(bottom) = before.filter(|bottom| own.height < bottom - HIGHER * facts.millimetre()) {
+            let finding = rule.at(facts, own.place).arg("what", "below").arg("value", Arg::Number(own.height));
             return found.push(finding.arg("other", Arg::Number(bottom)));
         }
-        // What only centres is deeper than this by less than the diameter that it has.
-        let depth = DEPTHS.into_iter().find_map(value).or_else(|| value("centring-diameter").map(|own| -own.abs()));
-        let depth = depth.filter(|depth| *depth != 0.0).or_else(|| value("centring-diameter").map(|own| -own.abs()));
-        match depth {
-            Some(depth) => {
+        match own.bottom {
+            Some(bottom) => {
                 let lowest = bottoms.entry(call.block).or_insert(f64::INFINITY);
-                *lowest = lowest.min(surface - depth.abs());
+                *lowest = lowest.min(bottom);
             }
             None => {
                 open.insert(call.block);
             }
         }
     }
+}
+
+fn stroke(facts: &Facts<'_>, index: u32) -> Option<Stroke> {
+    let drills = |cycle: &&Cycle| matches!(cycle.file.group, Group::Drilling | Group::Threads);
+    let own = facts.definitions.get(index as usize)?;
+    own.related_cycle().filter(|cycle| drills(cycle))?;
+    let related = own.as_related_cycle();
+    let read = facts.read(&related);
+    let value = |meaning: &str| read.item(meaning).and_then(number);
+    let (place, surface) = (read.item(SURFACE)?.value_span, value(SURFACE)?);
+    // What only centres is deeper than this by less than the diameter that it has.
+    let centred = || value("centring-diameter").map(|own| -own.abs());
+    let depth = DEPTHS.into_iter().find_map(value).filter(|depth| *depth != 0.0).or_else(centred);
+    let height = surface + value("set-up-clearance").unwrap_or_default();
+    Some(Stroke { place, height, bottom: depth.map(|depth| surface - depth.abs()) })
 }
 
 /// Patterns whose surface is more than a little above that of the cycles which they call: these begin in the air.

@@ -6,7 +6,7 @@
 //! is deep enough. Each is said once a program.
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank::Blank;
 use crate::check::first_way::{EarlyCall, FirstWay};
 use crate::check::incident::Incident;
@@ -42,47 +42,70 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// What a definition does to a hole.
+#[derive(Clone, Copy)]
+enum Does {
+    /// It drills down to a height.
+    Drills(f64),
+    /// It drills, and how deep is not known, or nobody knows what it does.
+    Anything,
+    /// It taps: where its depth is written, to which height, and how deep below its surface.
+    Taps(Span, f64, f64),
+    Nothing,
+}
+
 /// A tap that goes deeper than the drill which is called by the same blocks, in whatever plane: not where the blank is so thin
 /// that the hole may go through it.
 fn same_blocks(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
     let thinnest = (0..3).map(|axis| blank.high[axis] - blank.low[axis]).fold(f64::INFINITY, f64::min);
-    // The deepest drill and the taps of each block.
+    let mut known: BTreeMap<u32, Does> = BTreeMap::new();
+    // The deepest drill of each block.
     let mut drilled: BTreeMap<usize, f64> = BTreeMap::new();
     let mut open = BTreeSet::new();
     for call in &facts.run.calls {
-        let own = match call.modal.pending {
-            Pending::Definition(index) => facts.definitions.get(index as usize),
-            Pending::None | Pending::Unknown => None,
+        let does = match call.modal.pending {
+            Pending::Definition(index) => *known.entry(index).or_insert_with(|| does(facts, index)),
+            Pending::None | Pending::Unknown => Does::Anything,
         };
-        let Some((own, cycle)) = own.and_then(|own| Some((own, own.related_cycle()?))) else {
-            open.insert(call.block);
-            continue;
-        };
-        let related = own.as_related_cycle();
-        let read = facts.read(&related);
-        let value = |meaning: &str| read.item(meaning).and_then(number);
-        let surface = value("surface-coordinate");
-        if cycle.file.group == Group::Drilling {
-            match surface.zip(value("depth")) {
-                Some((surface, depth)) if !is_milling(cycle) => {
-                    let lowest = drilled.entry(call.block).or_insert(f64::INFINITY);
-                    *lowest = lowest.min(surface + depth);
-                }
-                _ => {
-                    open.insert(call.block);
+        match does {
+            Does::Drills(bottom) => {
+                let lowest = drilled.entry(call.block).or_insert(f64::INFINITY);
+                *lowest = lowest.min(bottom);
+            }
+            Does::Anything => {
+                open.insert(call.block);
+            }
+            Does::Taps(place, bottom, depth) => {
+                let hole = drilled.get(&call.block).copied().filter(|_| !open.contains(&call.block));
+                if let Some(hole) = hole.filter(|hole| bottom < *hole && depth < thinnest) {
+                    let finding = rule.at(facts, place).arg("what", "shallow").arg("value", Arg::Number(bottom));
+                    return found.push(finding.arg("other", Arg::Number(hole)));
                 }
             }
-            continue;
+            Does::Nothing => {}
         }
-        let taps = cycle.file.group == Group::Threads && !is_milling(cycle);
-        let (Some((surface, depth)), true) = (surface.zip(value("thread-depth")), taps) else { continue };
-        let hole = drilled.get(&call.block).copied().filter(|_| !open.contains(&call.block));
-        if let Some(hole) = hole.filter(|hole| surface + depth < *hole && depth.abs() < thinnest) {
-            let place = read.item("thread-depth").map_or(call.span, |item| item.span);
-            let finding = rule.at(facts, place).arg("what", "shallow").arg("value", Arg::Number(surface + depth));
-            return found.push(finding.arg("other", Arg::Number(hole)));
-        }
+    }
+}
+
+fn does(facts: &Facts<'_>, index: u32) -> Does {
+    let own = facts.definitions.get(index as usize);
+    let Some((own, cycle)) = own.and_then(|own| Some((own, own.related_cycle()?))) else { return Does::Anything };
+    let related = own.as_related_cycle();
+    let read = facts.read(&related);
+    let value = |meaning: &str| read.item(meaning).and_then(number);
+    let surface = value("surface-coordinate");
+    match cycle.file.group {
+        Group::Drilling if is_milling(cycle) => Does::Anything,
+        Group::Drilling => match surface.zip(value("depth")) {
+            Some((surface, depth)) => Does::Drills(surface + depth),
+            None => Does::Anything,
+        },
+        Group::Threads if !is_milling(cycle) => match (surface.zip(value("thread-depth")), read.item("thread-depth")) {
+            (Some((surface, depth)), Some(item)) => Does::Taps(item.span, surface + depth, depth.abs()),
+            _ => Does::Nothing,
+        },
+        _ => Does::Nothing,
     }
 }
 

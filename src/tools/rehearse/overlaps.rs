@@ -35,7 +35,9 @@ impl Watcher<'_> {
             radius: width / 2.0,
             bottom: work.low.z,
         };
-        let meets = self.areas.iter().any(|other| {
+        // Said once: each piece is compared with each.
+        let said = self.found.iter().any(|own| matches!(own.incident, Incident::PocketsOverlap(_)));
+        let meets = !said && self.areas.iter().any(|other| {
             let same = other.made == area.made && (other.long - area.long).abs() <= EQUAL;
             let apart = (other.middle() - area.middle()).length() > CONCENTRIC;
             same && apart && area.comes_within(other, area.radius + other.radius - DEEP)
