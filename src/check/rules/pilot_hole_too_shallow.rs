@@ -23,6 +23,8 @@ const DEEPENED: &str = "deepened-starting-point";
 const PRESET: &str = "preset-number";
 /// What moves heights.
 const MOVING: [Aspect; 3] = [Aspect::ShiftZ, Aspect::Scaling, Aspect::AxisScaling];
+/// Longer programs are written by posts.
+const LONGEST: usize = 3_000;
 /// So much deeper a starting point is certainly not at the bottom of the hole, mm.
 const LOWER: f64 = 0.1;
 
@@ -42,6 +44,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// A starting point below everything that the program has machined before, where the places are not known.
 fn below_all(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let has = |own: &Defined<'_>| own.related_cycle().is_some_and(|cycle| with_meaning(cycle, DEEPENED).is_some());
+    if facts.program.blocks().len() > LONGEST || !facts.definitions.iter().any(has) {
+        return;
+    }
     // What a measurement leaves unknown stays as it is, where nothing else moves coordinates.
     let group = |own: &Defined<'_>| own.related_cycle().map(|cycle| cycle.file.group);
     let mut after = facts.definitions.iter().skip_while(|own| group(own) != Some(Group::Drilling));

@@ -18,11 +18,14 @@ use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "position-without-call", severity: Severity::Warning, run };
 
+/// Programs of more blocks are not looked at.
+const MOST: usize = 3_000;
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let blank = Blank::of(facts.program).filter(|_| facts.begins());
     let blocks = facts.program.blocks();
-    // After M89 each position calls the cycle.
-    if blocks.iter().any(|block| has_function(block, &[89])) {
+    // Longer programs are written by posts; after M89 each position calls the cycle.
+    if blocks.len() > MOST || blocks.iter().any(|block| has_function(block, &[89])) {
         return;
     }
     let calls = calls(facts);

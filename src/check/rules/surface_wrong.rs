@@ -158,6 +158,9 @@ fn unlike_others(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// Programs of more blocks are not looked at for places that several cycles share.
+const LONGEST: usize = 3_000;
+
 /// What a definition does where it is called: where its surface is written, the height to which it comes down at rapid, and
 /// that to which it goes, if it is known.
 #[derive(Clone, Copy)]
@@ -170,6 +173,10 @@ struct Stroke {
 /// A cycle that comes down at rapid to its set-up clearance where another one, called by the same block, has not been so
 /// deep: it goes into the solid material.
 fn same_blocks(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    // Longer programs are written by posts, which name each place once.
+    if facts.program.blocks().len() > LONGEST {
+        return;
+    }
     let mut strokes: BTreeMap<u32, Option<Stroke>> = BTreeMap::new();
     let mut bottoms: BTreeMap<usize, f64> = BTreeMap::new();
     let mut open = BTreeSet::new();
