@@ -665,6 +665,8 @@ diag-probing-place-wrong =
         [centre] Nothing was machined at this centre, but something was at { $value }, { $other }.
         [corner] The corner is probed on the other side of the blank than the datum { $value }.
         [size] A size of { $value } is probed here, and the blank is only { $other } wide there.
+        [axis] Measured is the axis in which the place is at { $value }, but the greatest dimension is { $other }: the limits are those of another axis.
+        [later] A diameter of { $value } is probed here, and later one of { $other } at the same centre: the probe goes down beside the hole.
        *[outside] The place { $value }, { $other } is beside the blank: there is nothing to probe.
     }
 diag-rough-out-tool-other =
@@ -703,6 +705,7 @@ diag-circle-point-wrong = { $parameter } and { $other } are both calculated with
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } is corrected by { $other }, which is the deviation of the other side.
+        [actual] { $other } is the measured size itself, not its deviation: next to nothing is left of the size { $parameter }.
        *[added] The deviation { $other } is added to the size { $parameter }: it must be taken away.
     }
 diag-monitored-tool-idle = { $cycle } monitors or corrects tool { $tool }, which has not been called before.

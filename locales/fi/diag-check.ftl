@@ -664,6 +664,8 @@ diag-probing-place-wrong =
         [centre] Tässä keskipisteessä ei ole koneistettu mitään, mutta kohdassa { $value }; { $other } on.
         [corner] Nurkka kosketetaan aihion toiselta puolelta kuin peruspiste { $value }.
         [size] Tässä kosketetaan mitta { $value }, mutta aihion leveys on siinä vain { $other }.
+        [axis] Mitataan akseli, jolla paikka on { $value }, mutta suurin mitta on { $other }: rajat ovat toisen akselin.
+        [later] Tässä kosketetaan halkaisija { $value }, ja myöhemmin samassa keskipisteessä { $other }: kosketuspää laskeutuu reiän viereen.
        *[outside] Paikka { $value }; { $other } on aihion vieressä: siinä ei ole mitään kosketettavaa.
     }
 diag-rough-out-tool-other =
@@ -702,6 +704,7 @@ diag-circle-point-wrong = { $parameter } ja { $other } lasketaan kumpikin saman 
 diag-correction-wrong =
     { $what ->
         [side] Parametria { $parameter } korjataan arvolla { $other }, joka on toisen sivun ero.
+        [actual] { $other } on mitattu mitta itse eikä sen ero: mitasta { $parameter } ei jää juuri mitään.
        *[added] Ero { $other } lisätään mittaan { $parameter }: se on vähennettävä.
     }
 diag-monitored-tool-idle = { $cycle } valvoo tai korjaa työkalua { $tool }, jota ei ole kutsuttu aiemmin.

@@ -664,6 +664,8 @@ diag-probing-place-wrong =
         [centre] In questo centro non è stato lavorato nulla, in { $value }; { $other } invece sì.
         [corner] Lo spigolo viene tastato sul lato del pezzo grezzo opposto all’origine { $value }.
         [size] Qui si tasta una misura di { $value }, ma il pezzo grezzo è largo solo { $other }.
+        [axis] Si misura l’asse in cui il punto è a { $value }, ma la quota massima è { $other }: i limiti sono quelli di un altro asse.
+        [later] Qui si tasta un diametro di { $value }, e più avanti nello stesso centro uno di { $other }: il tastatore scende accanto al foro.
        *[outside] Il punto { $value }; { $other } è fuori dal pezzo grezzo: lì non c’è nulla da tastare.
     }
 diag-rough-out-tool-other =
@@ -702,6 +704,7 @@ diag-circle-point-wrong = { $parameter } e { $other } sono calcolati entrambi co
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } viene corretto di { $other }, che è lo scostamento dell’altro lato.
+        [actual] { $other } è la misura rilevata, non il suo scostamento: della misura { $parameter } non resta quasi nulla.
        *[added] Lo scostamento { $other } viene aggiunto alla misura { $parameter }: va sottratto.
     }
 diag-monitored-tool-idle = { $cycle } controlla o corregge l’utensile { $tool }, che prima non è stato chiamato.

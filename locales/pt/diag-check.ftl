@@ -665,6 +665,8 @@ diag-probing-place-wrong =
         [centre] Neste centro nada foi maquinado, mas em { $value }; { $other } foi.
         [corner] O canto é apalpado no lado do bloco oposto ao ponto de referência { $value }.
         [size] Aqui apalpa-se uma medida de { $value }, mas o bloco só tem { $other } de largura.
+        [axis] Mede-se o eixo em que o lugar está a { $value }, mas a medida máxima é { $other }: os limites são os de outro eixo.
+        [later] Aqui apalpa-se um diâmetro de { $value }, e mais tarde no mesmo centro um de { $other }: o apalpador desce ao lado do furo.
        *[outside] O lugar { $value }; { $other } fica ao lado do bloco: não há lá nada para apalpar.
     }
 diag-rough-out-tool-other =
@@ -703,6 +705,7 @@ diag-circle-point-wrong = { $parameter } e { $other } são calculados ambos com 
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } é corrigido por { $other }, que é o desvio do outro lado.
+        [actual] { $other } é o valor medido, não o seu desvio: da medida { $parameter } não fica quase nada.
        *[added] O desvio { $other } é somado à medida { $parameter }: tem de ser subtraído.
     }
 diag-monitored-tool-idle = { $cycle } vigia ou corrige a ferramenta { $tool }, que antes não foi chamada.

@@ -668,6 +668,8 @@ diag-probing-place-wrong =
         [centre] Pri tem središču ni bilo nič obdelano, pri { $value }; { $other } pa je bilo.
         [corner] Vogal se tipa na drugi strani surovca kot referenčna točka { $value }.
         [size] Tu se tipa mera { $value }, surovec pa je tam širok le { $other }.
+        [axis] Meri se os, na kateri je mesto pri { $value }, največja mera pa je { $other }: meji sta od druge osi.
+        [later] Tu se tipa premer { $value }, pozneje pa v istem središču { $other }: tipalo se spusti ob izvrtini.
        *[outside] Mesto { $value }; { $other } je ob surovcu: tam ni česa otipati.
     }
 diag-rough-out-tool-other =
@@ -706,6 +708,7 @@ diag-circle-point-wrong = { $parameter } in { $other } se oba izračunata z { $v
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } se popravi za { $other }, kar je odstopanje druge stranice.
+        [actual] { $other } je izmerjena mera sama in ne njeno odstopanje: od mere { $parameter } ne ostane skoraj nič.
        *[added] Odstopanje { $other } se prišteje meri { $parameter }: treba ga je odšteti.
     }
 diag-monitored-tool-idle = { $cycle } nadzoruje ali popravlja orodje { $tool }, ki prej ni bilo priklicano.
