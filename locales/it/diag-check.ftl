@@ -237,6 +237,9 @@ diag-holes-overlap =
     { $what ->
         [pockets] La tasca o scanalatura attorno a { $value }, { $other } entra in un’altra della stessa definizione.
         [pocket] Il foro a { $value }, { $other } è tagliato da una tasca o scanalatura fresata prima.
+        [hole] Il foro in { $value }; { $other } è tagliato per tutta la lunghezza da uno più largo eseguito prima.
+        [inside] La tasca o scanalatura intorno a { $value }; { $other } sta per la maggior parte in un’altra fresata prima e altrettanto profonda, a differenza delle altre della sua definizione.
+        [beside] In { $value }; { $other } viene allargato un foro, ma i fori del diametro preforato sono altrove.
        *[holes] Qui due fori del diametro di { $other } distano solo { $value }: si sovrappongono.
     }
 diag-insert-points-away = L’inserto non può tagliare dove va { $cycle }: il suo orientamento (TO) è { $orientation }, perciò la punta è rivolta dalla parte opposta al pezzo o all’avanzamento.
@@ -327,6 +330,7 @@ diag-parameter-unassigned =
 diag-path-twice =
     { $what ->
         [repeated] L’utensile percorre questa traiettoria per la terza volta: non resta nulla da asportare.
+        [air] Con questa conversione il percorso da qui in poi non asporta nulla, mentre gli stessi blocchi con un’altra hanno lavorato.
        *[transformed] L’intera traiettoria da qui in poi è già stata lavorata con questo utensile con un’altra conversione.
     }
 diag-pattern-combination =
@@ -412,15 +416,15 @@ diag-reset-order-wrong =
        *[shift] Qui lo spostamento origine viene annullato, ma il piano di lavoro ruotato dopo di esso è ancora ruotato.
     }
 diag-retract-missing =
-    L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando { $what ->
-        [change] viene cambiato
-        [tilt] il piano viene ruotato con MOVE
-        [end] il programma termina
+    { $what ->
+        [change] L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando viene cambiato: non è stato disimpegnato.
+        [tilt] L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando il piano viene ruotato con MOVE: non è stato disimpegnato.
+        [end] L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando il programma termina: non è stato disimpegnato.
         [others] Qui gli assi ruotano dopo uno svincolo solo a { $value }; prima di tutte le altre rotazioni l’utensile si allontana di più.
         [unretracted] Qui gli assi ruotano benché l’utensile non si sia allontanato dopo la lavorazione; prima di tutte le altre rotazioni lo fa.
-        [rapid] prosegue in rapido, a differenza di quanto fa dopo le altre passate della superficie
-       *[turn] un asse rotativo si muove in rapido
-    }: non è stato disimpegnato.
+        [rapid] L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando prosegue in rapido, a differenza di quanto fa dopo le altre passate della superficie: non è stato disimpegnato.
+       *[turn] L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando un asse rotativo si muove in rapido: non è stato disimpegnato.
+    }
 diag-rotary-axis-jumps = Qui l’asse rotativo oscilla da { $other } a { $value } e nel blocco successivo torna indietro.
 diag-row-not-in-table =
     { $table ->

@@ -74,6 +74,13 @@ pub(super) fn is_unmoved(modal: &Modal) -> bool {
     MOVING.iter().all(|own| modal.is(*own) == Tri::No)
 }
 
+/// Whether heights are those of the blank: coordinates may be turned, but nothing else changes them.
+pub(super) fn keeps_heights(modal: &Modal) -> bool {
+    const MOVING: [Aspect; 5] =
+        [Aspect::DatumShift, Aspect::Mirroring, Aspect::Scaling, Aspect::AxisScaling, Aspect::Tilting];
+    MOVING.iter().all(|own| modal.is(*own) == Tri::No)
+}
+
 /// The height of the upper face of a blank along Z: of the one box, or of the one cylinder.
 pub(super) fn top(program: &Program) -> Option<f64> {
     if let Some(blank) = Blank::of(program) {

@@ -121,6 +121,11 @@ impl Rehearsal<'_> {
         let named = turning().filter_map(|tool| Some((tool.number, self.said(program, tool, &TurnedPart::named)?)));
         watcher.turned.named = named.collect();
         watcher.turned.bars = turning().filter_map(|tool| Some((tool.number, self.bar(program, tool)?))).collect();
+        // An angle of an axis means another place of a tilted plane on every machine.
+        let tilts = program.blocks().iter().any(
+            |block| matches!(&block.kind, BlockKind::Statement(own) if own.kind == syntax::StatementKind::Plane),
+        );
+        watcher.depends_on_machine = tilts && guess.positions_rotary_axes();
         watcher.probes = guess.tools.iter().filter(|tool| tool.probes).map(|tool| tool.number).collect();
         let engine = Engine::new(program, on, &scene, &NoTexts)
             .with_catalogue(self.catalogue)

@@ -112,6 +112,14 @@ impl Remains {
         places.iter().any(|place| self.around(&body, *place, reach).any(|at| self.is_higher(at, place.z)))
     }
 
+    /// Whether a tool of a radius meets material at places with more than its rim.
+    pub(super) fn may_cut(&self, places: &[DVec3], radius: f64) -> bool {
+        let Some(body) = self.body else { return true };
+        let reach = radius - self.cell;
+        let higher = |place: &DVec3| self.around(&body, *place, reach).any(|at| self.is_higher(at, place.z));
+        self.open || reach <= 0.0 || places.iter().any(higher)
+    }
+
     fn is_higher(&self, at: usize, height: f64) -> bool {
         self.most.get(at).is_some_and(|most| *most > height + SKIN)
     }

@@ -12,7 +12,7 @@ use super::remains::Remains;
 use super::series::Rows;
 use super::undescribed;
 use super::walls::Way;
-use super::work::{Hole, Job, Thread, Work};
+use super::work::{Hole, Thread, Work};
 use crate::base::diag::{Arg, interned};
 use crate::check::{Incident, Observed, ToolKind, removes_material};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
@@ -71,6 +71,8 @@ pub(super) struct Watcher<'w> {
     pub(super) tilted: bool,
     /// The tilt of the plane, spatial angles.
     tilt: DVec3,
+    /// Whether it depends on the machine, which is assumed, where tilted planes are.
+    pub(super) depends_on_machine: bool,
     /// Whether the tool has another axis than the blank.
     pub(super) across: bool,
     /// The preset, its place and its turn, and the tilt of the plane.
@@ -140,7 +142,7 @@ pub(super) struct Watcher<'w> {
     /// The places of holes, by what was done there.
     pub(super) series: Rows,
     /// The cycles with which tools have cut, each once.
-    used: BTreeSet<(u64, CycleKey)>,
+    pub(super) used: BTreeSet<(u64, CycleKey)>,
     /// The plain movements since the last tool call.
     pub(super) ways: Ways,
     pub(super) found: Vec<Observed>,
@@ -176,8 +178,9 @@ impl<'w> Watcher<'w> {
             faulty: false,
             tilted: false,
             tilt: DVec3::ZERO,
+            depends_on_machine: false,
             across: false,
-            frame: Vec::new(),
+            frame: setting(f64::from(UNNAMED_PRESET), [DVec3::ZERO; 3]),
             scaled: false,
             at: DVec3::ZERO,
             machine_at: DVec3::ZERO,
@@ -391,9 +394,7 @@ impl<'w> Watcher<'w> {
         self.scaled = (now.scaling.0 - 1.0).abs() > 1e-9 || now.scaling.1.is_some();
         self.transformed(now);
         let tilt = now.tilt.unwrap_or_default();
-        let angles = [now.origin, now.basic_rotation, tilt].map(|own| own.to_array());
-        let all = std::iter::once(now.preset).chain(angles.into_iter().flatten());
-        self.frame = all.map(|own| (own / SAME).round() as i64).collect();
+        self.frame = setting(now.preset, [now.origin, now.basic_rotation, tilt]);
         let other = self.preset.is_some_and(|before| before != now.preset);
         self.clamp_again(other);
         self.lost |= other && self.worked;
@@ -610,38 +611,13 @@ impl<'w> Watcher<'w> {
             if plain {
                 let reach = self.radius() + SAME;
                 let meets = places.iter().any(|place| body.distance(*place) <= reach && place.z >= body.low.z - reach);
-                self.ways.note(self.line, (from, self.at), body, meets);
+                let cuts = self.width().is_none_or(|width| self.remains.may_cut(places, width / 2.0));
+                self.ways.note(self.line, (from, self.at), body, (meets, cuts));
             }
         }
         let under = if self.scaled { SCALED / 4.0 } else { UNDER };
         if self.at.z < body.low.z - under && body.distance(self.at) <= 0.0 && self.is_milling(key) {
             self.report(self.line, Incident::BelowBlank(self.at.z * self.unit));
-        }
-    }
-
-    /// A tool cuts with a cycle: whether it is called something else, or has done a job before that no such tool does.
-    fn use_tool(&mut self, tool: f64, key: CycleKey) {
-        let Some(cycle) = self.cycle(key) else { return };
-        let number = tool.to_bits();
-        if !self.used.insert((number, key)) {
-            return;
-        }
-        if let Some(kind) = self.kind().filter(|kind| kind.misfits(cycle)) {
-            self.report(self.line, Incident::Misused { tool, kind, cycle: key });
-        }
-        let job = |key: CycleKey| self.cycle(key).and_then(super::work::job);
-        let own = job(key);
-        // An end mill that stands for the thread mill of the table.
-        let instead = self.spare_thread_mill && self.kind() != Some(ToolKind::ThreadMill);
-        let mills = |own: Job, other: Job| {
-            instead && matches!((own, other), (Job::Milling, Job::MilledThread) | (Job::MilledThread, Job::Milling))
-        };
-        let other = self.used.iter().find(|(before, done)| {
-            *before == number
-                && own.zip(job(*done)).is_some_and(|(own, other)| !own.goes_with(other) || mills(own, other))
-        });
-        if let Some((_, before)) = other.copied() {
-            self.report(self.line, Incident::ToolHasOtherJob { cycle: key, before });
         }
     }
 
@@ -698,6 +674,12 @@ impl<'w> Watcher<'w> {
         let up = self.to_blank.vector(self.parts.map_or(up, |parts| parts.vector(up)));
         self.plane.flat(up).extend(self.plane.tool.of(up))
     }
+}
+
+/// What distinguishes a preset with its place, its turn and the tilt of the plane.
+fn setting(preset: f64, places: [DVec3; 3]) -> Vec<i64> {
+    let all = std::iter::once(preset).chain(places.into_iter().flat_map(|own| own.to_array()));
+    all.map(|own| (own / SAME).round() as i64).collect()
 }
 
 /// An axis as programs write it.
