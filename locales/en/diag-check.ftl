@@ -238,6 +238,9 @@ diag-holes-overlap =
     { $what ->
         [pockets] The pocket or slot about { $value }, { $other } runs into another one of the same definition.
         [pocket] The hole at { $value }, { $other } is cut by a pocket or slot that was milled before.
+        [hole] The hole at { $value }, { $other } is cut over its whole length by a wider one that was made before.
+        [inside] The pocket or slot about { $value }, { $other } lies for the most part in another one that was milled before and is as deep, unlike the others of its definition.
+        [beside] A hole is milled wider at { $value }, { $other }, but the holes of the pre-drilled diameter are elsewhere.
        *[holes] Two holes with a diameter of { $other } are only { $value } apart here: they overlap.
     }
 diag-insert-points-away = The insert cannot cut where { $cycle } goes: its orientation (TO) is { $orientation }, so its tip points away from the part or from the feed.
@@ -328,6 +331,7 @@ diag-parameter-unassigned =
 diag-path-twice =
     { $what ->
         [repeated] The tool goes this way for the third time: nothing is left to remove.
+        [air] Under this transformation the path from here on removes nothing, although the same blocks have cut under another one.
        *[transformed] The whole path from here on has already been machined with this tool under another transformation.
     }
 diag-pattern-combination =
@@ -414,15 +418,15 @@ diag-reset-order-wrong =
        *[shift] The datum shift is reset here, but the plane that was tilted after it is still tilted.
     }
 diag-retract-missing =
-    The tool is still at { $value }, in, beside or just above the blank, when { $what ->
-        [change] it is changed
-        [tilt] the plane is tilted with MOVE
-        [end] the program ends
+    { $what ->
+        [change] The tool is still at { $value }, in, beside or just above the blank, when it is changed: it was not retracted.
+        [tilt] The tool is still at { $value }, in, beside or just above the blank, when the plane is tilted with MOVE: it was not retracted.
+        [end] The tool is still at { $value }, in, beside or just above the blank, when the program ends: it was not retracted.
         [others] The axes turn here after a retraction to { $value } only; before all other turns the tool is retracted farther.
         [unretracted] The axes turn here although the tool was not retracted since it has machined; before all other turns it is.
-        [rapid] it goes on at rapid traverse, unlike after the other lines of the surface
-       *[turn] a rotary axis moves at rapid traverse
-    }: it was not retracted.
+        [rapid] The tool is still at { $value }, in, beside or just above the blank, when it goes on at rapid traverse, unlike after the other lines of the surface: it was not retracted.
+       *[turn] The tool is still at { $value }, in, beside or just above the blank, when a rotary axis moves at rapid traverse: it was not retracted.
+    }
 diag-rotary-axis-jumps = The rotary axis swings from { $other } to { $value } here and back in the next block.
 diag-row-not-in-table =
     { $table ->
@@ -666,6 +670,8 @@ diag-probing-place-wrong =
         [centre] Nothing was machined at this centre, but something was at { $value }, { $other }.
         [corner] The corner is probed on the other side of the blank than the datum { $value }.
         [size] A size of { $value } is probed here, and the blank is only { $other } wide there.
+        [axis] Measured is the axis in which the place is at { $value }, but the greatest dimension is { $other }: the limits are those of another axis.
+        [later] A diameter of { $value } is probed here, and later one of { $other } at the same centre: the probe goes down beside the hole.
        *[outside] The place { $value }, { $other } is beside the blank: there is nothing to probe.
     }
 diag-rough-out-tool-other =
@@ -706,6 +712,7 @@ diag-circle-point-wrong = { $parameter } and { $other } are both calculated with
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } is corrected by { $other }, which is the deviation of the other side.
+        [actual] { $other } is the measured size itself, not its deviation: next to nothing is left of the size { $parameter }.
        *[added] The deviation { $other } is added to the size { $parameter }: it must be taken away.
     }
 diag-monitored-tool-idle = { $cycle } monitors or corrects tool { $tool }, which has not been called before.

@@ -75,6 +75,7 @@ diag-tool-table-contradicts =
         [length] Tool { $tool } has no length in the tool table (L), while the other tools have one.
         [teeth] { $value } measures each tooth, but tool { $tool } has no number of teeth in the tool table (CUT).
         [large] The oversize { $value } (DR) is greater than the radius { $other } of tool { $tool }.
+        [called] { $value } is not meant for tool { $tool }, which is called { $other }.
        *[type] { $value } is not meant for tool { $tool }, which is of type { $other } in the tool table (TYP).
     }
 diag-translate-encoding = The file is written in { $encoding }: it has the same bytes there, and all letters of the new labels.
@@ -101,6 +102,7 @@ diag-contour-crossed =
 diag-error-branch-entered =
     { $what ->
         [turned] The jump over the stop is taken where { $parameter } reports a fault.
+        [implied] This jump and the one before it go to the same label and compare { $parameter } in the same direction: one of the two limits says nothing.
        *[entered] The run comes to this branch without its jump, and stops: neither M2 nor M30 ends the program before it.
     }
 diag-finishing-before-roughing =

@@ -238,6 +238,9 @@ diag-holes-overlap =
     { $what ->
         [pockets] Tasku tai ura kohdassa { $value }, { $other } ulottuu toiseen saman määrittelyn taskuun tai uraan.
         [pocket] Aiemmin jyrsitty tasku tai ura leikkaa reiän { $value }, { $other }.
+        [hole] Reikää kohdassa { $value }; { $other } leikkaa koko pituudelta leveämpi, aiemmin tehty reikä.
+        [inside] Tasku tai ura kohdan { $value }; { $other } ympärillä on suurimmaksi osaksi toisessa, aiemmin jyrsityssä ja vähintään yhtä syvässä, toisin kuin määrittelynsä muut.
+        [beside] Reikä jyrsitään laajemmaksi kohdassa { $value }; { $other }, mutta esiporatut, halkaisijaltaan sopivat reiät ovat muualla.
        *[holes] Kaksi reikää, joiden halkaisija on { $other }, on tässä vain etäisyydellä { $value } toisistaan: ne leikkaavat toisensa.
     }
 diag-insert-points-away = Teräpala ei voi lastuta siihen suuntaan, johon { $cycle } etenee: sen suunta (TO) on { $orientation }, joten kärki osoittaa poispäin kappaleesta tai syötöstä.
@@ -328,6 +331,7 @@ diag-parameter-unassigned =
 diag-path-twice =
     { $what ->
         [repeated] Työkalu ajaa tämän radan kolmannen kerran: poistettavaa ei ole jäljellä.
+        [air] Tämän muunnoksen aikana rata tästä eteenpäin ei poista mitään, vaikka samat lauseet ovat lastunneet toisen muunnoksen aikana.
        *[transformed] Koko tästä alkava rata on jo koneistettu tällä työkalulla toisen muunnoksen ollessa voimassa.
     }
 diag-pattern-combination =
@@ -413,15 +417,15 @@ diag-reset-order-wrong =
        *[shift] Nollapisteen siirto peruutetaan tässä, mutta sen jälkeen käännetty taso on vielä käännettynä.
     }
 diag-retract-missing =
-    Työkalu on vielä asemassa { $value } aihion sisällä, vieressä tai aivan sen yläpuolella, kun { $what ->
-        [change] se vaihdetaan
-        [tilt] taso käännetään MOVE-sanalla
-        [end] ohjelma päättyy
+    { $what ->
+        [change] Työkalu on vielä asemassa { $value } aihion sisällä, vieressä tai aivan sen yläpuolella, kun se vaihdetaan: sitä ei ole vedetty irti.
+        [tilt] Työkalu on vielä asemassa { $value } aihion sisällä, vieressä tai aivan sen yläpuolella, kun taso käännetään MOVE-sanalla: sitä ei ole vedetty irti.
+        [end] Työkalu on vielä asemassa { $value } aihion sisällä, vieressä tai aivan sen yläpuolella, kun ohjelma päättyy: sitä ei ole vedetty irti.
         [others] Akselit kääntyvät tässä, vaikka työkalu on vedetty irti vain arvoon { $value }; ennen kaikkia muita kääntöjä se vedetään kauemmas.
         [unretracted] Akselit kääntyvät tässä, vaikka työkalua ei ole vedetty irti koneistuksen jälkeen; ennen kaikkia muita kääntöjä niin tehdään.
-        [rapid] se jatkaa pikaliikkeellä, toisin kuin pinnan muiden rivien jälkeen
-       *[turn] kiertoakseli liikkuu pikaliikkeellä
-    }: sitä ei ole vedetty irti.
+        [rapid] Työkalu on vielä asemassa { $value } aihion sisällä, vieressä tai aivan sen yläpuolella, kun se jatkaa pikaliikkeellä, toisin kuin pinnan muiden rivien jälkeen: sitä ei ole vedetty irti.
+       *[turn] Työkalu on vielä asemassa { $value } aihion sisällä, vieressä tai aivan sen yläpuolella, kun kiertoakseli liikkuu pikaliikkeellä: sitä ei ole vedetty irti.
+    }
 diag-rotary-axis-jumps = Kiertoakseli heilahtaa tässä asemasta { $other } asemaan { $value } ja seuraavassa lauseessa takaisin.
 diag-row-not-in-table =
     { $table ->
@@ -665,6 +669,8 @@ diag-probing-place-wrong =
         [centre] Tässä keskipisteessä ei ole koneistettu mitään, mutta kohdassa { $value }; { $other } on.
         [corner] Nurkka kosketetaan aihion toiselta puolelta kuin peruspiste { $value }.
         [size] Tässä kosketetaan mitta { $value }, mutta aihion leveys on siinä vain { $other }.
+        [axis] Mitataan akseli, jolla paikka on { $value }, mutta suurin mitta on { $other }: rajat ovat toisen akselin.
+        [later] Tässä kosketetaan halkaisija { $value }, ja myöhemmin samassa keskipisteessä { $other }: kosketuspää laskeutuu reiän viereen.
        *[outside] Paikka { $value }; { $other } on aihion vieressä: siinä ei ole mitään kosketettavaa.
     }
 diag-rough-out-tool-other =
@@ -705,6 +711,7 @@ diag-circle-point-wrong = { $parameter } ja { $other } lasketaan kumpikin saman 
 diag-correction-wrong =
     { $what ->
         [side] Parametria { $parameter } korjataan arvolla { $other }, joka on toisen sivun ero.
+        [actual] { $other } on mitattu mitta itse eikä sen ero: mitasta { $parameter } ei jää juuri mitään.
        *[added] Ero { $other } lisätään mittaan { $parameter }: se on vähennettävä.
     }
 diag-monitored-tool-idle = { $cycle } valvoo tai korjaa työkalua { $tool }, jota ei ole kutsuttu aiemmin.

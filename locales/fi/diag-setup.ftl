@@ -75,6 +75,7 @@ diag-tool-table-contradicts =
         [length] Työkalulla { $tool } ei ole pituutta työkalutaulukossa (L), vaikka muilla työkaluilla on.
         [teeth] { $value } mittaa jokaisen terän, mutta työkalulla { $tool } ei ole terien lukumäärää työkalutaulukossa (CUT).
         [large] Työvara { $value } (DR) on suurempi kuin työkalun { $tool } säde { $other }.
+        [called] { $value } ei sovi työkalulle { $tool }, jonka nimi on { $other }.
        *[type] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on työkalutaulukossa { $other } (TYP).
     }
 diag-translate-encoding = Tiedosto kirjoitetaan merkistöllä { $encoding }: tavut pysyvät siinä samoina, ja siinä ovat uusien NC-tekstien kaikki kirjaimet.
@@ -101,6 +102,7 @@ diag-contour-crossed =
 diag-error-branch-entered =
     { $what ->
         [turned] Pysäytyksen yli hypätään silloin, kun { $parameter } ilmoittaa viasta.
+        [implied] Tämä hyppy ja sitä edeltävä vievät samaan labeliin ja vertaavat arvoa { $parameter } samaan suuntaan: toinen rajoista ei vaikuta mihinkään.
        *[entered] Suoritus tulee tähän haaraan myös ilman hyppyä ja pysähtyy: M2 tai M30 ei päätä ohjelmaa ennen sitä.
     }
 diag-finishing-before-roughing =

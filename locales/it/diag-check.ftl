@@ -238,6 +238,9 @@ diag-holes-overlap =
     { $what ->
         [pockets] La tasca o scanalatura attorno a { $value }, { $other } entra in un’altra della stessa definizione.
         [pocket] Il foro a { $value }, { $other } è tagliato da una tasca o scanalatura fresata prima.
+        [hole] Il foro in { $value }; { $other } è tagliato per tutta la lunghezza da uno più largo eseguito prima.
+        [inside] La tasca o scanalatura intorno a { $value }; { $other } sta per la maggior parte in un’altra fresata prima e altrettanto profonda, a differenza delle altre della sua definizione.
+        [beside] In { $value }; { $other } viene allargato un foro, ma i fori del diametro preforato sono altrove.
        *[holes] Qui due fori del diametro di { $other } distano solo { $value }: si sovrappongono.
     }
 diag-insert-points-away = L’inserto non può tagliare dove va { $cycle }: il suo orientamento (TO) è { $orientation }, perciò la punta è rivolta dalla parte opposta al pezzo o all’avanzamento.
@@ -328,6 +331,7 @@ diag-parameter-unassigned =
 diag-path-twice =
     { $what ->
         [repeated] L’utensile percorre questa traiettoria per la terza volta: non resta nulla da asportare.
+        [air] Con questa conversione il percorso da qui in poi non asporta nulla, mentre gli stessi blocchi con un’altra hanno lavorato.
        *[transformed] L’intera traiettoria da qui in poi è già stata lavorata con questo utensile con un’altra conversione.
     }
 diag-pattern-combination =
@@ -413,15 +417,15 @@ diag-reset-order-wrong =
        *[shift] Qui lo spostamento origine viene annullato, ma il piano di lavoro ruotato dopo di esso è ancora ruotato.
     }
 diag-retract-missing =
-    L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando { $what ->
-        [change] viene cambiato
-        [tilt] il piano viene ruotato con MOVE
-        [end] il programma termina
+    { $what ->
+        [change] L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando viene cambiato: non è stato disimpegnato.
+        [tilt] L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando il piano viene ruotato con MOVE: non è stato disimpegnato.
+        [end] L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando il programma termina: non è stato disimpegnato.
         [others] Qui gli assi ruotano dopo uno svincolo solo a { $value }; prima di tutte le altre rotazioni l’utensile si allontana di più.
         [unretracted] Qui gli assi ruotano benché l’utensile non si sia allontanato dopo la lavorazione; prima di tutte le altre rotazioni lo fa.
-        [rapid] prosegue in rapido, a differenza di quanto fa dopo le altre passate della superficie
-       *[turn] un asse rotativo si muove in rapido
-    }: non è stato disimpegnato.
+        [rapid] L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando prosegue in rapido, a differenza di quanto fa dopo le altre passate della superficie: non è stato disimpegnato.
+       *[turn] L’utensile si trova ancora a { $value }, nel pezzo grezzo, accanto o appena sopra, quando un asse rotativo si muove in rapido: non è stato disimpegnato.
+    }
 diag-rotary-axis-jumps = Qui l’asse rotativo oscilla da { $other } a { $value } e nel blocco successivo torna indietro.
 diag-row-not-in-table =
     { $table ->
@@ -665,6 +669,8 @@ diag-probing-place-wrong =
         [centre] In questo centro non è stato lavorato nulla, in { $value }; { $other } invece sì.
         [corner] Lo spigolo viene tastato sul lato del pezzo grezzo opposto all’origine { $value }.
         [size] Qui si tasta una misura di { $value }, ma il pezzo grezzo è largo solo { $other }.
+        [axis] Si misura l’asse in cui il punto è a { $value }, ma la quota massima è { $other }: i limiti sono quelli di un altro asse.
+        [later] Qui si tasta un diametro di { $value }, e più avanti nello stesso centro uno di { $other }: il tastatore scende accanto al foro.
        *[outside] Il punto { $value }; { $other } è fuori dal pezzo grezzo: lì non c’è nulla da tastare.
     }
 diag-rough-out-tool-other =
@@ -705,6 +711,7 @@ diag-circle-point-wrong = { $parameter } e { $other } sono calcolati entrambi co
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } viene corretto di { $other }, che è lo scostamento dell’altro lato.
+        [actual] { $other } è la misura rilevata, non il suo scostamento: della misura { $parameter } non resta quasi nulla.
        *[added] Lo scostamento { $other } viene aggiunto alla misura { $parameter }: va sottratto.
     }
 diag-monitored-tool-idle = { $cycle } controlla o corregge l’utensile { $tool }, che prima non è stato chiamato.

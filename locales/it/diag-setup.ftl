@@ -75,6 +75,7 @@ diag-tool-table-contradicts =
         [length] Per l’utensile { $tool } la tabella utensili non indica la lunghezza (L), per gli altri sì.
         [teeth] { $value } misura ogni tagliente, ma per l’utensile { $tool } la tabella utensili non indica il numero dei taglienti (CUT).
         [large] Il sovrametallo { $value } (DR) è maggiore del raggio { $other } dell’utensile { $tool }.
+        [called] { $value } non è adatto all’utensile { $tool }, che si chiama { $other }.
        *[type] { $value } non è adatto all’utensile { $tool }, che nella tabella utensili è di tipo { $other } (TYP).
     }
 diag-translate-encoding = Il file viene scritto in { $encoding }: questa codifica conserva gli stessi byte e contiene tutte le lettere delle nuove etichette.
@@ -101,6 +102,7 @@ diag-contour-crossed =
 diag-error-branch-entered =
     { $what ->
         [turned] Il salto oltre l’arresto viene eseguito quando { $parameter } segnala un difetto.
+        [implied] Questo salto e quello precedente portano allo stesso label e confrontano { $parameter } nello stesso verso: uno dei due limiti non ha effetto.
        *[entered] L’esecuzione arriva a questo ramo anche senza il salto e si arresta: né M2 né M30 terminano prima il programma.
     }
 diag-finishing-before-roughing =

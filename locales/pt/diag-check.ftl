@@ -238,6 +238,9 @@ diag-holes-overlap =
     { $what ->
         [pockets] A caixa ou ranhura em torno de { $value }, { $other } entra noutra da mesma definição.
         [pocket] O furo em { $value }, { $other } é cortado por uma caixa ou ranhura fresada antes.
+        [hole] O furo em { $value }; { $other } é cortado em todo o comprimento por um mais largo, feito antes.
+        [inside] A caixa ou ranhura à volta de { $value }; { $other } fica na maior parte dentro de outra fresada antes e pelo menos tão funda, ao contrário das outras da sua definição.
+        [beside] Em { $value }; { $other } é alargado um furo, mas os furos com o diâmetro pré-furado estão noutro lugar.
        *[holes] Dois furos com o diâmetro { $other } estão aqui apenas a { $value } um do outro: sobrepõem-se.
     }
 diag-insert-points-away = A pastilha não pode cortar para onde vai { $cycle }: a sua orientação (TO) é { $orientation }, pelo que a ponta está virada para o lado oposto à peça ou ao avanço.
@@ -328,6 +331,7 @@ diag-parameter-unassigned =
 diag-path-twice =
     { $what ->
         [repeated] A ferramenta faz este percurso pela terceira vez: não fica nada para remover.
+        [air] Com esta conversão o percurso a partir daqui não retira nada, embora as mesmas frases tenham cortado com outra.
        *[transformed] Todo o percurso a partir daqui já foi maquinado com esta ferramenta com outra conversão.
     }
 diag-pattern-combination =
@@ -414,15 +418,15 @@ diag-reset-order-wrong =
        *[shift] A deslocação do ponto zero é anulada aqui, mas ainda está inclinado o plano que foi inclinado depois dela.
     }
 diag-retract-missing =
-    A ferramenta ainda está em { $value }, dentro do bloco, ao lado ou logo acima dele, quando { $what ->
-        [change] é trocada
-        [tilt] o plano é inclinado com MOVE
-        [end] o programa termina
+    { $what ->
+        [change] A ferramenta ainda está em { $value }, dentro do bloco, ao lado ou logo acima dele, quando é trocada: não foi recuada.
+        [tilt] A ferramenta ainda está em { $value }, dentro do bloco, ao lado ou logo acima dele, quando o plano é inclinado com MOVE: não foi recuada.
+        [end] A ferramenta ainda está em { $value }, dentro do bloco, ao lado ou logo acima dele, quando o programa termina: não foi recuada.
         [others] Os eixos rodam aqui depois de um recuo só até { $value }; antes de todas as outras rotações a ferramenta recua mais.
         [unretracted] Os eixos rodam aqui embora a ferramenta não tenha recuado depois de maquinar; antes de todas as outras rotações recua.
-        [rapid] continua em avanço rápido, ao contrário do que faz depois das outras passagens da superfície
-       *[turn] um eixo rotativo se move em avanço rápido
-    }: não foi recuada.
+        [rapid] A ferramenta ainda está em { $value }, dentro do bloco, ao lado ou logo acima dele, quando continua em avanço rápido, ao contrário do que faz depois das outras passagens da superfície: não foi recuada.
+       *[turn] A ferramenta ainda está em { $value }, dentro do bloco, ao lado ou logo acima dele, quando um eixo rotativo se move em avanço rápido: não foi recuada.
+    }
 diag-rotary-axis-jumps = O eixo rotativo oscila aqui de { $other } para { $value } e volta no bloco seguinte.
 diag-row-not-in-table =
     { $table ->
@@ -666,6 +670,8 @@ diag-probing-place-wrong =
         [centre] Neste centro nada foi maquinado, mas em { $value }; { $other } foi.
         [corner] O canto é apalpado no lado do bloco oposto ao ponto de referência { $value }.
         [size] Aqui apalpa-se uma medida de { $value }, mas o bloco só tem { $other } de largura.
+        [axis] Mede-se o eixo em que o lugar está a { $value }, mas a medida máxima é { $other }: os limites são os de outro eixo.
+        [later] Aqui apalpa-se um diâmetro de { $value }, e mais tarde no mesmo centro um de { $other }: o apalpador desce ao lado do furo.
        *[outside] O lugar { $value }; { $other } fica ao lado do bloco: não há lá nada para apalpar.
     }
 diag-rough-out-tool-other =
@@ -706,6 +712,7 @@ diag-circle-point-wrong = { $parameter } e { $other } são calculados ambos com 
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } é corrigido por { $other }, que é o desvio do outro lado.
+        [actual] { $other } é o valor medido, não o seu desvio: da medida { $parameter } não fica quase nada.
        *[added] O desvio { $other } é somado à medida { $parameter }: tem de ser subtraído.
     }
 diag-monitored-tool-idle = { $cycle } vigia ou corrige a ferramenta { $tool }, que antes não foi chamada.

@@ -75,6 +75,7 @@ diag-tool-table-contradicts =
         [length] A ferramenta { $tool } não tem comprimento na tabela de ferramentas (L), ao contrário das outras.
         [teeth] { $value } mede cada navalha, mas a ferramenta { $tool } não tem o número de navalhas na tabela de ferramentas (CUT).
         [large] A medida excedente { $value } (DR) é maior do que o raio { $other } da ferramenta { $tool }.
+        [called] { $value } não serve para a ferramenta { $tool }, que se chama { $other }.
        *[type] { $value } não serve para a ferramenta { $tool }, que na tabela de ferramentas é do tipo { $other } (TYP).
     }
 diag-translate-encoding = O ficheiro é escrito em { $encoding }: tem aí os mesmos bytes e existem todas as letras das novas designações.
@@ -101,6 +102,7 @@ diag-contour-crossed =
 diag-error-branch-entered =
     { $what ->
         [turned] O salto por cima da paragem é executado quando { $parameter } indica um defeito.
+        [implied] Este salto e o anterior levam ao mesmo label e comparam { $parameter } no mesmo sentido: um dos dois limites não tem efeito.
        *[entered] A execução chega a este ramo mesmo sem o salto, e para: nem M2 nem M30 terminam o programa antes dele.
     }
 diag-finishing-before-roughing =

@@ -238,6 +238,9 @@ diag-holes-overlap =
     { $what ->
         [pockets] Žep ali utor okrog { $value }, { $other } sega v drugega z isto definicijo.
         [pocket] Vrtino na { $value }, { $other } reže žep ali utor, ki je bil rezkan prej.
+        [hole] Izvrtino pri { $value }; { $other } po vsej dolžini reže širša, ki je bila narejena prej.
+        [inside] Žep ali utor okoli { $value }; { $other } leži večinoma v drugem, prej izrezkanem in vsaj enako globokem, drugače kot drugi iz njegove definicije.
+        [beside] Pri { $value }; { $other } se rezka širša izvrtina, izvrtine s predvrtanim premerom pa so drugje.
        *[holes] Dve vrtini s premerom { $other } sta tu narazen samo { $value }: prekrivata se.
     }
 diag-insert-points-away = Rezalna ploščica ne more rezati v smeri, v katero gre { $cycle }: njena usmerjenost (TO) je { $orientation }, zato je konica obrnjena stran od obdelovanca ali od pomika.
@@ -332,6 +335,7 @@ diag-parameter-unassigned =
 diag-path-twice =
     { $what ->
         [repeated] Orodje gre po tej poti že tretjič: odstraniti ni ničesar več.
+        [air] S tem preračunavanjem pot od tu naprej ne odvzame ničesar, čeprav so isti stavki z drugim rezali.
        *[transformed] Celotna pot od tu naprej je bila s tem orodjem že obdelana pri drugem preračunavanju koordinat.
     }
 diag-pattern-combination =
@@ -417,15 +421,15 @@ diag-reset-order-wrong =
        *[shift] Tu se ponastavi zamik ničelne točke, ravnina, zavrtena za njim, pa je še zavrtena.
     }
 diag-retract-missing =
-    Orodje je še pri { $value }, v surovcu, ob njem ali tik nad njim, ko { $what ->
-        [change] se zamenja
-        [tilt] se ravnina zavrti z MOVE
-        [end] se program konča
+    { $what ->
+        [change] Orodje je še pri { $value }, v surovcu, ob njem ali tik nad njim, ko se zamenja: ni bilo odmaknjeno.
+        [tilt] Orodje je še pri { $value }, v surovcu, ob njem ali tik nad njim, ko se ravnina zavrti z MOVE: ni bilo odmaknjeno.
+        [end] Orodje je še pri { $value }, v surovcu, ob njem ali tik nad njim, ko se program konča: ni bilo odmaknjeno.
         [others] Osi se tu zasukajo po odmiku samo na { $value }; pred vsemi drugimi zasuki se orodje odmakne dlje.
         [unretracted] Osi se tu zasukajo, čeprav se orodje po obdelavi ni odmaknilo; pred vsemi drugimi zasuki se odmakne.
-        [rapid] nadaljuje v hitrem teku, drugače kot po drugih vrsticah površine
-       *[turn] se rotacijska os premakne v hitrem teku
-    }: ni bilo odmaknjeno.
+        [rapid] Orodje je še pri { $value }, v surovcu, ob njem ali tik nad njim, ko nadaljuje v hitrem teku, drugače kot po drugih vrsticah površine: ni bilo odmaknjeno.
+       *[turn] Orodje je še pri { $value }, v surovcu, ob njem ali tik nad njim, ko se rotacijska os premakne v hitrem teku: ni bilo odmaknjeno.
+    }
 diag-rotary-axis-jumps = Rotacijska os tu zaniha od { $other } do { $value } in v naslednjem stavku nazaj.
 diag-row-not-in-table =
     { $table ->
@@ -669,6 +673,8 @@ diag-probing-place-wrong =
         [centre] Pri tem središču ni bilo nič obdelano, pri { $value }; { $other } pa je bilo.
         [corner] Vogal se tipa na drugi strani surovca kot referenčna točka { $value }.
         [size] Tu se tipa mera { $value }, surovec pa je tam širok le { $other }.
+        [axis] Meri se os, na kateri je mesto pri { $value }, največja mera pa je { $other }: meji sta od druge osi.
+        [later] Tu se tipa premer { $value }, pozneje pa v istem središču { $other }: tipalo se spusti ob izvrtini.
        *[outside] Mesto { $value }; { $other } je ob surovcu: tam ni česa otipati.
     }
 diag-rough-out-tool-other =
@@ -709,6 +715,7 @@ diag-circle-point-wrong = { $parameter } in { $other } se oba izračunata z { $v
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } se popravi za { $other }, kar je odstopanje druge stranice.
+        [actual] { $other } je izmerjena mera sama in ne njeno odstopanje: od mere { $parameter } ne ostane skoraj nič.
        *[added] Odstopanje { $other } se prišteje meri { $parameter }: treba ga je odšteti.
     }
 diag-monitored-tool-idle = { $cycle } nadzoruje ali popravlja orodje { $tool }, ki prej ni bilo priklicano.

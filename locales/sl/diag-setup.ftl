@@ -77,6 +77,7 @@ diag-tool-table-contradicts =
         [length] Orodje { $tool } v preglednici orodij nima dolžine (L), druga orodja pa jo imajo.
         [teeth] { $value } meri vsako rezilo, orodje { $tool } pa v preglednici orodij nima števila rezil (CUT).
         [large] Nadmera { $value } (DR) je večja od polmera { $other } orodja { $tool }.
+        [called] { $value } ni za orodje { $tool }, ki se imenuje { $other }.
        *[type] { $value } ni za orodje { $tool }, ki je v preglednici orodij tipa { $other } (TYP).
     }
 diag-translate-encoding = Datoteka je zapisana v { $encoding }: v njem ima enake bajte in vse črke novih oznak.
@@ -103,6 +104,7 @@ diag-contour-crossed =
 diag-error-branch-entered =
     { $what ->
         [turned] Skok čez zaustavitev se izvede, kadar { $parameter } javlja napako.
+        [implied] Ta skok in skok pred njim vodita na isto oznako in primerjata { $parameter } v isto smer: ena od obeh mej ne učinkuje.
        *[entered] Izvajanje pride v to vejo tudi brez skoka in se ustavi: pred njo programa ne konča ne M2 ne M30.
     }
 diag-finishing-before-roughing =

@@ -1,6 +1,8 @@
 //! The box that a program names as its blank.
 use super::{Aspect, Modal, Tri};
-use crate::program::syntax::{Amount, Axis, BlkForm, BlockKind, NamedWord, Program, Statement, StatementKind, ValueKind};
+use crate::program::syntax::{
+    Amount, Axis, BlkForm, BlockKind, NamedWord, Program, Statement, StatementKind, ValueKind,
+};
 
 /// The axes of places inside of it, in the order of its corners.
 pub(super) const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
@@ -71,6 +73,13 @@ pub(super) fn is_unmoved(modal: &Modal) -> bool {
         Aspect::AxisScaling,
         Aspect::Tilting,
     ];
+    MOVING.iter().all(|own| modal.is(*own) == Tri::No)
+}
+
+/// Whether heights are those of the blank: coordinates may be turned, but nothing else changes them.
+pub(super) fn keeps_heights(modal: &Modal) -> bool {
+    const MOVING: [Aspect; 5] =
+        [Aspect::DatumShift, Aspect::Mirroring, Aspect::Scaling, Aspect::AxisScaling, Aspect::Tilting];
     MOVING.iter().all(|own| modal.is(*own) == Tri::No)
 }
 

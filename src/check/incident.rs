@@ -115,6 +115,10 @@ pub enum Incident {
     PocketsOverlap([f64; 2]),
     /// A hole that a pocket cuts which was milled before.
     HoleCutByPocket([f64; 2]),
+    /// A hole that a wider and deeper one cuts which was made before.
+    HoleCutByHole([f64; 2]),
+    /// A pocket or slot that lies in a deeper one for the most part, unlike another one of the same definition.
+    PocketInPocket([f64; 2]),
     /// A wall that a contour leaves at the edge of the blank, and how wide it is.
     WallLeft(f64),
     /// A block that plunges into a hole on one pass and into solid material at this place.
@@ -146,6 +150,8 @@ pub enum Incident {
         /// The same of the hole.
         other: f64,
     },
+    /// A hole that is milled as if it were drilled before, at a place where no hole is, though there are such holes.
+    NotPreDrilled([f64; 2]),
     /// A tool that plunges into material by so much per revolution.
     FastPlunge(f64),
     /// A tool that goes sideways through solid material with so many times the feed of its call.
@@ -171,6 +177,8 @@ pub enum Incident {
     RotationsLackOne(usize),
     /// A path that the same tool has gone under another transformation.
     PathTwice,
+    /// A path that removes nothing, though the same blocks have cut under another transformation.
+    PathInAir,
     /// A movement through material that has come back to the same way for the second time.
     PathRepeated,
     /// A tool call with an oversize that is greater than the radius of the tool.

@@ -50,7 +50,11 @@ const WORDS: [(ToolKind, &[&str], &[&str]); 13] = [
     (ToolKind::Chamfer, &[], &["CHAMFER", "FASENFR", "COUNTERSINK", "CSINK", "SENKER"]),
     (ToolKind::Engraver, &[], &["ENGRAV", "GRAVIER"]),
     (ToolKind::Drill, &["DRILL", "BOHRER", "BROCA", "PORA", "SVEDER"], &["SPIRALB", "TWISTDRILL"]),
-    (ToolKind::EndMill, &["EM", "ENDMILL", "FRESA", "JYRSIN"], &["ENDMILL", "SLOTDRILL", "SLOTMILL", "SCHAFTFR", "SCHLICHTFR", "SCHRUPPFR"]),
+    (
+        ToolKind::EndMill,
+        &["EM", "ENDMILL", "FRESA", "JYRSIN"],
+        &["ENDMILL", "SLOTDRILL", "SLOTMILL", "SCHAFTFR", "SCHLICHTFR", "SCHRUPPFR"],
+    ),
 ];
 
 impl ToolKind {

@@ -157,9 +157,7 @@ fn goes_beyond(blank: &Blank, before: &Line, after: &Line, words: &Motion, unit:
 
 /// What is strange about an arc between two elements: the sign of its radius, or that it is a full circle.
 fn is_strange(before: &Piece, own: &Piece, after: &Piece) -> Option<&'static str> {
-    let joins = |ways: &Ways| {
-        angle(before.ways[1], ways[0]) < JOINED && angle(ways[1], after.ways[0]) < JOINED
-    };
+    let joins = |ways: &Ways| angle(before.ways[1], ways[0]) < JOINED && angle(ways[1], after.ways[0]) < JOINED;
     let kinks = [angle(before.ways[1], own.ways[0]), angle(own.ways[1], after.ways[0])];
     if own.full {
         // Led to and away from tangentially it is a contour of its own.

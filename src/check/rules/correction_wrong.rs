@@ -1,4 +1,5 @@
-//! A size that is corrected by what was measured, the wrong way round: the deviation is added, or it is that of the other side.
+//! A size that is corrected by what was measured, the wrong way round: the deviation is added, or it is that of the other side;
+//! or not the deviation but the measured size itself is taken away.
 //!
 //! A deviation is the actual size less the nominal one: what is too large is made smaller by taking it away from the size
 //! with which it is machined again, be it a pocket or a stud. Only of parameters that are corrected by themselves, or
@@ -9,8 +10,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{Node, Op, QRef};
 use crate::check::cycle::{probes, removes_material};
-use crate::check::{Facts, Rule};
+use crate::check::{Defined, Facts, Rule};
 use crate::program::syntax::{Amount, Block, BlockKind, FnOp, ValueKind};
+use crate::spec::Keyword;
 
 pub(super) const RULE: Rule = Rule { code: "correction-wrong", severity: Severity::Warning, run };
 
@@ -18,6 +20,8 @@ pub(super) const RULE: Rule = Rule { code: "correction-wrong", severity: Severit
 const DEVIATIONS: [&str; 4] = [MAIN, MINOR, "diameter-deviation", "measured-length-deviation"];
 const MAIN: &str = "side-main-deviation";
 const MINOR: &str = "side-minor-deviation";
+/// The meanings of the sizes themselves, as they were measured.
+const ACTUALS: [&str; 3] = ["diameter-actual", "side-main-actual", "side-minor-actual"];
 /// The meanings of the sizes that cycles machine.
 const SIZES: [&str; 8] = [
     FIRST,
@@ -31,6 +35,8 @@ const SIZES: [&str; 8] = [
 ];
 const FIRST: &str = "first-side-length";
 const SECOND: &str = "second-side-length";
+/// The parameters that are sides in every cycle that machines, be it described or not.
+const SIDES: [(&str, &str); 2] = [("Q218", FIRST), ("Q219", SECOND)];
 
 /// So many corrections by one measurement are compared.
 const MOST: usize = 32;
@@ -61,12 +67,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
             continue;
         };
+        let measured_size = results.get(&(own.measured, own.deviation)).is_some_and(|own| ACTUALS.contains(own));
         let finding_of = |what: &'static str| {
             let finding = rule.at(facts, own.span).arg("what", what).arg("parameter", own.target.to_string());
             finding.arg("other", own.deviation.to_string())
         };
-        if own.added {
-            found.push(finding_of("added"));
+        // An allowance may be added to what was measured.
+        if own.added || measured_size {
+            let what = if measured_size { "actual" } else { "added" };
+            found.extend((own.added != measured_size).then(|| finding_of(what)));
             continue;
         }
         // The same deviation also corrects the side that it is of, and the other deviation no side.
@@ -114,7 +123,7 @@ fn corrections(facts: &Facts<'_>) -> (BTreeMap<(usize, QRef), &'static str>, Vec
         while let Some(own) = definitions.next_if(|own| own.view.first < index) {
             let Some(cycle) = own.related_cycle().filter(|cycle| probes(cycle)) else { continue };
             for result in &cycle.file.results {
-                let meaning = DEVIATIONS.into_iter().find(|own| *own == result.is.as_str());
+                let meaning = DEVIATIONS.into_iter().chain(ACTUALS).find(|own| *own == result.is.as_str());
                 if let Some((meaning, q)) = meaning.zip(result.q) {
                     results.insert((own.view.first, q), meaning);
                     measured = Some(own.view.first);
@@ -182,10 +191,17 @@ fn correction(block: &Block) -> Option<(QRef, QRef, bool, Span)> {
 /// The sizes that parameters are, by their meanings.
 fn sizes(facts: &Facts<'_>) -> BTreeMap<QRef, BTreeSet<&'static str>> {
     let mut sizes: BTreeMap<QRef, BTreeSet<&'static str>> = BTreeMap::new();
-    for own in facts.definitions.iter().filter(|own| own.related_cycle().is_some_and(removes_material)) {
+    let machines = |own: &&Defined<'_>| match own.related_cycle() {
+        Some(cycle) => removes_material(cycle),
+        None => own.key.keyword == Keyword::CyclDef,
+    };
+    for own in facts.definitions.iter().filter(machines) {
         let related = own.as_related_cycle();
         for item in &facts.read(&related).items {
-            let meaning = item.param.and_then(|param| SIZES.into_iter().find(|own| *own == param.is.as_str()));
+            let meaning = match item.param {
+                Some(param) => SIZES.into_iter().find(|own| *own == param.is.as_str()),
+                None => SIDES.into_iter().find(|(q, _)| *q == item.name.as_ref()).map(|(_, meaning)| meaning),
+            };
             if let (Some(meaning), Some(ValueKind::Q { q, negative: false })) =
                 (meaning, item.value.map(|own| own.kind))
             {

@@ -34,7 +34,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             tell("clearance", placed, 0.0);
         }
         // The tool would move upwards.
-        if let Some(placed) = own.depth.filter(|(depth, _)| *depth > 0.0 && own.clearance.is_some_and(|own| own.0 > 0.0)) {
+        if let Some(placed) =
+            own.depth.filter(|(depth, _)| *depth > 0.0 && own.clearance.is_some_and(|own| own.0 > 0.0))
+        {
             tell("depth", placed, 0.0);
         }
         if let Some(placed) = own.infeed.filter(|(value, _)| *value == 0.0) {

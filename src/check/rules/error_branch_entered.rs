@@ -1,9 +1,11 @@
 //! A branch for errors that good parts come to, too: the run falls into it because M30 before it is missing, or the jump
-//! over a stop is taken when a tool or a workpiece is bad.
+//! over a stop is taken when a tool or a workpiece is bad. Also two jumps in a row to one label that compare the
+//! same parameter in the same direction with two limits: one of them says nothing.
 //!
 //! Such a branch is the last part of a program that nowhere ends with M2 or M30, begins with a label to which only
 //! conditional jumps lead, and stops for the operator.
 use crate::base::diag::{Diagnostic, Severity};
+use crate::base::expr::QRef;
 use crate::check::program::{each_function, is_silent, stops};
 use crate::check::{Facts, Rule, Way};
 use crate::program::syntax::{Amount, Block, BlockKind, FnJump, Relation, StatementKind};
@@ -15,6 +17,7 @@ const FAULTS: [&str; 3] = ["tool-status", "status-rework", "status-scrap"];
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     turned(rule, facts, found);
+    implied(rule, facts, found);
     let graph = &facts.run.graph;
     let blocks = facts.program.blocks();
     let ends = |block: &Block| stops(block) && !matches!(block.kind, BlockKind::EndPgm(_));
@@ -60,6 +63,42 @@ fn turned(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         {
             found.push(rule.at(facts, facts.content(block)).arg("what", "turned").arg("parameter", name));
         }
+    }
+}
+
+/// Two jumps in a row to the same label of which one says nothing: of a lower and an upper limit one comparison is
+/// reversed.
+fn implied(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut last: Option<&FnJump> = None;
+    for block in facts.program.blocks().iter().filter(|block| !is_silent(block)) {
+        let BlockKind::FnJump(jump) = &block.kind else {
+            last = None;
+            continue;
+        };
+        if let Some(before) = last.replace(jump).filter(|_| !block.skip)
+            && facts.text(before.label.span) == facts.text(jump.label.span)
+            && let (Some(one), Some(other)) = (limit(before), limit(jump))
+            && one.0 == other.0
+            && one.1 == other.1
+            && one.2 != other.2
+        {
+            let finding = rule.at(facts, facts.content(block)).arg("what", "implied");
+            return found.push(finding.arg("parameter", one.0.to_string()));
+        }
+    }
+}
+
+/// The parameter that a jump compares, whether it is taken above the limit, and the limit.
+fn limit(jump: &FnJump) -> Option<(QRef, bool, f64)> {
+    let above = match jump.relation {
+        Relation::Greater => true,
+        Relation::Less => false,
+        _ => return None,
+    };
+    match (jump.a.amount, jump.b.amount) {
+        (Amount::Q { q, negative: false }, Amount::Number(limit)) => Some((q, above, limit)),
+        (Amount::Number(limit), Amount::Q { q, negative: false }) => Some((q, !above, limit)),
+        _ => None,
     }
 }
 

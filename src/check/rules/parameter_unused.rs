@@ -58,7 +58,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         set.entry(q).or_insert((facts.content(block), 0)).1 += 1;
     }
-    set.retain(|_, (_, times)| *times == 1);
     if set.is_empty() {
         return;
     }
@@ -66,8 +65,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for block in facts.program.blocks() {
         each_mention(facts.text(block.span), |q| *mentions.entry(q).or_default() += 1);
     }
-    for (q, (place, _)) in set {
-        if mentions.get(&q).copied() == Some(1) {
+    for (q, (place, times)) in set {
+        if mentions.get(&q).copied() == Some(times) {
             found.push(rule.at(facts, place).arg("parameter", q.to_string()));
         }
     }

@@ -1,5 +1,6 @@
 //! A path that the same tool has gone under another transformation, and a movement that a loop or a repeat brings back to the
-//! same way again and again: the value that was to change does not.
+//! same way again and again: the value that was to change does not. Also a path that removes nothing under a transformation,
+//! though the same blocks have cut under another one.
 //!
 //! Where an execution shows it. Said once a program.
 use crate::base::diag::{Diagnostic, Severity};
@@ -13,6 +14,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let first = first_incident(facts, |own| match own {
         Incident::PathTwice => Some("transformed"),
         Incident::PathRepeated => Some("repeated"),
+        Incident::PathInAir => Some("air"),
         _ => None,
     });
     if let Some((span, what)) = first {

@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::led;
+use crate::check::flow::CycleCall;
 use crate::check::program::is_silent;
 use crate::check::program::words::has_function;
-use crate::check::flow::CycleCall;
 use crate::check::{Facts, Pending, Rule};
 use crate::program::syntax::{Axis, Block, BlockKind, Element, Motion, Path};
 use crate::spec::Group;
@@ -30,7 +30,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     let calls = calls(facts);
     let called = |index: usize| calls.contains_key(&index);
-    let acts: Vec<usize> = (0..blocks.len()).filter(|index| blocks.get(*index).is_some_and(|own| !is_silent(own))).collect();
+    let acts: Vec<usize> =
+        (0..blocks.len()).filter(|index| blocks.get(*index).is_some_and(|own| !is_silent(own))).collect();
     let (mut at, mut last, mut first) = (None, None, None);
     for (turn, index) in acts.iter().enumerate() {
         let Some(words) = blocks.get(*index).and_then(plain) else {

@@ -2,13 +2,14 @@
 //! next to it; a corner that gets the coordinates of another one of the blank; a centre that misses the only pocket or
 //! hole by a slip of the keyboard in one coordinate; a hole or pocket as large as the blank, or a stud larger than it; one
 //! side of the blank that is probed as if it were narrower; a second hole within the first one; an angle of a circle of holes
-//! at which the program makes none.
+//! at which the program makes none; a hole that is probed as wider than it is measured afterwards; a coordinate that is measured
+//! in one axis, with limits that are those of another.
 //!
-//! Only in programs with a box as their blank, without transformations, before another preset is set.
+//! All but the last only in programs with a box as their blank, without transformations, before another preset is set.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::place_of_call;
-use crate::check::cycle::removes_material;
+use crate::check::cycle::{probes, removes_material};
 use crate::check::program::{number, with_meaning};
 use crate::check::slip::is_slip;
 use crate::check::{Defined, Definition, Facts, Pending, Rule};
@@ -39,6 +40,9 @@ const IN_AXIS: &str = "probing-in-probe-axis";
 /// The meanings of the height of a point, and of the axis in which one is probed.
 const TOOL_POINT: &str = "first-point-tool";
 const AXIS: &str = "measuring-axis";
+/// The meanings of the height at which is measured, and of the limits of a coordinate.
+const HEIGHT: &str = "measuring-height";
+const LIMITS: [&str; 2] = ["greatest-dimension", "least-dimension"];
 /// The meanings of sizes, with the axes of the plane along which they lie.
 const SIZES: [(&str, &[usize]); 5] = [
     ("probing-nominal-diameter", &[0, 1]),
@@ -67,6 +71,13 @@ const CORNER: [[&str; 2]; 2] = [["first-point-main", "third-point-main"], ["thir
 const DATUM: [&str; 2] = ["new-datum-main", "new-datum-minor"];
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for own in facts.definitions.iter().filter(|own| own.key.keyword == Keyword::TchProbe) {
+        let related = own.as_related_cycle();
+        if let Some((span, place, limit)) = other_axis(&facts.read(&related), facts.millimetre()) {
+            let finding = rule.at(facts, span).arg("what", "axis").arg("value", Arg::Number(place));
+            found.push(finding.arg("other", Arg::Number(limit)));
+        }
+    }
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins() && !facts.flow.unread.any()) else { return };
     let unit = facts.millimetre();
     let milled = milled(facts);
@@ -115,6 +126,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         } else if let Some((span, angle)) = beside_holes(&read, &circles) {
             let finding = rule.at(facts, span).arg("what", "angle").arg("value", Arg::Number(angle));
             found.push(finding.arg("other", ""));
+        } else if let Some((span, size, later)) = wider_than_later(facts, &read, cycle) {
+            let finding = rule.at(facts, span).arg("what", "later").arg("value", Arg::Number(size));
+            found.push(finding.arg("other", Arg::Number(later)));
         } else if let Some((item, datum)) = corner(&read, &blank, unit) {
             let span = read.item(item).map_or(own.view.head, |item| item.value_span);
             let finding = rule.at(facts, span).arg("what", "corner").arg("value", Arg::Number(datum));
@@ -150,6 +164,9 @@ fn narrower(facts: &Facts<'_>, read: &Definition<'_>, cycle: &Cycle, blank: &Bla
     /// A blank may be so much larger than the part, of its side.
     const ALLOWANCE: f64 = 0.2;
     let around = AROUND.iter().any(|own| cycle.file.name.as_str().contains(own));
+    if let Some(exchanged) = exchanged(read, blank, NEAR * facts.millimetre()).filter(|_| around) {
+        return Some(exchanged);
+    }
     let machined = facts
         .definitions
         .iter()
@@ -175,6 +192,58 @@ fn narrower(facts: &Facts<'_>, read: &Definition<'_>, cycle: &Cycle, blank: &Bla
     let narrow = |axis: usize| sides[axis] < (1.0 - ALLOWANCE) * room[axis];
     let axis = (0..2).find(|axis| narrow(*axis) && whole(1 - axis))?;
     (middle(0, centre[0]) && middle(1, centre[1])).then_some((items[axis]?.value_span, sides[axis], room[axis]))
+}
+
+/// The sides of a stud that are those of the blank, exchanged: the shorter one, with the side of the blank.
+fn exchanged(read: &Definition<'_>, blank: &Blank, near: f64) -> Option<(Span, f64, f64)> {
+    let items = SIDES.map(|pair| pair.into_iter().find_map(|meaning| read.item(meaning)));
+    let sides = [number(items[0]?)?, number(items[1]?)?];
+    let room = [0, 1].map(|axis| blank.high[axis] - blank.low[axis]);
+    let other = (0..2).all(|axis| (sides[axis] - room[1 - axis]).abs() < 1e-6);
+    let short = if sides[0] < sides[1] { 0 } else { 1 };
+    (other && room[short] - sides[short] > near).then_some((items[short]?.value_span, sides[short], room[short]))
+}
+
+/// A diameter that is probed inside, and is greater than the one of a hole that is measured afterwards at the same centre
+/// and at nearly the same height: holes do not become narrower.
+fn wider_than_later(facts: &Facts<'_>, read: &Definition<'_>, cycle: &Cycle) -> Option<(Span, f64, f64)> {
+    /// The two heights may differ by so much, mm, and a worn hole is wider than its nominal diameter by no more, mm.
+    const HEIGHTS: f64 = 5.0;
+    const WORN: f64 = 1.0;
+    let inside = |cycle: &Cycle| INSIDE.iter().any(|own| cycle.file.name.as_str().contains(own));
+    let unit = facts.millimetre();
+    let of = |read: &Definition<'_>| {
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        Some([value(PLACES[0][0])?, value(PLACES[0][1])?, value(SIZES[0].0)?, value(HEIGHT)?])
+    };
+    let [x, y, size, height] = of(read).filter(|_| inside(cycle))?;
+    let later = facts.definitions.iter().filter(|own| own.view.first > read.view.first).filter_map(|own| {
+        own.related_cycle().filter(|cycle| probes(cycle) && inside(cycle))?;
+        facts.run.before(own.view.first).filter(is_unmoved)?;
+        let related = own.as_related_cycle();
+        let [own_x, own_y, own_size, own_height] = of(&facts.read(&related))?;
+        let here = (own_x - x).abs() < 1e-3 && (own_y - y).abs() < 1e-3;
+        (here && (own_height - height).abs() <= HEIGHTS * unit).then_some(own_size)
+    });
+    let narrowest = later.reduce(f64::min).filter(|later| size - later > WORN * unit)?;
+    Some((read.item(SIZES[0].0)?.value_span, size, narrowest))
+}
+
+/// A coordinate that is measured in one axis though its limits lie far from there, and include the place in another axis:
+/// the place and the greatest limit.
+fn other_axis(read: &Definition<'_>, unit: f64) -> Option<(Span, f64, f64)> {
+    /// So far from the place no limit lies, and so near to it those of the right axis are, mm.
+    const APART: f64 = 5.0;
+    const CLOSE: f64 = 1.0;
+    let value = |meaning: &str| read.item(meaning).and_then(number);
+    let item = read.item(AXIS)?;
+    let axis = [1.0, 2.0, 3.0].iter().position(|own| number(item) == Some(*own))?;
+    let at = [value(PLACES[1][0])?, value(PLACES[1][1])?, value(HEIGHT)?];
+    let [most, least] = LIMITS.map(value);
+    let (most, least) = (most?, least?);
+    let from = |place: f64| (least - place).max(place - most).max(0.0);
+    let other = (0..3).any(|own| own != axis && from(at[own]) <= CLOSE * unit);
+    (most > least && other && from(at[axis]) > APART * unit).then_some((item.value_span, at[axis], most))
 }
 
 /// The holes that are probed at a place: centre and diameter.

@@ -13,12 +13,13 @@
 //! Also a cycle in a tilted plane whose surface lies below everything that was machined before, while the other cycles at the
 //! same places all have another surface.
 //!
-//! Only where numbers say all of it, in programs with a box as their blank; not after transformations, but that one.
+//! Only where numbers say all of it, in programs with a box as their blank; not after transformations, but that one, and
+//! heights also in turned coordinates.
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
-use crate::check::blank::{Blank, diameter, is_unmoved, top};
+use crate::check::blank::{Blank, diameter, is_unmoved, keeps_heights, top};
 use crate::check::cycle::removes_material;
 use crate::check::first_way::FirstWay;
 use crate::check::floors::lowest_before;
@@ -68,7 +69,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut face: Option<f64> = None;
     let mut reported = false;
     let (mut surfaces, mut floors) = (Vec::new(), Vec::new());
-    for call in facts.run.calls.iter().filter(|call| is_unmoved(&call.modal)) {
+    for call in facts.run.calls.iter().filter(|call| keeps_heights(&call.modal)) {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(own) = facts.definitions.get(index as usize).filter(|_| seen.insert(index)) else { continue };
         let Some(cycle) = own.related_cycle() else { continue };
@@ -81,7 +82,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                     let (low, high) = (from.min(from + side), from.max(from + side));
                     high.min(blank.high[axis]) - low.max(blank.low[axis]) >= MOST * (blank.high[axis] - blank.low[axis])
                 };
-                if covers(0, x, long) && covers(1, y, wide) {
+                if is_unmoved(&call.modal) && covers(0, x, long) && covers(1, y, wide) {
                     face = Some(face.map_or(end, |lowest| lowest.min(end)));
                 }
             }
@@ -124,6 +125,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// A cycle for holes in a tilted plane that begins below all floors, unlike at least two others that the same blocks call.
 fn unlike_others(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if facts.program.blocks().len() > LONGEST {
+        return;
+    }
     let unit = facts.millimetre();
     let mut called: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
     for call in &facts.run.calls {

@@ -251,19 +251,43 @@ fn turned(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec
         let Some(own) = facts.definitions.get(index as usize) else { continue };
         let Some(cycle) = own.related_cycle().filter(|cycle| cycle.file.group == Group::Turning) else { continue };
         let Some(tool) = called(facts, call.modal.loaded) else { continue };
-        let Some(kind) = named(facts, tool).and_then(|name| project.turning_type(name)) else { continue };
+        let Some(name) = named(facts, tool) else { continue };
+        let called = match name {
+            ToolName::Name(own) => Some(own),
+            ToolName::Number(_) => project.tool_word(name, "NAME"),
+        };
+        let listed = project.turning_type(name);
+        let Some(kind) = listed.or_else(|| called.and_then(turning_type_of)) else { continue };
         let threads = with_meaning(cycle, THREADED).is_some();
         let recesses = with_meaning(cycle, RECESSED).is_some();
         let fits = match kind {
             "THREAD" => threads,
-            "RECESS" | "RECTURN" => recesses,
+            // A name does not say whether it also turns along.
+            "RECESS" | "RECTURN" => recesses || listed.is_none() && !threads,
             "ROUGH" | "FINISH" | "BUTTON" => !threads && !recesses,
             _ => true,
         };
         if !fits && reported.insert(block) {
-            let finding = rule.at(facts, call.span).arg("what", "turning").arg("tool", shown(facts, tool));
-            found.push(finding.arg("value", own.key.to_string()).arg("other", kind));
+            let (what, other) = if listed.is_some() { ("turning", kind) } else { ("called", called.unwrap_or(kind)) };
+            let finding = rule.at(facts, call.span).arg("what", what).arg("tool", shown(facts, tool));
+            found.push(finding.arg("value", own.key.to_string()).arg("other", other.to_owned()));
         }
+    }
+}
+
+/// The type of a tool for threads or recesses that is called so, if its name leaves no doubt.
+fn turning_type_of(name: &str) -> Option<&'static str> {
+    const THREADS: [&str; 7] = ["THREAD", "THRD", "GEWINDE", "FILETT", "ROSCA", "KIERRE", "NAVOJ"];
+    const RECESSES: [&str; 9] =
+        ["GROOV", "RECESS", "PARTING", "STECH", "EINSTICH", "ABSTICH", "GOLA", "RANHURA", "URITUS"];
+    let name = name.to_uppercase();
+    let is = |stems: &[&str]| {
+        name.split(|sign: char| !sign.is_alphabetic()).any(|part| stems.iter().any(|stem| part.starts_with(stem)))
+    };
+    match (is(&THREADS), is(&RECESSES)) {
+        (true, false) => Some("THREAD"),
+        (false, true) => Some("RECESS"),
+        _ => None,
     }
 }
 

@@ -34,6 +34,21 @@ impl Area {
         self.way.iter().map(|piece| from_place(*piece, place)).fold(f64::INFINITY, f64::min)
     }
 
+    /// How much of the way lies in another area, at least so far inside of it.
+    pub(super) fn share_within(&self, other: &Self, skin: f64) -> f64 {
+        const STEP: f64 = 1.0;
+        let places: Vec<DVec2> = self
+            .way
+            .iter()
+            .flat_map(|[from, to]| {
+                let count = ((*to - *from).length() / STEP).ceil().clamp(1.0, 256.0);
+                (0..=count as usize).map(move |at| from.lerp(*to, at as f64 / count))
+            })
+            .collect();
+        let inside = places.iter().filter(|place| other.distance(**place) < other.radius - skin).count();
+        inside as f64 / places.len().max(1) as f64
+    }
+
     /// Whether the ways of two areas come nearer to each other than so much.
     pub(super) fn comes_within(&self, other: &Self, reach: f64) -> bool {
         let apart = (self.low - other.high).max(other.low - self.high).max_element();

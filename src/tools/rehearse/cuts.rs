@@ -34,7 +34,8 @@ impl Watcher<'_> {
             let part = if drills { OF_DRILL } else { OF_DIAMETER };
             let most = self.width().map_or(AT_MOST, |width| (part * width).clamp(0.3, AT_MOST));
             // A mill that goes deep into the full is far slower.
-            let deep = !drills && self.remains.above(self.at) >= DEEP && self.kind().is_none_or(|own| own != ToolKind::Drill);
+            let deep =
+                !drills && self.remains.above(self.at) >= DEEP && self.kind().is_none_or(|own| own != ToolKind::Drill);
             let most = if deep { most.min(INTO_FULL) } else { most };
             if feed / self.speed > most {
                 self.report(self.line, Incident::FastPlunge(feed / self.speed * self.unit));

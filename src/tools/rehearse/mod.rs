@@ -7,7 +7,7 @@
 //! turns, while a probe is in the spindle, while a tool has another axis than the blank, and after a second preset. Of
 //! a program without a blank only holes and the use of its tools are followed.
 //!
-//! `mod.rs` sets up the run, `body.rs` is the blank, `remains.rs` what is left of it, `watcher.rs` follows the events,
+//! `mod.rs` sets up the run, `body.rs` is the blank, `remains.rs` what is left of it, `watcher.rs` follows the events (`known.rs` where the tool is),
 //! `cuts.rs` judges movements that cut, `work.rs` what a cycle has done, `path.rs` what plain movements have,
 //! `tilted.rs` what is done in a tilted plane, `turned.rs` what is turned (`lathe.rs` keeps the workpiece meanwhile),
 //! `overlaps.rs` compares pockets and holes (`areas.rs`), `edges.rs` finds what open contours leave (`walls.rs`),
@@ -20,6 +20,7 @@ mod areas;
 mod body;
 mod cuts;
 mod edges;
+mod known;
 mod lathe;
 mod overlaps;
 mod path;
@@ -121,6 +122,12 @@ impl Rehearsal<'_> {
         let named = turning().filter_map(|tool| Some((tool.number, self.said(program, tool, &TurnedPart::named)?)));
         watcher.turned.named = named.collect();
         watcher.turned.bars = turning().filter_map(|tool| Some((tool.number, self.bar(program, tool)?))).collect();
+        // An angle of an axis means another place of a tilted plane on every machine.
+        let tilts = program
+            .blocks()
+            .iter()
+            .any(|block| matches!(&block.kind, BlockKind::Statement(own) if own.kind == syntax::StatementKind::Plane));
+        watcher.depends_on_machine = tilts && guess.positions_rotary_axes();
         watcher.probes = guess.tools.iter().filter(|tool| tool.probes).map(|tool| tool.number).collect();
         let engine = Engine::new(program, on, &scene, &NoTexts)
             .with_catalogue(self.catalogue)

@@ -62,6 +62,10 @@ pub(super) struct Ways {
     strokes: Vec<Stroke>,
     done: HashSet<Stroke>,
     first: Option<usize>,
+    /// Whether any movement in `now` may cut, the lines of movements that may under other transformations, and these.
+    cuts: bool,
+    cutting: HashSet<usize>,
+    transformations: Vec<[[i64; 4]; 3]>,
     /// The feeds of the movements through solid material, mm/min and mm per revolution, each with its first line.
     feeds: Vec<([f64; 2], usize)>,
     /// The transformation in effect, without its datum shift along the tool axis.
@@ -70,7 +74,7 @@ pub(super) struct Ways {
 
 impl Ways {
     /// Notes a movement at feed.
-    pub(super) fn note(&mut self, line: usize, (from, to): (DVec3, DVec3), body: &Body, meets: bool) {
+    pub(super) fn note(&mut self, line: usize, (from, to): (DVec3, DVec3), body: &Body, (meets, cuts): (bool, bool)) {
         self.meets |= meets;
         let flat = (to - from).truncate().length() > SAME;
         if flat {
@@ -89,6 +93,7 @@ impl Ways {
             let ends = [from, to].map(|own| (own / SAME).to_array().map(|own| own.round() as i64));
             self.strokes.push((line, [ends[0][0], ends[0][1], ends[0][2], ends[1][0], ends[1][1], ends[1][2]]));
             self.first.get_or_insert(line);
+            self.cuts |= cuts;
         }
     }
 
@@ -221,12 +226,27 @@ impl Watcher<'_> {
     fn compare(&mut self) {
         let (now, first) = (std::mem::take(&mut self.ways.now), self.ways.first.take());
         let strokes = std::mem::take(&mut self.ways.strokes);
+        let cuts = std::mem::take(&mut self.ways.cuts);
+        let one = (1.0 / SAME) as i64;
+        let plain = [[one, 0, 0, 0], [0, one, 0, 0], [0, 0, one, 0]];
         if let Some(line) = first
             && (strokes.len() >= LEAST && self.ways.covers(&now)
                 || strokes.iter().all(|own| self.ways.done.contains(own)))
             && !self.away()
         {
             self.report(line, Incident::PathTwice);
+        } else if let Some(line) = first.filter(|_| !cuts && strokes.len() >= LEAST && !self.away()) {
+            let again = strokes.iter().all(|(own, _)| self.ways.cutting.contains(own));
+            let other = |own: [[i64; 4]; 3]| own != plain && !self.ways.transformations.contains(&own);
+            if again && self.ways.transformation.is_some_and(other) {
+                self.report(line, Incident::PathInAir);
+            }
+        }
+        if cuts {
+            self.ways.cutting.extend(strokes.iter().map(|(line, _)| *line));
+        }
+        if !strokes.is_empty() {
+            self.ways.transformations.extend(self.ways.transformation);
         }
         self.ways.before.extend(now);
         self.ways.done.extend(strokes);

@@ -100,7 +100,8 @@ impl Remains {
                 return;
             }
             let along: Vec<DVec3> = (0..=count as usize).map(|at| *place + up * (long * at as f64 / count)).collect();
-            let touched: Vec<DVec3> = along.into_iter().filter(|own| body.distance(*own) <= radius + self.cell).collect();
+            let touched: Vec<DVec3> =
+                along.into_iter().filter(|own| body.distance(*own) <= radius + self.cell).collect();
             self.lower(body, &touched, radius, deeper);
         }
     }
@@ -110,6 +111,14 @@ impl Remains {
         let Some(body) = self.body else { return true };
         let reach = radius + self.cell;
         places.iter().any(|place| self.around(&body, *place, reach).any(|at| self.is_higher(at, place.z)))
+    }
+
+    /// Whether a tool of a radius meets material at places with more than its rim.
+    pub(super) fn may_cut(&self, places: &[DVec3], radius: f64) -> bool {
+        let Some(body) = self.body else { return true };
+        let reach = radius - self.cell;
+        let higher = |place: &DVec3| self.around(&body, *place, reach).any(|at| self.is_higher(at, place.z));
+        self.open || reach <= 0.0 || places.iter().any(higher)
     }
 
     fn is_higher(&self, at: usize, height: f64) -> bool {

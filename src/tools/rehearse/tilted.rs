@@ -15,7 +15,7 @@ impl Watcher<'_> {
         }
         self.worked = true;
         // Without a tilted plane, where tool and workpiece are to each other depends on the machine.
-        if self.lost || self.across || !self.tilted || self.known != [true; 3] {
+        if self.lost || self.across || !self.tilted || self.depends_on_machine || self.known != [true; 3] {
             self.remains.open = true;
             self.tilted_ways = None;
         } else {
@@ -41,7 +41,8 @@ impl Watcher<'_> {
     /// all.
     pub(super) fn drill_tilted(&mut self, path: &Path, feeds: bool, key: Option<CycleKey>) {
         let turned = self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6);
-        let certain = self.tilted && turned && !self.lost && !self.across && self.known == [true; 3];
+        let certain = self.tilted && turned && !self.lost && !self.across && !self.depends_on_machine;
+        let certain = certain && self.known == [true; 3];
         let drills = key.and_then(|key| self.cycle(key)).is_some_and(|own| {
             matches!(super::work::job(own), Some(super::work::Job::Hole | super::work::Job::Thread))
         });

@@ -12,7 +12,7 @@ use super::remains::Remains;
 use super::series::Rows;
 use super::undescribed;
 use super::walls::Way;
-use super::work::{Hole, Job, Thread, Work};
+use super::work::{Hole, Thread, Work};
 use crate::base::diag::{Arg, interned};
 use crate::check::{Incident, Observed, ToolKind, removes_material};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
@@ -40,8 +40,6 @@ const UNDER: f64 = 15.0;
 const FAR: f64 = 50.0;
 /// So far beside the blank nothing is scaled on purpose, besides the radius of the tool, mm.
 const SCALED: f64 = 20.0;
-/// So many blocks in a row may show nothing.
-const SEVERAL: usize = 64;
 
 /// What is known while a program runs.
 pub(super) struct Watcher<'w> {
@@ -57,7 +55,7 @@ pub(super) struct Watcher<'w> {
     to_blank: Frame,
     /// The preset in machine coordinates that the blank was clamped for.
     datum: DVec3,
-    plane: WorkingPlane,
+    pub(super) plane: WorkingPlane,
     pub(super) remains: Remains,
     /// What turning leaves.
     pub(super) turned: Turned,
@@ -73,6 +71,8 @@ pub(super) struct Watcher<'w> {
     left_turned: bool,
     /// The tilt of the plane, spatial angles.
     tilt: DVec3,
+    /// Whether it depends on the machine, which is assumed, where tilted planes are.
+    pub(super) depends_on_machine: bool,
     /// Whether the tool has another axis than the blank.
     pub(super) across: bool,
     /// The preset, its place and its turn, and the tilt of the plane.
@@ -144,7 +144,7 @@ pub(super) struct Watcher<'w> {
     /// The places of holes, by what was done there.
     pub(super) series: Rows,
     /// The cycles with which tools have cut, each once.
-    used: BTreeSet<(u64, CycleKey)>,
+    pub(super) used: BTreeSet<(u64, CycleKey)>,
     /// The plain movements since the last tool call.
     pub(super) ways: Ways,
     pub(super) found: Vec<Observed>,
@@ -181,8 +181,9 @@ impl<'w> Watcher<'w> {
             tilted: false,
             left_turned: false,
             tilt: DVec3::ZERO,
+            depends_on_machine: false,
             across: false,
-            frame: Vec::new(),
+            frame: setting(f64::from(UNNAMED_PRESET), [DVec3::ZERO; 3]),
             scaled: false,
             at: DVec3::ZERO,
             machine_at: DVec3::ZERO,
@@ -309,44 +310,6 @@ impl<'w> Watcher<'w> {
         }
     }
 
-    /// The line from which another program is called: the next block, if that does, else the last one that has moved.
-    fn calling_line(&self) -> usize {
-        let silent = |block: &Block| {
-            !matches!(block.kind, BlockKind::CallPgm(_) | BlockKind::Motion(_) | BlockKind::CyclCall(_))
-        };
-        let mut next = self.blocks.range(self.line..).skip(1).map(|(_, block)| *block).skip_while(|own| silent(own));
-        next.next().filter(|own| matches!(own.kind, BlockKind::CallPgm(_))).map_or(self.line, |own| own.line)
-    }
-
-    /// Blocks up to a line that have shown nothing name where the tool already is.
-    fn pass_over(&mut self, to: usize) {
-        if to <= self.line {
-            return;
-        }
-        let blocks: Vec<&Block> = self.blocks.range(self.line + 1..=to).map(|(_, block)| *block).collect();
-        let elsewhere = |block: &&Block| {
-            matches!(
-                block.kind,
-                BlockKind::Lbl(_) | BlockKind::CallLbl(_) | BlockKind::FnJump(_) | BlockKind::ToolCall(_)
-            )
-        };
-        if blocks.len() > SEVERAL || blocks.iter().any(elsewhere) {
-            return;
-        }
-        for block in blocks.into_iter().filter(|block| !block.skip) {
-            if let BlockKind::Motion(element) = &block.kind {
-                let words = element.words();
-                let of_machine = words.functions.iter().any(|own| matches!(own.number, 91 | 92));
-                for (known, axis) in self.known.iter_mut().zip([self.plane.main, self.plane.secondary, self.plane.tool])
-                {
-                    let coord = words.coord(letter(axis));
-                    *known |= coord.is_some_and(|coord| !coord.incremental);
-                    *known &= coord.is_none() || !of_machine;
-                }
-            }
-        }
-    }
-
     /// Whether nothing can be said of where the tool goes.
     pub(super) fn away(&self) -> bool {
         let leans = self.tilted || self.across || self.angles.iter().any(|(_, angle)| angle.abs() > 1e-6);
@@ -400,9 +363,7 @@ impl<'w> Watcher<'w> {
         self.scaled = (now.scaling.0 - 1.0).abs() > 1e-9 || now.scaling.1.is_some();
         self.transformed(now);
         let tilt = now.tilt.unwrap_or_default();
-        let angles = [now.origin, now.basic_rotation, tilt].map(|own| own.to_array());
-        let all = std::iter::once(now.preset).chain(angles.into_iter().flatten());
-        self.frame = all.map(|own| (own / SAME).round() as i64).collect();
+        self.frame = setting(now.preset, [now.origin, now.basic_rotation, tilt]);
         let other = self.preset.is_some_and(|before| before != now.preset);
         self.clamp_again(other);
         self.lost |= other && self.worked;
@@ -548,32 +509,6 @@ impl<'w> Watcher<'w> {
         self.cut(&places);
     }
 
-    /// Whether the blocks since the last tool call may say where the tool is in the plane: a movement to where it
-    /// happens to be is none, and what was done elsewhere in the text is not looked at.
-    fn is_placed(&self) -> bool {
-        if self.line <= self.called {
-            return true;
-        }
-        let names = [self.plane.main, self.plane.secondary].map(letter);
-        let mut named = [false; 2];
-        for block in self.blocks.range(self.called..=self.line).map(|(_, block)| block) {
-            match &block.kind {
-                BlockKind::Motion(element) => {
-                    let words = element.words();
-                    let polar = [syntax::Axis::Pr, syntax::Axis::Pa].iter().any(|own| words.coord(*own).is_some());
-                    for (named, axis) in named.iter_mut().zip(names) {
-                        *named |= polar || words.coord(axis).is_some();
-                    }
-                }
-                BlockKind::CallLbl(_) | BlockKind::CallPgm(_) | BlockKind::CyclCall(_) | BlockKind::Lbl(_) => {
-                    return true;
-                }
-                _ => {}
-            }
-        }
-        named == [true; 2]
-    }
-
     /// A movement at feed that is certain, in or beside a blank.
     fn look_at(
         &mut self,
@@ -625,38 +560,13 @@ impl<'w> Watcher<'w> {
             if plain {
                 let reach = self.radius() + SAME;
                 let meets = places.iter().any(|place| body.distance(*place) <= reach && place.z >= body.low.z - reach);
-                self.ways.note(self.line, (from, self.at), body, meets);
+                let cuts = self.width().is_none_or(|width| self.remains.may_cut(places, width / 2.0));
+                self.ways.note(self.line, (from, self.at), body, (meets, cuts));
             }
         }
         let under = if self.scaled { SCALED / 4.0 } else { UNDER };
         if self.at.z < body.low.z - under && body.distance(self.at) <= 0.0 && self.is_milling(key) {
             self.report(self.line, Incident::BelowBlank(self.at.z * self.unit));
-        }
-    }
-
-    /// A tool cuts with a cycle: whether it is called something else, or has done a job before that no such tool does.
-    fn use_tool(&mut self, tool: f64, key: CycleKey) {
-        let Some(cycle) = self.cycle(key) else { return };
-        let number = tool.to_bits();
-        if !self.used.insert((number, key)) {
-            return;
-        }
-        if let Some(kind) = self.kind().filter(|kind| kind.misfits(cycle)) {
-            self.report(self.line, Incident::Misused { tool, kind, cycle: key });
-        }
-        let job = |key: CycleKey| self.cycle(key).and_then(super::work::job);
-        let own = job(key);
-        // An end mill that stands for the thread mill of the table.
-        let instead = self.spare_thread_mill && self.kind() != Some(ToolKind::ThreadMill);
-        let mills = |own: Job, other: Job| {
-            instead && matches!((own, other), (Job::Milling, Job::MilledThread) | (Job::MilledThread, Job::Milling))
-        };
-        let other = self.used.iter().find(|(before, done)| {
-            *before == number
-                && own.zip(job(*done)).is_some_and(|(own, other)| !own.goes_with(other) || mills(own, other))
-        });
-        if let Some((_, before)) = other.copied() {
-            self.report(self.line, Incident::ToolHasOtherJob { cycle: key, before });
         }
     }
 
@@ -672,23 +582,6 @@ impl<'w> Watcher<'w> {
     pub(super) fn is_milling(&self, key: Option<CycleKey>) -> bool {
         let group = key.and_then(|key| self.cycle(key)).map(|own| own.file.group);
         !matches!(group, Some(Group::Drilling | Group::Threads))
-    }
-
-    /// What a movement says of where the tool is: coordinates that it changes, or that its block names.
-    fn learn(&mut self, from: DVec3, block: Option<&Block>) {
-        let words = block.and_then(|block| match &block.kind {
-            BlockKind::Motion(element) => Some(element.words()),
-            _ => None,
-        });
-        for (index, axis) in [self.plane.main, self.plane.secondary, self.plane.tool].into_iter().enumerate() {
-            let axis = letter(axis);
-            let named = words.as_ref().is_some_and(|words| words.coord(axis).is_some_and(|coord| !coord.incremental));
-            let moved = (from.to_array()[index] - self.at.to_array()[index]).abs() > 1e-9;
-            self.known[index] |= named || moved;
-            // Where a position in machine coordinates is depends on the machine.
-            let of_machine = |words: &syntax::Motion| words.functions.iter().any(|own| matches!(own.number, 91 | 92));
-            self.known[index] &= !words.as_ref().is_some_and(|own| own.coord(axis).is_some() && of_machine(own));
-        }
     }
 
     /// A place of the machine in the coordinates of the blank, the tool axis last.
@@ -715,11 +608,8 @@ impl<'w> Watcher<'w> {
     }
 }
 
-/// An axis as programs write it.
-const fn letter(axis: Axis) -> syntax::Axis {
-    match axis {
-        Axis::X => syntax::Axis::X,
-        Axis::Y => syntax::Axis::Y,
-        Axis::Z => syntax::Axis::Z,
-    }
+/// What distinguishes a preset with its place, its turn and the tilt of the plane.
+fn setting(preset: f64, places: [DVec3; 3]) -> Vec<i64> {
+    let all = std::iter::once(preset).chain(places.into_iter().flat_map(|own| own.to_array()));
+    all.map(|own| (own / SAME).round() as i64).collect()
 }

@@ -42,7 +42,7 @@ pub(super) struct Work {
     pub(super) start: DVec3,
     known: bool,
     /// Whether it has met material that was certainly there.
-    solid: bool,
+    pub(super) solid: bool,
     /// Whether it may have met any.
     pub(super) meets: bool,
     pub(super) low: DVec3,
@@ -87,6 +87,11 @@ impl Hole {
     /// Whether a tool that is so wide goes into it without cutting.
     pub(super) fn is_as_wide(&self, width: f64) -> bool {
         self.width.is_some_and(|own| own >= width - SAME)
+    }
+
+    /// Its radius, if that is known.
+    pub(super) fn radius(&self) -> Option<f64> {
+        self.width.map(|width| width / 2.0)
     }
 
     /// Whether it goes down to a height.
@@ -134,6 +139,32 @@ pub(super) fn job(cycle: &Cycle) -> Option<Job> {
 }
 
 impl Watcher<'_> {
+    /// A tool cuts with a cycle: whether it is called something else, or has done a job before that no such tool does.
+    pub(super) fn use_tool(&mut self, tool: f64, key: CycleKey) {
+        let Some(cycle) = self.cycle(key) else { return };
+        let number = tool.to_bits();
+        if !self.used.insert((number, key)) {
+            return;
+        }
+        if let Some(kind) = self.kind().filter(|kind| kind.misfits(cycle)) {
+            self.report(self.line, Incident::Misused { tool, kind, cycle: key });
+        }
+        let job = |key: CycleKey| self.cycle(key).and_then(job);
+        let own = job(key);
+        // An end mill that stands for the thread mill of the table.
+        let instead = self.spare_thread_mill && self.kind() != Some(ToolKind::ThreadMill);
+        let mills = |own: Job, other: Job| {
+            instead && matches!((own, other), (Job::Milling, Job::MilledThread) | (Job::MilledThread, Job::Milling))
+        };
+        let other = self.used.iter().find(|(before, done)| {
+            *before == number
+                && own.zip(job(*done)).is_some_and(|(own, other)| !own.goes_with(other) || mills(own, other))
+        });
+        if let Some((_, before)) = other.copied() {
+            self.report(self.line, Incident::ToolHasOtherJob { cycle: key, before });
+        }
+    }
+
     /// The operator goes on: the workpiece may lie otherwise from here on.
     pub(super) fn stop(&mut self) {
         self.finish();
@@ -329,7 +360,7 @@ impl Watcher<'_> {
     }
 
     /// Whether a hole goes through the blank in its whole width; without a blank none does.
-    fn goes_through(&self, hole: &Hole) -> bool {
+    pub(super) fn goes_through(&self, hole: &Hole) -> bool {
         self.body.is_some_and(|body| match hole.pointed {
             true => hole.bottom < body.low.z - SKIN,
             false => hole.bottom <= body.low.z,
@@ -448,9 +479,13 @@ impl Watcher<'_> {
         let middle = work.middle();
         let round = (extent.x - extent.y).abs() <= 0.05 * extent.x;
         // Slots on a circle are none.
-        let slots = self.cycle(work.key).is_some_and(|own| own.params.iter().any(|param| param.is.as_str() == ON_CIRCLE));
+        let slots =
+            self.cycle(work.key).is_some_and(|own| own.params.iter().any(|param| param.is.as_str() == ON_CIRCLE));
         if let Some(width) = self.width().filter(|_| round && extent.x > 0.0 && !slots) {
             let here = self.holes_at(middle);
+            if here.is_empty() {
+                self.beside_drilled(work, middle.truncate());
+            }
             let whole = extent.x + width;
             if let Some(hole) = self.widest(&here, work.low.z).filter(|hole| *hole > whole + SAME) {
                 self.report(work.line, Incident::NothingLeft { tool: whole * self.unit, hole: hole * self.unit });
