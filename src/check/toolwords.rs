@@ -62,6 +62,7 @@ impl ToolKind {
             let next = parts.peek().copied().unwrap_or_default();
             match (part, next) {
                 ("THREAD", "MILL") => return Some(Self::ThreadMill),
+                ("SLOT", "DRILL") => return Some(Self::EndMill),
                 ("TAP" | "CORE" | "PILOT", "DRILL") => return Some(Self::Drill),
                 ("END", "MILL") => return Some(Self::EndMill),
                 ("GEW" | "GEWINDE", _) if next.starts_with("BOHR") => return Some(Self::Tap),
