@@ -15,7 +15,7 @@ use crate::base::data::Files;
 use crate::base::diag::{Arg, Diagnostic, Place, Severity, Source};
 use crate::check::ToolKind;
 use crate::engine::run::FindingKind;
-use crate::engine::run::{Engine, Event, EventKind, Limits, MoveKind, Status};
+use crate::engine::run::{Engine, Event, EventKind, Limits, MoveKind, PASSED_OVER, Status};
 use crate::engine::scene::Scene;
 use crate::engine::scene::guess::{Guess, Origin};
 use crate::engine::stock::{Blank, Finding, Machining};
@@ -256,6 +256,8 @@ impl Sight {
             EventKind::Turn { axes, .. } => {
                 self.lost |= !self.tilted && axes.iter().any(|turned| turned.to.abs() > TURN);
             }
+            // What a cycle without a description removes is not known.
+            EventKind::Function(what) if &**what == PASSED_OVER => self.lost = true,
             EventKind::Spindle { tool: Some((tool, _)), .. } => {
                 self.threading = self.thread_mills.contains(&tool.number)
             }

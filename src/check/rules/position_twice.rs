@@ -14,6 +14,9 @@ use crate::program::syntax::{Amount, Axis, Block, BlockKind, CallForm, Path};
 
 pub(super) const RULE: Rule = Rule { code: "position-twice", severity: Severity::Warning, run };
 
+/// Longer programs are written by posts.
+const MOST: usize = 3_000;
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let first = first_incident(facts, |own| match own {
         Incident::MachinedAgain(place) => Some(place),
@@ -32,7 +35,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 fn defined_again(facts: &Facts<'_>) -> Option<Span> {
     // What is defined, and what was called last where the tool still is.
     let (mut defined, mut called): (Option<Vec<&str>>, Option<Vec<&str>>) = (None, None);
-    for (index, block) in facts.marked().filter(|(_, block)| !is_silent(block)) {
+    let blocks = facts.program.blocks();
+    if blocks.len() > MOST {
+        return None;
+    }
+    for (index, block) in blocks.iter().enumerate().filter(|(_, block)| !is_silent(block)) {
         match &block.kind {
             BlockKind::CycleDef(_) => {
                 let own = facts.definition_at(index).filter(|own| own.view.first == index && !own.calls_last());
@@ -54,8 +61,9 @@ fn defined_again(facts: &Facts<'_>) -> Option<Span> {
 
 /// The words of a block without labels and comments.
 fn words<'f>(facts: &'f Facts<'_>, block: &Block) -> Vec<&'f str> {
-    let lines = facts.text(facts.content(block)).lines().map(|line| line.split(';').next().unwrap_or_default());
-    lines.flat_map(str::split_whitespace).filter(|word| *word != "~").collect()
+    let lines = facts.text(block.span).lines().map(|line| line.split(';').next().unwrap_or_default());
+    let words = lines.flat_map(str::split_whitespace).filter(|word| *word != "~");
+    words.skip(usize::from(block.number.is_some())).collect()
 }
 
 /// The first block that calls a cycle at the place which one of the blocks directly before it has named for the same call:

@@ -33,7 +33,9 @@ impl<'e> Run<'_, 'e> {
     pub(crate) fn call_last_cycle(&mut self) -> Done {
         self.drives.not_compensated("CYCL CALL")?;
         if self.cycles.last.is_none() && self.cycles.passed_over {
-            self.pass_over();
+            if self.settings.after_faults || self.settings.only_assumes() {
+                self.drives.report.report(EventKind::Function(PASSED_OVER.into()));
+            }
             return Ok(());
         }
         let Some(definition) = self.cycles.last.clone() else { return Err(Fault::program("no-cycle-to-call").into()) };
