@@ -96,7 +96,7 @@ diag-contour-crossed =
         [back] This closed contour goes from a corner straight back to the one before it.
         [away] The tool leaves this closed contour for its other side: on the way it cuts through what it has just finished.
         [start] This closed contour is approached in an inside corner: the tool cuts into its last element there.
-        [short] This contour ends on its first line, short of its beginning: the rest of the line stays unmachined.
+        [short] This contour ends on its first line, short of its beginning: the rest of the line is not machined.
        *[side] With this radius compensation the tool crosses the closed contour: it comes from the other side of it.
     }
 diag-error-branch-entered =

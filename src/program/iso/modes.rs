@@ -175,7 +175,7 @@ struct Walk<'a> {
     labels: HashMap<&'a str, usize>,
     reached: Vec<Modes>,
     /// What a subprogram leaves in effect, by its first block and by what acts where it is called. Nothing yet while it is
-    /// being followed.
+    /// being followed: from a call of itself it does not come back.
     left: HashMap<(usize, bool), Modes>,
     budget: usize,
 }
@@ -219,7 +219,10 @@ impl Walk<'_> {
     fn call(&mut self, name: &str, absolute: bool, depth: usize) -> Option<Modes> {
         let mut same = Modes::default();
         same.add(absolute);
-        let Some(target) = self.labels.get(name).copied().filter(|_| depth < DEEPEST) else { return Some(same) };
+        let Some(target) = self.labels.get(name).copied() else { return Some(same) };
+        if depth >= DEEPEST {
+            return None;
+        }
         if let Some(left) = self.left.get(&(target, absolute)) {
             return Some(*left);
         }
