@@ -65,15 +65,7 @@ impl Blank {
 
 /// Whether coordinates are those of the blank: nothing shifts, turns, mirrors, scales or tilts them.
 pub(super) fn is_unmoved(modal: &Modal) -> bool {
-    const MOVING: [Aspect; 6] = [
-        Aspect::DatumShift,
-        Aspect::Rotation,
-        Aspect::Mirroring,
-        Aspect::Scaling,
-        Aspect::AxisScaling,
-        Aspect::Tilting,
-    ];
-    MOVING.iter().all(|own| modal.is(*own) == Tri::No)
+    keeps_heights(modal) && modal.is(Aspect::Rotation) == Tri::No
 }
 
 /// Whether heights are those of the blank: coordinates may be turned, but nothing else changes them.

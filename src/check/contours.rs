@@ -334,16 +334,20 @@ fn crossing([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> Option<[f64; 2]> {
     meets.then(|| [a[0] + one[0] * along, a[1] + one[1] * along])
 }
 
+/// The sides of a polygon.
+pub(super) fn edges(points: &[[f64; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
+    let next = points.iter().skip(1).chain(points.first());
+    points.iter().zip(next).map(|(one, next)| [*one, *next])
+}
+
 /// The area of a polygon, positive if it goes round counter-clockwise.
 pub(super) fn area(points: &[[f64; 2]]) -> f64 {
-    let next = points.iter().skip(1).chain(points.first());
-    points.iter().zip(next).map(|(one, next)| one[0] * next[1] - one[1] * next[0]).sum::<f64>() / 2.0
+    edges(points).map(|[one, next]| one[0] * next[1] - one[1] * next[0]).sum::<f64>() / 2.0
 }
 
 /// Whether a place is inside of a polygon, by the sides that a line from there to the right crosses.
 pub(super) fn holds(points: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
-    let next = points.iter().skip(1).chain(points.first());
-    let crossed = points.iter().zip(next).filter(|(one, next)| {
+    let crossed = edges(points).filter(|[one, next]| {
         (one[1] > y) != (next[1] > y) && x < one[0] + (y - one[1]) / (next[1] - one[1]) * (next[0] - one[0])
     });
     crossed.count() % 2 == 1

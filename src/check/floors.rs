@@ -9,7 +9,7 @@ use crate::spec::Group;
 
 /// The meanings of the surface at which a cycle begins, and of its depths.
 pub(super) const SURFACE: &str = "surface-coordinate";
-const DEPTHS: [&str; 3] = ["depth", "thread-depth", "milling-depth"];
+pub(super) const DEPTHS: [&str; 3] = ["depth", "thread-depth", "milling-depth"];
 /// The meaning of the height down to which a face is milled.
 const FACE: &str = "end-point-tool";
 
@@ -48,9 +48,14 @@ pub(super) fn lowest_before(facts: &Facts<'_>, index: usize) -> Option<f64> {
 
 /// The height down to which a cycle goes.
 fn floor(read: &Definition<'_>, group: Group) -> Option<f64> {
-    let value = |meaning: &str| read.item(meaning).and_then(number);
     if group == Group::Surfaces {
-        return value(FACE);
+        return read.item(FACE).and_then(number);
     }
+    bottom(read)
+}
+
+/// The bottom of what a cycle machines below its surface.
+pub(super) fn bottom(read: &Definition<'_>) -> Option<f64> {
+    let value = |meaning: &str| read.item(meaning).and_then(number);
     Some(value(SURFACE)? + DEPTHS.into_iter().find_map(value)?)
 }

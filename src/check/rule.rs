@@ -21,6 +21,11 @@ impl Rule {
         let place = Place::new(facts.program.source(), span);
         Diagnostic { severity: self.severity, ..Diagnostic::error(self.code, place) }
     }
+    /// A finding of this rule that says what it is, a number and the one with which that is compared.
+    pub(super) fn comparison(&self, facts: &Facts<'_>, span: Span, what: &str, value: f64, other: f64) -> Diagnostic {
+        let finding = self.at(facts, span).arg("what", what).arg("value", Arg::Number(value));
+        finding.arg("other", Arg::Number(other))
+    }
     /// Reports the first incident that is wanted: what it is, and two numbers of it.
     pub(super) fn report_first(
         &self,
@@ -30,8 +35,7 @@ impl Rule {
         wanted: impl Fn(Incident) -> Option<(f64, f64)>,
     ) {
         if let Some((span, (value, other))) = first_incident(facts, wanted) {
-            let finding = self.at(facts, span).arg("what", what).arg("value", Arg::Number(value));
-            found.push(finding.arg("other", Arg::Number(other)));
+            found.push(self.comparison(facts, span, what, value, other));
         }
     }
 }

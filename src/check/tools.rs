@@ -59,13 +59,7 @@ impl Tools {
                 radius: radius + oversize,
                 angle: value("ANGLE"),
                 cutting_length: value("LCUTS"),
-                pitch: listed.and_then(|own| own.tool_value(name, "PITCH")).and_then(|own| pitch(facts, own)).or_else(
-                    || {
-                        let words = ["NAME", "DOC"].into_iter().filter_map(|column| listed?.tool_word(name, column));
-                        let pitch = words.filter_map(pitch_of).next();
-                        pitch.map(|pitch| if facts.inch { pitch / MM_PER_INCH } else { pitch })
-                    },
-                ),
+                pitch: pitch_of_tool(facts, name),
                 speed: call.speed.and_then(|speed| facts.number(&speed)).filter(|_| !changed),
             });
             if let Ok(index) = u32::try_from(index) {
@@ -165,14 +159,19 @@ fn defined<'a>(facts: &Facts<'a>) -> HashMap<ToolKey<'a>, Option<f64>> {
     radii
 }
 
-/// The pitch of the tool that is in the spindle, by the column PITCH of the table or by its name: in the unit of the program.
+/// The pitch of the tool that is in the spindle, by the column PITCH of the table, its name or its remark: in the unit of the program.
 pub(super) fn pitch_of_loaded(facts: &Facts<'_>, loaded: Loaded) -> Option<f64> {
     let Loaded::By(block) = loaded else { return None };
     let BlockKind::ToolCall(call) = &facts.program.blocks().get(block as usize)?.kind else { return None };
-    let (name, listed) = (named(facts, call.tool?)?, facts.project?);
+    pitch_of_tool(facts, named(facts, call.tool?)?)
+}
+
+/// The pitch of a tool by the column PITCH of the table, its name or its remark.
+fn pitch_of_tool(facts: &Facts<'_>, name: ToolName<'_>) -> Option<f64> {
+    let listed = facts.project.filter(|project| project.knows_tools())?;
     let own = listed.tool_value(name, "PITCH").and_then(|own| pitch(facts, own));
-    let by_name = || listed.tool_word(name, "NAME").and_then(pitch_of);
-    own.or_else(|| by_name().map(|pitch| if facts.inch { pitch / MM_PER_INCH } else { pitch }))
+    let by_words = || ["NAME", "DOC"].into_iter().find_map(|column| listed.tool_word(name, column).and_then(pitch_of));
+    own.or_else(|| by_words().map(|pitch| if facts.inch { pitch / MM_PER_INCH } else { pitch }))
 }
 
 /// A tool as a table knows it; nothing if a parameter chooses it.

@@ -273,6 +273,11 @@ pub(in crate::check) fn probes(cycle: &Cycle) -> bool {
         && cycle.file.keyword == Keyword::TchProbe
 }
 
+/// Whether a cycle probes around something: the names of the cycles say so.
+pub(in crate::check) fn probes_around(cycle: &Cycle) -> bool {
+    ["outside", "stud"].iter().any(|own| cycle.file.name.as_str().contains(own))
+}
+
 fn aspect(transformation: Transformation) -> Aspect {
     match transformation {
         Transformation::Mirroring => Aspect::Mirroring,

@@ -10,7 +10,7 @@ mod turns;
 
 pub use aspect::{Aspect, Tri};
 pub(crate) use effect::removes_material;
-pub(super) use effect::{Effect, Then, probes, stops_spindle};
+pub(super) use effect::{Effect, Then, probes, probes_around, stops_spindle};
 pub(super) use guard::{OFF, Ready, STATES, aspect_of, guards_of, read_as, replaced, state, tool};
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels};
 pub(super) use labels::{Kept, LabelLanguages, fold};

@@ -2,14 +2,14 @@
 //! after finishing. Also one that a negative DR machines first, and another tool then with a greater one: it finds nothing.
 //! So does the same tool with any greater oversize than before. Also a contour train that two tools machine with the same
 //! allowance for the side.
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::contours::listed;
 use crate::check::program::number;
 use crate::check::tools::named;
-use crate::check::{Facts, Loaded, Mark, Pending, Rule, Way};
-use crate::program::syntax::{Amount, Block, BlockKind, Compensates, ToolCall, ToolRef};
+use crate::check::{Defined, Facts, Loaded, Mark, Pending, Rule, ToolName, Way};
+use crate::program::syntax::{Amount, Block, BlockKind, Compensates, ToolCall};
 
 pub(super) const RULE: Rule = Rule { code: "allowance-left", severity: Severity::Warning, run };
 
@@ -33,12 +33,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         };
         calls.entry(mark).or_default().push((tool, oversize));
     }
-    let number = |tool: u32| called_tool(facts, tool);
     for (mark, calls) in calls {
         let (Some((first, left)), Some((last, end))) = (calls.first(), calls.last()) else { continue };
         let same = *left > 0.0 && calls.iter().all(|(_, own)| own == left);
         let milled = facts.run.graph.block_of(mark).is_some_and(|at| facts.shaped().any(|(own, _)| own > at));
-        let other = number(*first) != number(*last);
+        let other = are_others(facts, *first, *last);
         // What a smaller radius has cut away is no longer there for a greater one.
         if *left < 0.0
             && *end > *left
@@ -62,20 +61,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The tool that a call names.
-fn called_tool<'f>(facts: &'f Facts<'_>, block: u32) -> Option<&'f str> {
-    match facts.program.blocks().get(block as usize).map(|block| &block.kind) {
-        Some(BlockKind::ToolCall(call)) => match call.tool {
-            Some(ToolRef::Number(own)) => Some(facts.text(own.span)),
-            Some(ToolRef::Name(name)) => Some(facts.text(name)),
-            None => None,
-        },
-        _ => None,
-    }
-}
-
 /// Cycles that machine a list of contours on their own, with an allowance of their own: one that two tools leave.
 fn trains(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    // The allowance of each definition, with its place.
+    let mut known: HashMap<u32, Option<(f64, Span)>> = HashMap::new();
+    let allowance = |own: &Defined<'_>| {
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        read.item(ALLOWANCE).and_then(|item| Some((number(item)?, item.value_span)))
+    };
     for list in listed(facts) {
         let mut passes: Vec<(u32, f64, u32, Span)> = Vec::new();
         for call in &facts.run.calls {
@@ -86,15 +80,12 @@ fn trains(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 facts.definitions.get(index as usize).is_some_and(|other| other.view.first == own.view.first)
             });
             let Some(reader) = reader else { continue };
-            let related = reader.as_related_cycle();
-            let read = facts.read(&related);
-            let Some(item) = read.item(ALLOWANCE) else { return };
-            let Some(value) = number(item) else { return };
-            passes.push((tool, value, index, item.value_span));
+            let Some((value, place)) = *known.entry(index).or_insert_with(|| allowance(reader)) else { return };
+            passes.push((tool, value, index, place));
         }
         let (Some(first), Some(last)) = (passes.first(), passes.last()) else { continue };
         let same = first.1 > 0.0 && passes.iter().all(|own| own.1 == first.1);
-        if same && first.2 != last.2 && called_tool(facts, first.0) != called_tool(facts, last.0) {
+        if same && first.2 != last.2 && are_others(facts, first.0, last.0) {
             let name = facts.definitions.get(last.2 as usize).map_or_else(String::new, |own| own.key.to_string());
             let finding = rule.at(facts, last.3).arg("what", "cycle").arg("label", name);
             found.push(finding.arg("value", Arg::Number(last.1)).arg("other", ""));
@@ -107,8 +98,8 @@ const SAME: f64 = 1e-6;
 
 /// The tool in the spindle with its oversize.
 #[derive(Clone, Copy)]
-struct Tool {
-    block: usize,
+struct Tool<'f> {
+    name: ToolName<'f>,
     oversize: f64,
     span: Span,
 }
@@ -117,15 +108,15 @@ struct Tool {
 /// calls could make something else of the contour, no parameters, transformations, jumps or cycles.
 fn in_order(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let blocks = facts.program.blocks();
-    let mut tool: Option<Tool> = None;
+    let mut tool: Option<Tool<'_>> = None;
     // The contours that were machined, by the blocks of their labels.
-    let mut machined: Vec<(usize, Tool)> = Vec::new();
+    let mut machined: Vec<(usize, Tool<'_>)> = Vec::new();
     for (index, block) in blocks.iter().enumerate() {
         if facts.ends(block) || block.skip {
             return;
         }
         match &block.kind {
-            BlockKind::ToolCall(call) if call.tool.is_some() => tool = called(facts, index, block, call),
+            BlockKind::ToolCall(call) if call.tool.is_some() => tool = called(facts, block, call),
             BlockKind::CallLbl(call) if call.repeat.is_none() => {
                 let (Some(label), Some(tool)) = (facts.run.graph.called_from(index), tool) else {
                     machined.clear();
@@ -135,12 +126,11 @@ fn in_order(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                     continue;
                 }
                 let before = machined.iter().find(|(own, before)| {
-                    *own == label && before.oversize < tool.oversize - SAME && is_same(facts, before.block, tool.block)
+                    *own == label && before.oversize < tool.oversize - SAME && before.name == tool.name
                 });
                 if let Some((_, before)) = before {
-                    let finding = rule.at(facts, before.span).arg("what", "order").arg("label", "");
-                    let finding = finding.arg("value", Arg::Number(before.oversize));
-                    found.push(finding.arg("other", Arg::Number(tool.oversize)));
+                    let finding = rule.comparison(facts, before.span, "order", before.oversize, tool.oversize);
+                    found.push(finding.arg("label", ""));
                     return;
                 }
                 machined.push((label, tool));
@@ -152,22 +142,26 @@ fn in_order(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The tool that a block calls; nothing if its oversize is not known.
-fn called(facts: &Facts<'_>, index: usize, block: &Block, call: &ToolCall) -> Option<Tool> {
+/// The tool that a block calls; nothing if it or its oversize is not known.
+fn called<'f>(facts: &Facts<'f>, block: &Block, call: &ToolCall) -> Option<Tool<'f>> {
     let (oversize, span) = match &call.dr {
         Some(own) => (facts.number(own)?, own.span),
         None => (0.0, facts.content(block)),
     };
-    Some(Tool { block: index, oversize, span })
+    Some(Tool { name: named(facts, call.tool?)?, oversize, span })
 }
 
-/// Whether two blocks call the same tool.
-fn is_same(facts: &Facts<'_>, one: usize, other: usize) -> bool {
-    let key = |at: usize| match facts.program.blocks().get(at).map(|block| &block.kind) {
-        Some(BlockKind::ToolCall(call)) => named(facts, call.tool?).map(|name| name.key()),
+/// The tool that a block calls, unless a parameter chooses it.
+fn tool_at<'f>(facts: &Facts<'f>, block: u32) -> Option<ToolName<'f>> {
+    match facts.program.blocks().get(block as usize).map(|block| &block.kind) {
+        Some(BlockKind::ToolCall(call)) => named(facts, call.tool?),
         _ => None,
-    };
-    key(one).is_some() && key(one) == key(other)
+    }
+}
+
+/// Whether two blocks certainly call different tools.
+fn are_others(facts: &Facts<'_>, one: u32, other: u32) -> bool {
+    tool_at(facts, one).zip(tool_at(facts, other)).is_some_and(|(one, other)| one != other)
 }
 
 /// Whether a subprogram has a contour with compensation, and nothing in it that depends on when it is called.

@@ -2,11 +2,10 @@
 //! material. Also a bar that does not fit through its hole beside the axis, where an execution shows it.
 //!
 //! Only in programs with a box as their blank, and where the thickness is far less than what is below the surface.
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::incident::Incident;
 use crate::check::program::number;
-use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "back-boring-inside", severity: Severity::Warning, run };
@@ -15,14 +14,10 @@ pub(super) const RULE: Rule = Rule { code: "back-boring-inside", severity: Sever
 const MOST: f64 = 0.25;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let wide = first_incident(facts, |own| match own {
+    rule.report_first(facts, found, "hole", |own| match own {
         Incident::EdgeWiderThanHole { edge, hole } => Some((edge, hole)),
         _ => None,
     });
-    if let Some((span, (edge, hole))) = wide {
-        let finding = rule.at(facts, span).arg("what", "hole").arg("value", Arg::Number(edge));
-        found.push(finding.arg("other", Arg::Number(hole)));
-    }
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins()) else { return };
     for own in &facts.definitions {
         let related = own.as_related_cycle();
@@ -34,9 +29,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let (Some(thickness), Some(surface)) = (number(item), number(surface)) else { continue };
         let below = surface - blank.low[2];
         if unmoved && thickness > 0.0 && thickness < MOST * below {
-            let finding = rule.at(facts, item.value_span).arg("what", "thickness");
-            let finding = finding.arg("value", Arg::Number(thickness));
-            found.push(finding.arg("other", Arg::Number(below)));
+            found.push(rule.comparison(facts, item.value_span, "thickness", thickness, below));
         }
     }
 }

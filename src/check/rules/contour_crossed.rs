@@ -6,7 +6,7 @@
 //! Only contours whose elements are all numbers, that do not cross themselves, and whose height does not change from the
 //! compensating movement to the one that leaves: a tool that plunges at the contour may come from above.
 use crate::base::diag::{Diagnostic, Severity, Span};
-use crate::check::contours::{Line, NEAR, area, closed, distance, is_inside};
+use crate::check::contours::{Line, NEAR, area, closed, distance, edges, holds, is_inside};
 use crate::check::program::is_silent;
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{Axis, BlockKind, Compensation, Motion, Path};
@@ -188,20 +188,6 @@ fn is_across(side: Compensation, place: [f64; 2], ring: &[[f64; 2]]) -> bool {
     }
     let apart = edges(ring).all(|[one, other]| distance(place, one, other) > NEAR);
     apart && is_inside(area, side) != holds(ring, place)
-}
-
-fn edges(ring: &[[f64; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
-    let next = ring.iter().skip(1).chain(ring.first());
-    ring.iter().zip(next).map(|(one, next)| [*one, *next])
-}
-
-/// Whether a place is inside.
-fn holds(ring: &[[f64; 2]], place: [f64; 2]) -> bool {
-    let crossed = edges(ring).filter(|[one, other]| {
-        let between = (one[1] > place[1]) != (other[1] > place[1]);
-        between && place[0] < one[0] + (place[1] - one[1]) / (other[1] - one[1]) * (other[0] - one[0])
-    });
-    crossed.count() % 2 == 1
 }
 
 /// Whether two of its lines cross.

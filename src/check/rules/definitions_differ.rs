@@ -7,7 +7,7 @@
 //! with either of them.
 use std::collections::{HashMap, HashSet};
 
-use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::program::number;
 use crate::check::tools::Tools;
 use crate::check::{Facts, Loaded, Pending, Rule};
@@ -99,10 +99,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if pockets.len() > MOST {
         pockets.clear();
     }
-    let finding_of = |(value, span): (f64, Span), what: &str, other: f64| {
-        let finding = rule.at(facts, span).arg("what", what.to_owned()).arg("value", Arg::Number(value));
-        finding.arg("other", Arg::Number(other))
-    };
+    let finding_of = |(value, span): (f64, Span), what, other| rule.comparison(facts, span, what, value, other);
     for (at, own) in pockets.iter().enumerate() {
         let others = || pockets.iter().enumerate().filter(move |(other, _)| *other != at).map(|(_, own)| own);
         if let Some((infeed, span)) = own.infeed
@@ -169,8 +166,7 @@ fn deep(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             .iter()
             .any(|own| own.code == rule.code && own.place.as_ref().is_some_and(|place| place.span == item.value_span));
         if infeed >= 2.0 * depth.abs() && depth.abs() > 2.0 * tool.radius && !reported {
-            let finding = rule.at(facts, item.value_span).arg("what", "deep").arg("value", Arg::Number(infeed));
-            found.push(finding.arg("other", Arg::Number(depth.abs())));
+            found.push(rule.comparison(facts, item.value_span, "deep", infeed, depth.abs()));
         }
     }
 }

@@ -7,7 +7,7 @@
 //! also where their name does.
 use std::collections::BTreeSet;
 
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::first_way::{Early, FirstWay, Placed};
 use crate::check::program::Work;
 use crate::check::tools::{Tool, Tools};
@@ -24,8 +24,7 @@ const TOLERANCE: f64 = 1e-3;
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let way = FirstWay::of(facts);
     let mut tell = |what: &'static str, (value, span): Placed, other: f64| {
-        let finding = rule.at(facts, span).arg("what", what).arg("value", Arg::Number(value));
-        found.push(finding.arg("other", Arg::Number(other)));
+        found.push(rule.comparison(facts, span, what, value, other));
     };
     // The oldest programs give the set-up clearance the sign of the depth.
     let signed = !way.early.iter().any(|own| own.clearance.is_some_and(|(value, _)| value > 0.0));

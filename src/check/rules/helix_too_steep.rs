@@ -41,8 +41,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let width = tool.map(|tool| 2.0 * tool.radius);
         let most = width.map_or(MOST * unit, |width| STEEPEST * width).min(MOST * unit);
         if depth > 0.0 && angle.abs() >= TURNS && is_floor(facts, facts.program.blocks().get(index + 1..)) {
-            let finding = rule.at(facts, facts.content(block)).arg("what", "up").arg("value", Arg::Number(depth));
-            found.push(finding.arg("other", Arg::Number(most)));
+            found.push(rule.comparison(facts, facts.content(block), "up", depth, most));
         }
         let each = -depth * 360.0 / angle.abs();
         let pitch = tool.and_then(|tool| tool.pitch).filter(|pitch| *pitch > 0.0 && angle.abs() >= TURNS);
@@ -53,9 +52,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         if depth < -SHALLOW * unit && angle != 0.0 && each > most + unit / 1e3 {
-            let finding = rule.at(facts, facts.content(block)).arg("what", "steep");
-            let finding = finding.arg("value", Arg::Number((each * 1e3).round() / 1e3));
-            found.push(finding.arg("other", Arg::Number(most)));
+            found.push(rule.comparison(facts, facts.content(block), "steep", (each * 1e3).round() / 1e3, most));
         }
     }
 }

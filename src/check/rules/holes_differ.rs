@@ -6,7 +6,7 @@
 //!
 //! The first three and the last one need an execution of the whole program. Of arcs at least two others must lie about holes, and the one
 //! coordinate that differs must look like a slip of the keyboard. Each is said once a program.
-use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::incident::Incident;
 use crate::check::program::is_silent;
 use crate::check::slip::is_slip;
@@ -25,8 +25,7 @@ const SAME: f64 = 1e-3;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut report = |span: Span, what: &str, [x, y]: [f64; 2]| {
-        let finding = rule.at(facts, span).arg("what", what.to_owned()).arg("value", Arg::Number(x));
-        found.push(finding.arg("other", Arg::Number(y)));
+        found.push(rule.comparison(facts, span, what, x, y));
     };
     let mut reported = [false; 8];
     for (span, own) in incidents(facts) {

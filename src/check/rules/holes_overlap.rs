@@ -4,7 +4,7 @@
 //! that is milled beside the one that was drilled for it.
 //!
 //! Where an execution shows them and the diameter of the tool is known, be it after turning. Each is said once a program.
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::incident::Incident;
 use crate::check::travel::incidents;
 use crate::check::{Facts, Rule};
@@ -22,7 +22,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             Incident::NotPreDrilled([x, y]) => ("beside", *x, *y),
             _ => continue,
         };
-        let finding = rule.at(facts, *span).arg("what", what).arg("value", Arg::Number(value));
-        found.push(finding.arg("other", Arg::Number(other)));
+        found.push(rule.comparison(facts, *span, what, value, other));
     }
 }

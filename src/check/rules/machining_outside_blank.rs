@@ -9,7 +9,7 @@
 //! a program.
 use std::collections::BTreeMap;
 
-use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::blank::Blank;
 use crate::check::contours::place_of_call;
 use crate::check::incident::Incident;
@@ -42,8 +42,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ => continue,
         };
         if !std::mem::replace(said, true) {
-            let finding = rule.at(facts, *span).arg("what", what).arg("value", Arg::Number(x));
-            found.push(finding.arg("other", Arg::Number(y)));
+            found.push(rule.comparison(facts, *span, what, x, y));
         }
     }
     let pass = first_incident(facts, |own| match own {
@@ -52,20 +51,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     });
     let contour = called_above(facts);
     if let Some((span, height)) = pass.filter(|_| !above && contour.is_none()) {
-        let finding = rule.at(facts, span).arg("what", "above").arg("value", Arg::Number(height));
-        found.push(finding.arg("other", Arg::Number(0.0)));
+        found.push(rule.comparison(facts, span, "above", height, 0.0));
     }
     if let Some((span, long, room)) = across(facts) {
-        let finding = rule.at(facts, span).arg("what", "across").arg("value", Arg::Number(long));
-        found.push(finding.arg("other", Arg::Number(room)));
+        found.push(rule.comparison(facts, span, "across", long, room));
     }
     if let Some((span, height)) = contour.filter(|_| !above) {
-        let finding = rule.at(facts, span).arg("what", "contour").arg("value", Arg::Number(height));
-        found.push(finding.arg("other", Arg::Number(0.0)));
+        found.push(rule.comparison(facts, span, "contour", height, 0.0));
     }
     if let Some((span, height)) = old_cycle(facts).filter(|_| !above) {
-        let finding = rule.at(facts, span).arg("what", "above").arg("value", Arg::Number(height));
-        found.push(finding.arg("other", Arg::Number(0.0)));
+        found.push(rule.comparison(facts, span, "above", height, 0.0));
     }
 }
 

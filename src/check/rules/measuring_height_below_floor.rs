@@ -10,8 +10,10 @@ use std::collections::HashMap;
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::is_unmoved;
 use crate::check::contours::place_of_call;
+use crate::check::cycle::probes_around;
+use crate::check::floors::bottom;
 use crate::check::guards::Written;
-use crate::check::program::{bits, number, with_meaning};
+use crate::check::program::{bits, with_meaning};
 use crate::check::{Definition, Facts, Pending, Rule};
 use crate::program::syntax::ValueKind;
 use crate::spec::{Cycle, Group, Known};
@@ -22,9 +24,6 @@ pub(super) const RULE: Rule = Rule { code: "measuring-height-below-floor", sever
 const MEASURED: [&str; 3] = ["probing-centre-main", "probing-centre-minor", "measuring-height"];
 /// The parameters by which a cycle says where it mills: centre, surface, depth.
 const MILLED: [&str; 4] = ["Q216", "Q217", "Q203", "Q201"];
-
-/// The words in the names of cycles that probe around something.
-const AROUND: [&str; 2] = ["outside", "stud"];
 
 /// So many cycles that measure are compared with what was milled before.
 const MOST: usize = 1 << 7;
@@ -42,10 +41,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     called(rule, facts, found);
     by_definition(rule, facts, found);
 }
-
-/// The meanings of the surface of a cycle, and of depths.
-const SURFACE: &str = "surface-coordinate";
-const DEPTHS: [&str; 2] = ["depth", "thread-depth"];
 
 /// Pockets and holes at places that the blocks of their calls name, and the height at which their middle is probed then:
 /// below the lowest floor there.
@@ -81,8 +76,7 @@ fn called(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             };
             let related = own.as_related_cycle();
             let read = facts.read(&related);
-            let value = |meaning: &str| read.item(meaning).and_then(number);
-            let floor = value(SURFACE).zip(DEPTHS.into_iter().find_map(value)).map(|(surface, depth)| surface + depth);
+            let floor = bottom(&read);
             let place = place_of_call(facts, call.block);
             let here = place.is_some_and(|[x, y]| (x - main).abs() <= SAME && (y - minor).abs() <= SAME);
             match floor {
@@ -132,7 +126,7 @@ fn by_definition(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (definition, cycle) in facts.described() {
         let written = Written::of(facts, &definition, cycle);
         let is = |meaning: &str| with_meaning(cycle, meaning);
-        if drilled && !AROUND.iter().any(|own| cycle.file.name.as_str().contains(own)) {
+        if drilled && !probes_around(cycle) {
             continue;
         }
         let [Some(main), Some(minor), Some(height)] = MEASURED.map(is) else { continue };

@@ -7,7 +7,7 @@
 //! with a round blank. Each is said once a program.
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::floors::{SURFACE, lowest_before};
 use crate::check::incident::Incident;
 use crate::check::program::{number, with_meaning};
@@ -82,8 +82,7 @@ fn below_all(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let start = surface - deepened;
         let lowest = lowest_before(facts, index).filter(|own| start < own - LOWER * facts.millimetre());
         if let Some(lowest) = lowest {
-            let finding = rule.at(facts, span).arg("what", "start").arg("value", Arg::Number(start));
-            found.push(finding.arg("other", Arg::Number(lowest)));
+            found.push(rule.comparison(facts, span, "start", start, lowest));
             return;
         }
     }

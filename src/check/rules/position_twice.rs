@@ -5,7 +5,7 @@
 //! word for word and called without any movement between. Said once a program.
 use std::collections::HashSet;
 
-use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::incident::Incident;
 use crate::check::program::is_silent;
 use crate::check::travel::first_incident;
@@ -23,8 +23,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some((span, [x, y])) = first.or_else(|| in_a_row(facts)) {
-        let finding = rule.at(facts, span).arg("what", "place").arg("value", Arg::Number(x));
-        found.push(finding.arg("other", Arg::Number(y)));
+        found.push(rule.comparison(facts, span, "place", x, y));
     } else if let Some(span) = defined_again(facts) {
         found.push(rule.at(facts, span).arg("what", "definition").arg("value", 0).arg("other", 0));
     }

@@ -9,7 +9,7 @@
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::place_of_call;
-use crate::check::cycle::{probes, removes_material};
+use crate::check::cycle::{probes, probes_around, removes_material};
 use crate::check::program::{number, with_meaning};
 use crate::check::slip::is_slip;
 use crate::check::{Defined, Definition, Facts, Pending, Rule};
@@ -63,9 +63,8 @@ const CIRCLE: [&str; 6] = [
     "pattern-stepping-angle",
     "number-of-operations",
 ];
-/// The words in the names of cycles that probe inside of something, and around it.
+/// The words in the names of cycles that probe inside of something.
 const INSIDE: [&str; 3] = ["inside", "hole", "pocket"];
-const AROUND: [&str; 2] = ["outside", "stud"];
 /// The meanings of the points of a corner, and of the datum that it gets.
 const CORNER: [[&str; 2]; 2] = [["first-point-main", "third-point-main"], ["third-point-minor", "first-point-minor"]];
 const DATUM: [&str; 2] = ["new-datum-main", "new-datum-minor"];
@@ -74,8 +73,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for own in facts.definitions.iter().filter(|own| own.key.keyword == Keyword::TchProbe) {
         let related = own.as_related_cycle();
         if let Some((span, place, limit)) = other_axis(&facts.read(&related), facts.millimetre()) {
-            let finding = rule.at(facts, span).arg("what", "axis").arg("value", Arg::Number(place));
-            found.push(finding.arg("other", Arg::Number(limit)));
+            found.push(rule.comparison(facts, span, "axis", place, limit));
         }
     }
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins() && !facts.flow.unread.any()) else { return };
@@ -108,31 +106,24 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let beyond = x < blank.low[0] || blank.high[0] < x;
             let item = read.item(if beyond { main } else { minor });
             let span = item.map_or(own.view.head, |item| item.value_span);
-            let finding = rule.at(facts, span).arg("what", "outside").arg("value", Arg::Number(x));
             far.push(blank.distance([x, y]) > FAR * unit);
-            found.push(finding.arg("other", Arg::Number(y)));
+            found.push(rule.comparison(facts, span, "outside", x, y));
         } else if let Some((span, [x, y])) = missed(&read, &milled) {
-            let finding = rule.at(facts, span).arg("what", "centre").arg("value", Arg::Number(x));
-            found.push(finding.arg("other", Arg::Number(y)));
+            found.push(rule.comparison(facts, span, "centre", x, y));
         } else if let Some((span, size, room)) = too_large(&read, cycle, &blank) {
-            let finding = rule.at(facts, span).arg("what", "size").arg("value", Arg::Number(size));
-            found.push(finding.arg("other", Arg::Number(room)));
+            found.push(rule.comparison(facts, span, "size", size, room));
         } else if let Some((span, size, room)) = narrower(facts, &read, cycle, &blank) {
-            let finding = rule.at(facts, span).arg("what", "side").arg("value", Arg::Number(size));
-            found.push(finding.arg("other", Arg::Number(room)));
+            found.push(rule.comparison(facts, span, "side", size, room));
         } else if let Some((span, apart, diameter)) = within(&read, &known) {
-            let finding = rule.at(facts, span).arg("what", "apart").arg("value", Arg::Number(apart));
-            found.push(finding.arg("other", Arg::Number(diameter)));
+            found.push(rule.comparison(facts, span, "apart", apart, diameter));
         } else if let Some((span, angle)) = beside_holes(&read, &circles) {
             let finding = rule.at(facts, span).arg("what", "angle").arg("value", Arg::Number(angle));
             found.push(finding.arg("other", ""));
         } else if let Some((span, size, later)) = wider_than_later(facts, &read, cycle) {
-            let finding = rule.at(facts, span).arg("what", "later").arg("value", Arg::Number(size));
-            found.push(finding.arg("other", Arg::Number(later)));
+            found.push(rule.comparison(facts, span, "later", size, later));
         } else if let Some((item, datum)) = corner(&read, &blank, unit) {
             let span = read.item(item).map_or(own.view.head, |item| item.value_span);
-            let finding = rule.at(facts, span).arg("what", "corner").arg("value", Arg::Number(datum));
-            found.push(finding.arg("other", Arg::Number(0.0)));
+            found.push(rule.comparison(facts, span, "corner", datum, 0.0));
         }
     }
     if far.len() > 1 || (!far.is_empty() && rows(facts) > 1) {
@@ -145,7 +136,7 @@ fn too_large(read: &Definition<'_>, cycle: &Cycle, blank: &Blank) -> Option<(Spa
     /// A part may be larger than the blank that is named for it, but no more.
     const OUTSIDE: f64 = 1.3;
     let name = cycle.file.name.as_str();
-    let most = match (INSIDE.iter().any(|own| name.contains(own)), AROUND.iter().any(|own| name.contains(own))) {
+    let most = match (INSIDE.iter().any(|own| name.contains(own)), probes_around(cycle)) {
         (true, false) => 1.0,
         (false, true) => OUTSIDE,
         _ => return None,
@@ -163,7 +154,7 @@ fn too_large(read: &Definition<'_>, cycle: &Cycle, blank: &Blank) -> Option<(Spa
 fn narrower(facts: &Facts<'_>, read: &Definition<'_>, cycle: &Cycle, blank: &Blank) -> Option<(Span, f64, f64)> {
     /// A blank may be so much larger than the part, of its side.
     const ALLOWANCE: f64 = 0.2;
-    let around = AROUND.iter().any(|own| cycle.file.name.as_str().contains(own));
+    let around = probes_around(cycle);
     if let Some(exchanged) = exchanged(read, blank, NEAR * facts.millimetre()).filter(|_| around) {
         return Some(exchanged);
     }

@@ -3,7 +3,7 @@
 //!
 //! Where an execution shows it; the diameters only where they are known and the tool is called a reamer. Said once a
 //! program.
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::incident::Incident;
 use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
@@ -16,8 +16,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some((span, (what, value, other))) = first {
-        found.push(
-            rule.at(facts, span).arg("what", what).arg("value", Arg::Number(value)).arg("other", Arg::Number(other)),
-        );
+        found.push(rule.comparison(facts, span, what, value, other));
     }
 }

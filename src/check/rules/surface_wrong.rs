@@ -18,11 +18,11 @@
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::blank::{Blank, diameter, is_unmoved, keeps_heights, top};
 use crate::check::cycle::removes_material;
 use crate::check::first_way::FirstWay;
-use crate::check::floors::lowest_before;
+use crate::check::floors::{DEPTHS, SURFACE, bottom, lowest_before};
 use crate::check::incident::Incident;
 use crate::check::program::number;
 use crate::check::travel::first_incident;
@@ -41,11 +41,8 @@ const FACE: [&str; 6] = [
     "end-point-tool",
     "starting-point-tool",
 ];
-/// The meanings of surface and depth.
-const SURFACE: &str = "surface-coordinate";
 /// The meaning of the radius of a cylinder on whose surface is machined.
 const CYLINDER: &str = "cylinder-radius";
-const DEPTHS: [&str; 2] = ["depth", "thread-depth"];
 /// The meaning of the distance above the surface down to which the tool goes at rapid.
 const CLEARANCE: &str = "set-up-clearance";
 /// So many others make a surface unlike them.
@@ -95,12 +92,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         if let Some(face) = face.filter(|face| surface > face + HIGHER * unit && !reported) {
             reported = true;
-            let finding = rule.at(facts, item.value_span).arg("what", "faced").arg("value", Arg::Number(surface));
-            found.push(finding.arg("other", Arg::Number(face)));
+            found.push(rule.comparison(facts, item.value_span, "faced", surface, face));
         }
-        if let Some(depth) = DEPTHS.into_iter().find_map(value) {
-            floors.push(surface + depth);
-        }
+        floors.extend(bottom(&read));
         surfaces.push((surface, item.value_span));
     }
     let in_air = first_incident(facts, |own| match own {
@@ -108,8 +102,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some((span, height)) = in_air.filter(|_| !reported) {
-        let finding = rule.at(facts, span).arg("what", "air").arg("value", Arg::Number(height));
-        found.push(finding.arg("other", Arg::Number(blank.high[2])));
+        found.push(rule.comparison(facts, span, "air", height, blank.high[2]));
     }
     let same = |one: f64, other: f64| (one - other).abs() <= 1e-6;
     let opposite = surfaces.iter().find(|(own, _)| {
@@ -118,8 +111,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         *own > top + HIGHER * unit && -own < top && below
     });
     if let Some((surface, span)) = opposite {
-        let finding = rule.at(facts, *span).arg("what", "opposite").arg("value", Arg::Number(*surface));
-        found.push(finding.arg("other", Arg::Number(-surface)));
+        found.push(rule.comparison(facts, *span, "opposite", *surface, -surface));
     }
 }
 
@@ -154,8 +146,7 @@ fn unlike_others(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             if begins < first - HIGHER * unit
                 && lowest_before(facts, *own).is_some_and(|lowest| begins < lowest - HIGHER * unit)
             {
-                let finding = rule.at(facts, span).arg("what", "unlike").arg("value", Arg::Number(surface));
-                found.push(finding.arg("other", Arg::Number(*first)));
+                found.push(rule.comparison(facts, span, "unlike", surface, *first));
                 return;
             }
         }
@@ -195,8 +186,7 @@ fn same_blocks(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         };
         let before = bottoms.get(&call.block).copied().filter(|_| !open.contains(&call.block));
         if let Some(bottom) = before.filter(|bottom| own.height < bottom - HIGHER * facts.millimetre()) {
-            let finding = rule.at(facts, own.place).arg("what", "below").arg("value", Arg::Number(own.height));
-            return found.push(finding.arg("other", Arg::Number(bottom)));
+            return found.push(rule.comparison(facts, own.place, "below", own.height, bottom));
         }
         match own.bottom {
             Some(bottom) => {
@@ -221,7 +211,7 @@ fn stroke(facts: &Facts<'_>, index: u32) -> Option<Stroke> {
     // What only centres is deeper than this by less than the diameter that it has.
     let centred = || value("centring-diameter").map(|own| -own.abs());
     let depth = DEPTHS.into_iter().find_map(value).filter(|depth| *depth != 0.0).or_else(centred);
-    let height = surface + value("set-up-clearance").unwrap_or_default();
+    let height = surface + value(CLEARANCE).unwrap_or_default();
     Some(Stroke { place, height, bottom: depth.map(|depth| surface - depth.abs()) })
 }
 
@@ -248,8 +238,7 @@ fn patterns(rule: &Rule, facts: &Facts<'_>, top: f64, found: &mut Vec<Diagnostic
         });
         let Some(other) = others.next().filter(|other| surface - other > HIGHER * facts.millimetre()) else { continue };
         if others.all(|own| (own - other).abs() <= 1e-6) {
-            let finding = rule.at(facts, item.value_span).arg("what", "pattern").arg("value", Arg::Number(surface));
-            found.push(finding.arg("other", Arg::Number(other)));
+            found.push(rule.comparison(facts, item.value_span, "pattern", surface, other));
             return;
         }
     }
@@ -277,8 +266,7 @@ fn cylinders(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         // Where a box lies is known only without transformations.
         let known = round.is_some() || facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));
         if known && (radius > most + HIGHER * facts.millimetre() || radius < TURNED * most) {
-            let finding = rule.at(facts, item.value_span).arg("what", "cylinder").arg("value", Arg::Number(radius));
-            return found.push(finding.arg("other", Arg::Number(most)));
+            return found.push(rule.comparison(facts, item.value_span, "cylinder", radius, most));
         }
     }
 }
@@ -312,8 +300,7 @@ fn early(rule: &Rule, facts: &Facts<'_>, blank: &Blank, found: &mut Vec<Diagnost
             () => continue,
         };
         if said.insert((call.early, what)) {
-            let finding = rule.at(facts, call.span).arg("what", what).arg("value", Arg::Number(z));
-            found.push(finding.arg("other", Arg::Number(surface)));
+            found.push(rule.comparison(facts, call.span, what, z, surface));
         }
     }
 }
@@ -349,8 +336,7 @@ impl Heights {
         for own in facts.definitions.iter().filter(|own| own.related_cycle().is_some_and(removes_material)) {
             let related = own.as_related_cycle();
             let read = facts.read(&related);
-            let value = |meaning: &str| read.item(meaning).and_then(number);
-            all.push(value(SURFACE)? + DEPTHS.into_iter().find_map(value)?);
+            all.push(bottom(&read)?);
         }
         Some(Self(all))
     }

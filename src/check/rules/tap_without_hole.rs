@@ -6,7 +6,7 @@
 //! is deep enough. Each is said once a program.
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::blank::Blank;
 use crate::check::first_way::{EarlyCall, FirstWay};
 use crate::check::incident::Incident;
@@ -19,22 +19,13 @@ pub(super) const RULE: Rule = Rule { code: "tap-without-hole", severity: Severit
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (span, own) in incidents(facts) {
-        let finding = rule.at(facts, *span);
-        match own {
-            Incident::NoHole([x, y]) => {
-                let finding = finding.arg("what", "missing").arg("value", Arg::Number(*x));
-                found.push(finding.arg("other", Arg::Number(*y)));
-            }
-            Incident::HoleTooShallow { tap, hole } => {
-                let finding = finding.arg("what", "shallow").arg("value", Arg::Number(*tap));
-                found.push(finding.arg("other", Arg::Number(*hole)));
-            }
-            Incident::ThreadIntoFloor { thread, floor } => {
-                let finding = finding.arg("what", "floor").arg("value", Arg::Number(*thread));
-                found.push(finding.arg("other", Arg::Number(*floor)));
-            }
-            _ => {}
-        }
+        let (what, value, other) = match own {
+            Incident::NoHole([x, y]) => ("missing", *x, *y),
+            Incident::HoleTooShallow { tap, hole } => ("shallow", *tap, *hole),
+            Incident::ThreadIntoFloor { thread, floor } => ("floor", *thread, *floor),
+            _ => continue,
+        };
+        found.push(rule.comparison(facts, *span, what, value, other));
     }
     early(rule, facts, found);
     if !found.iter().any(|own| own.code == rule.code) {
@@ -82,8 +73,7 @@ fn same_blocks(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             Does::Taps(place, bottom, depth) => {
                 let hole = drilled.get(&call.block).copied().filter(|_| !open.contains(&call.block));
                 if let Some(hole) = hole.filter(|hole| bottom < *hole && depth < thinnest) {
-                    let finding = rule.at(facts, place).arg("what", "shallow").arg("value", Arg::Number(bottom));
-                    return found.push(finding.arg("other", Arg::Number(hole)));
+                    return found.push(rule.comparison(facts, place, "shallow", bottom, hole));
                 }
             }
             Does::Nothing => {}
@@ -142,8 +132,7 @@ fn early(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     if let Some(([x, y], _, span)) = taps.iter().find(|(place, ..)| over(*place).next().is_none()) {
-        let finding = rule.at(facts, *span).arg("what", "missing").arg("value", Arg::Number(*x));
-        found.push(finding.arg("other", Arg::Number(*y)));
+        found.push(rule.comparison(facts, *span, "missing", *x, *y));
     }
     let short = taps.iter().find_map(|(place, tap, span)| {
         let bottoms: Option<Vec<f64>> = over(*place).map(|(_, bottom)| *bottom).collect();
@@ -152,7 +141,6 @@ fn early(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         Some((*span, tap, lowest))
     });
     if let Some((span, tap, hole)) = short {
-        let finding = rule.at(facts, span).arg("what", "shallow").arg("value", Arg::Number(tap));
-        found.push(finding.arg("other", Arg::Number(hole)));
+        found.push(rule.comparison(facts, span, "shallow", tap, hole));
     }
 }

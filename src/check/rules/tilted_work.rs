@@ -3,7 +3,7 @@
 //!
 //! Only where PLANE SPATIAL with numbers, after at most a datum shift with numbers, tilts it, in programs with a box as their
 //! blank; the text must be carried out from the beginning to there without labels and jumps.
-use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{cosd, sind};
 use crate::check::blank::Blank;
 use crate::check::cycle::Effect;
@@ -88,8 +88,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             if !meets(&blank, &frame, &work, unit) {
                 found.push(rule.at(facts, call.span).arg("what", "beside").arg("value", 0).arg("other", 0));
             } else if let Some(top) = stands(&blank, &frame, &work, unit) {
-                let finding = rule.at(facts, work.span).arg("what", "stands").arg("value", Arg::Number(work.from));
-                found.push(finding.arg("other", Arg::Number((top * 10.0).round() / 10.0)));
+                found.push(rule.comparison(facts, work.span, "stands", work.from, (top * 10.0).round() / 10.0));
             }
         }
     }

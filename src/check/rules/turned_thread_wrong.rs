@@ -8,7 +8,7 @@
 //! Cylinders are those of the simple cycles for shoulders, where their end is written as a number. Of contours that cycles
 //! read from subprograms it is only said that a thread goes on into a wider part of them.
 use super::cutting_speed_unlimited::switches;
-use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::contours::{listed, moved};
 use crate::check::program::{number, with_meaning};
 use crate::check::tools::pitch_of_loaded;
@@ -90,8 +90,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             if let (Some((item, pitch)), Some(tool)) = (item, pitch_of_loaded(facts, call.modal.loaded))
                 && (pitch.abs() - tool).abs() > SAME * tool
             {
-                let finding = rule.at(facts, item.value_span).arg("what", "tool").arg("value", Arg::Number(pitch));
-                found.push(finding.arg("other", Arg::Number(tool)));
+                found.push(rule.comparison(facts, item.value_span, "tool", pitch, tool));
                 continue;
             }
             if !shoulder(rule, facts, own, (&profiles, inside), unit, found) {
@@ -169,8 +168,7 @@ fn shoulder(
         let near = |[x, _]: &[f64; 2]| (x - diameter * unit).abs() <= NEAR.0 * diameter * unit + NEAR.1;
         let outside = !drilled && before().any(near);
         if outside {
-            let finding = rule.at(facts, place).arg("what", "inside").arg("value", Arg::Number(diameter));
-            found.push(finding.arg("other", Arg::Number(diameter)));
+            found.push(rule.comparison(facts, place, "inside", diameter, diameter));
         }
         return outside;
     }
@@ -179,8 +177,7 @@ fn shoulder(
     };
     let first = before().filter(wider).max_by(|a, b| a[1].total_cmp(&b[1]));
     if let Some([_, z]) = first {
-        let finding = rule.at(facts, span).arg("what", "end").arg("value", Arg::Number(end));
-        found.push(finding.arg("other", Arg::Number(z / unit)));
+        found.push(rule.comparison(facts, span, "end", end, z / unit));
     }
     first.is_some()
 }
@@ -199,10 +196,7 @@ fn thread(
     let diameter = DIAMETER.into_iter().find_map(item);
     let Some((written, place)) = diameter.filter(|(own, _)| *own > 0.0) else { return };
     let diameter = written * unit;
-    let finding_of = |span, what: &str, value: f64, other: f64| {
-        let finding = rule.at(facts, span).arg("what", what.to_owned()).arg("value", Arg::Number(value));
-        finding.arg("other", Arg::Number(other))
-    };
+    let finding_of = |span, what, value, other| rule.comparison(facts, span, what, value, other);
     let starts = item(STARTS).map_or(1.0, |(starts, _)| starts.max(1.0));
     if let Some((pitch, span)) = item(PITCH)
         && pitch * unit / starts > COARSEST * diameter

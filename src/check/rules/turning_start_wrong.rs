@@ -7,7 +7,7 @@
 //! looked at if its cycle names its corners (TNC 640, 001: 7404-7560): those of subprograms may begin anywhere.
 use std::collections::BTreeSet;
 
-use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::incident::Incident;
 use crate::check::program::{is_silent, number, with_meaning};
 use crate::check::travel::first_incident;
@@ -76,8 +76,7 @@ fn sides(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some((span, (what, bar, hole))) = beside {
-        let finding = rule.at(facts, span).arg("what", what).arg("value", Arg::Number(bar));
-        found.push(finding.arg("other", Arg::Number(hole)));
+        found.push(rule.comparison(facts, span, what, bar, hole));
     }
 }
 

@@ -8,7 +8,7 @@
 //! path of many points that sticks out of it, where such a slip brings it back.
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::program::{is_silent, number, with_meaning};
 use crate::check::slip::is_slip;
 use crate::check::spikes;
@@ -67,12 +67,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         depths.iter().filter(|own| own.0 > 0.0).copied().collect::<Vec<_>>().as_slice(),
         depths.iter().any(|own| own.0 < 0.0),
     ) {
-        let finding = rule.at(facts, *span).arg("what", "depth").arg("value", Arg::Number(*depth));
-        found.push(finding.arg("other", Arg::Number(-depth)));
+        found.push(rule.comparison(facts, *span, "depth", *depth, -depth));
     }
     for (span, value) in lost_signs(facts) {
-        let finding = rule.at(facts, span).arg("what", "sign").arg("value", Arg::Number(value));
-        found.push(finding.arg("other", Arg::Number(-value)));
+        found.push(rule.comparison(facts, span, "sign", value, -value));
     }
     let told: BTreeSet<usize> = found
         .iter()
@@ -80,12 +78,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         .filter_map(|own| own.place.as_ref().map(|place| place.span.start))
         .collect();
     for (span, value, other) in spikes::of(facts).into_iter().filter(|(span, ..)| !told.contains(&span.start)) {
-        let finding = rule.at(facts, span).arg("what", "path").arg("value", Arg::Number(value));
-        found.push(finding.arg("other", Arg::Number(other)));
+        found.push(rule.comparison(facts, span, "path", value, other));
     }
     for (span, value, other) in feeds(facts).into_iter().filter(|(span, ..)| !told.contains(&span.start)) {
-        let finding = rule.at(facts, span).arg("what", "feed").arg("value", Arg::Number(value));
-        found.push(finding.arg("other", Arg::Number(other)));
+        found.push(rule.comparison(facts, span, "feed", value, other));
     }
 }
 
@@ -291,8 +287,7 @@ fn tell(rule: &Rule, facts: &Facts<'_>, (span, value, other): (Span, f64, f64), 
     if found.iter().any(known) {
         return;
     }
-    let finding = rule.at(facts, span).arg("what", "others").arg("value", Arg::Number(value));
-    found.push(finding.arg("other", Arg::Number(other)));
+    found.push(rule.comparison(facts, span, "others", value, other));
 }
 
 /// The heights to which plain movements along the tool axis alone go at a feed.
