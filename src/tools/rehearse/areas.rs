@@ -36,12 +36,14 @@ impl Area {
 
     /// How much of the way lies in another area, at least so far inside of it.
     pub(super) fn share_within(&self, other: &Self, skin: f64) -> f64 {
+        /// So far apart the places are that are looked at, mm, and so many a piece has at most.
         const STEP: f64 = 1.0;
+        const MOST: f64 = 256.0;
         let places: Vec<DVec2> = self
             .way
             .iter()
             .flat_map(|[from, to]| {
-                let count = ((*to - *from).length() / STEP).ceil().clamp(1.0, 256.0);
+                let count = ((*to - *from).length() / STEP).ceil().clamp(1.0, MOST);
                 (0..=count as usize).map(move |at| from.lerp(*to, at as f64 / count))
             })
             .collect();

@@ -1,7 +1,8 @@
 //! What the blocks of a program say of where the tool is.
 use super::watcher::Watcher;
 use crate::engine::geometry::Axis;
-use crate::program::syntax::{self, Block, BlockKind};
+use crate::program::syntax::{self, Block, BlockKind, CallForm};
+use crate::spec::{CycleKey, Group};
 use glam::DVec3;
 
 /// So many blocks in a row may show nothing.
@@ -70,6 +71,16 @@ impl Watcher<'_> {
             }
         }
         named == [true; 2]
+    }
+
+    /// Whether a movement belongs to a pattern, which goes to each of its places in both axes.
+    pub(super) fn is_at_pattern(&self, key: Option<CycleKey>, line: usize) -> bool {
+        let pattern = key.and_then(|key| self.cycle(key)).is_some_and(|own| own.file.group == Group::Patterns);
+        let called = |block: &&Block| match &block.kind {
+            BlockKind::CyclCall(call) => matches!(call.form, CallForm::Pattern),
+            _ => false,
+        };
+        pattern || self.blocks.get(&line).is_some_and(called)
     }
 
     /// What a movement says of where the tool is: coordinates that it changes, or that its block names.

@@ -23,7 +23,7 @@ use crate::engine::run::{
 use crate::engine::scene::Scene;
 use crate::engine::solid::Path;
 use crate::engine::stock::Blank;
-use crate::program::syntax::{self, Block, BlockKind, CallForm, Program};
+use crate::program::syntax::{self, Block, BlockKind, Program};
 use crate::spec::{Catalogue, Cycle, CycleKey, Group, Keyword, MM_PER_INCH, OnControl};
 
 /// So many places of a movement are looked at.
@@ -436,14 +436,9 @@ impl<'w> Watcher<'w> {
         self.machine_at = path.at(1.0);
         self.at = self.place(self.machine_at);
         self.learn(from, block);
-        // A pattern goes to each of its places in both axes.
-        let pattern = key.and_then(|key| self.cycle(key)).is_some_and(|own| own.file.group == Group::Patterns);
-        let called = self.blocks.get(&line).is_some_and(|own| match &own.kind {
-            BlockKind::CyclCall(call) => matches!(call.form, CallForm::Pattern),
-            _ => false,
-        });
-        let pattern = pattern || called;
-        (self.known[0], self.known[1]) = (self.known[0] || pattern, self.known[1] || pattern);
+        if self.is_at_pattern(key, line) {
+            (self.known[0], self.known[1]) = (true, true);
+        }
         if let (Some(key), Some(_), Some(tool)) = (key, feed, self.tool) {
             self.use_tool(tool, key);
         }
