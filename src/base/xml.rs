@@ -84,10 +84,10 @@ pub(crate) fn parse(text: &str) -> Result<Node, Unreadable> {
             }
             Event::DocType(_) => return Err(refused("document-type")),
             Event::Decl(declaration) => {
-                if let Some(Ok(encoding)) = declaration.encoding() {
-                    if !encoding.eq_ignore_ascii_case("utf-8") {
-                        return Err(refused("encoding"));
-                    }
+                if let Some(Ok(encoding)) = declaration.encoding()
+                    && !encoding.eq_ignore_ascii_case("utf-8")
+                {
+                    return Err(refused("encoding"));
                 }
             }
             Event::Comment(_) | Event::PI(_) => {}

@@ -103,7 +103,7 @@ impl DryRun<'_> {
             return None;
         }
         let knows_presets = tables.iter().any(|table| table.kind() == TableKind::Preset);
-        let scene = self.scene(file, path, &guess, &tables)?;
+        let scene = self.scene(file, path, &guess, tables)?;
         let texts = LogTexts::new(self.locales.source()?, on.id(), self.files);
         let engine = Engine::new(run, on, &scene, &texts).with_limits(LIMITS);
         let engine = engine.with_catalogue(against.catalogue).with_programs(&neighbours).touching_as_expected();

@@ -122,10 +122,12 @@ impl Catalogue {
         for file in filtered {
             filter::check(&file.node, &ids, &file.source, &mut found);
         }
-        let mut catalogue = Self::default();
-        catalogue.errata = files.errata.iter().flat_map(|file| errata(file, &mut found)).collect::<Vec<_>>().into();
-        catalogue.topics = files.topics.iter().flat_map(|file| topics(file, &mut found)).collect::<Vec<_>>().into();
-        catalogue.pages = files.pages.first().and_then(|file| file.decode(&mut found)).into();
+        let mut catalogue = Self {
+            errata: files.errata.iter().flat_map(|file| errata(file, &mut found)).collect::<Vec<_>>().into(),
+            topics: files.topics.iter().flat_map(|file| topics(file, &mut found)).collect::<Vec<_>>().into(),
+            pages: files.pages.first().and_then(|file| file.decode(&mut found)).into(),
+            ..Self::default()
+        };
         let language: Vec<LanguageFile> = files.language.iter().filter_map(|file| file.decode(&mut found)).collect();
         let (mut blocks, mut globals, mut old_cycles) = (Vec::new(), Vec::new(), Vec::new());
         for own in language {

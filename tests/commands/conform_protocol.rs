@@ -24,7 +24,7 @@ impl Data {
     }
 
     fn world(&self) -> World<'_> {
-        World { catalogue: &self.catalogue, locales: &self.locales, files: &self.files }
+        World { catalogue: self.catalogue, locales: self.locales, files: &self.files }
     }
 
     fn example(&self, case: &conform::CaseReport) -> &Example {

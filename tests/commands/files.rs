@@ -100,7 +100,7 @@ fn what_is_remembered_of_one_dialect_is_not_told_of_the_other() {
         found(&folder.run(&[&["check", extension, "--control", "tnc640", "--format", "json"], more].concat()))
     };
     let of = ["h", "i"].map(|extension| check(extension, &["--no-cache"]));
-    let codes = |text: &str| text.lines().map(|line| line.split("\"line\"").nth(1).unwrap().to_owned()).last();
+    let codes = |text: &str| text.lines().map(|line| line.split("\"line\"").nth(1).unwrap().to_owned()).next_back();
     assert_ne!(codes(&of[0]), codes(&of[1]));
     for which in [0, 1, 0] {
         assert!(check(["h", "i"][which], &[]) == of[which], "{which}");
@@ -217,7 +217,7 @@ fn a_folder_that_cannot_be_read_hides_no_other() {
     let folder = Folder::new();
     folder.put("shut/a.h", &program("a", ""));
     folder.put("open/b.h", "0 BEGIN PGM b MM\n5 L X+ R0 FMAX\n9 END PGM b MM\n");
-    std::fs::set_permissions(folder.path("shut"), std::fs::Permissions::from_mode(0)).unwrap();
+    std::fs::set_permissions(folder.path("shut"), std::fs::Permissions::from_mode(0o0)).unwrap();
     let of = |words: &[&str]| {
         let output = folder.run_as_user(words);
         assert_eq!(code(&output), 2, "{words:?} {}", told(&output));
@@ -334,6 +334,7 @@ fn tables_and_masks_are_beside_the_program_and_outputs_below_the_folder() {
 fn what_a_killed_command_left_is_cleared_away() {
     let folder = Folder::new();
     folder.put("part.h", "0 BEGIN PGM PART MM\n1 L X1 R0 FMAX\n2 END PGM PART MM\n");
+    #[expect(clippy::disallowed_methods, reason = "files on a disk have the age of a clock")]
     let long_ago = std::time::SystemTime::now() - Duration::from_secs(600);
     for name in [".ciklo-abc123", ".ciklo-held00", ".ciklo-build", ".ciklo-toolong"] {
         folder.put(name, "x");

@@ -30,7 +30,7 @@ impl Data {
         let on = self.catalogue.on("tnc640").expect("the control");
         let texts = LogTexts::new(self.locales.source().expect("English"), on.id(), &self.files);
         let program = parse(&Source::new("PROGRAM.H", program));
-        let engine = Engine::new(&program, on, &scene, &texts).with_catalogue(&self.catalogue);
+        let engine = Engine::new(&program, on, &scene, &texts).with_catalogue(self.catalogue);
         let engine = if envelope { engine.with_envelope() } else { engine };
         let mut events = Vec::new();
         let outcome = engine.run(&mut |event| events.push(event));

@@ -141,7 +141,7 @@ impl Shop {
             });
             let _ = write!(text, "Q{q}={start}\nQ{}={end}\nQ{}={incidence}\nQ{}={points}\n", q + 1, q + 2, q + 3);
         }
-        let _ = write!(text, "Q423={}\n", self.touched);
+        let _ = writeln!(text, "Q423={}", self.touched);
         text.push_str(if cycle == 451 { "Q431=0\nQ432=0\n" } else { "Q432=0\n" });
         text
     }

@@ -1,6 +1,5 @@
 //! Laws of half sections and of what inserts sweep in them, against points that are looked at one by one: a point is
 //! taken away if some place of the way brings it into the insert.
-#![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::f64::consts::PI;
 
 use ciklo::engine::region::section::{Cell, Section};

@@ -43,7 +43,7 @@ impl Data {
         let mut machining = Machining::new(&program, &scene, Some(0.7)).ok();
         let others: Vec<_> =
             others.iter().map(|(name, text)| (*name, syntax::parse(&Source::new("OTHER.H", *text)))).collect();
-        let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(&self.catalogue);
+        let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(self.catalogue);
         let engine = others.iter().fold(engine, |engine, (name, program)| engine.with_program(name, program));
         let outcome = engine.run(&mut |event| {
             if let Some(machining) = &mut machining {

@@ -37,10 +37,10 @@ impl Data {
 
     fn with<T>(&self, control: &str, then: impl FnOnce(&Against<'_>) -> T) -> T {
         let on: &OnControl = self.catalogue.on(control).unwrap_or_else(|| panic!("no control {control}"));
-        let labels = LabelBook::new(on, &self.locales);
+        let labels = LabelBook::new(on, self.locales);
         let readers = [self.locales.source().expect("English is there")];
         then(&Against {
-            catalogue: &self.catalogue,
+            catalogue: self.catalogue,
             on,
             labels: &labels,
             language: None,
@@ -318,7 +318,7 @@ fn every_code_is_documented() {
 fn every_finding_can_be_said() {
     let data = Data::new();
     for tag in data.locales.tags() {
-        let ui = Ui::new(&data.locales, Some(tag), &[]).expect("it is listed");
+        let ui = Ui::new(data.locales, Some(tag), &[]).expect("it is listed");
         for path in files("tests/check", "h") {
             for diagnostic in found_in(&data, &path) {
                 let text = ui.diagnostic(&diagnostic);

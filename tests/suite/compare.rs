@@ -34,8 +34,8 @@ impl Data {
 
     fn with<T>(&self, control: &str, then: impl FnOnce(&Against<'_>) -> T) -> T {
         let on = self.catalogue.on(control).expect("the control");
-        let labels = LabelBook::new(on, &self.locales);
-        then(&Against { catalogue: &self.catalogue, on, labels: &labels, language: None, software: None, readers: &[] })
+        let labels = LabelBook::new(on, self.locales);
+        then(&Against { catalogue: self.catalogue, on, labels: &labels, language: None, software: None, readers: &[] })
     }
 
     fn same(&self, control: &str, a: &str, b: &str) -> bool {

@@ -9,8 +9,7 @@ fn every_example_comes_out_as_it_says() {
     let files = ciklo::base::data::embedded();
     let catalogue = &crate::built::built().catalogue;
     let locales = &*crate::built::built().locales;
-    let (report, mistakes) =
-        conform::run(&World { catalogue: &catalogue, locales: &locales, files: &files }, &Selection::default());
+    let (report, mistakes) = conform::run(&World { catalogue, locales, files: &files }, &Selection::default());
     let mut failures: Vec<String> = mistakes
         .iter()
         .map(|mistake| {

@@ -113,8 +113,7 @@ fn the_conformance_report_is_described() {
     let files = data::embedded();
     let catalogue = &crate::built::built().catalogue;
     let locales = &*crate::built::built().locales;
-    let (report, _) =
-        conform::run(&World { catalogue: &catalogue, locales: &locales, files: &files }, &Selection::of(&["itnc530"]));
+    let (report, _) = conform::run(&World { catalogue, locales, files: &files }, &Selection::of(&["itnc530"]));
     let mut found = BTreeSet::new();
     keys(&serde_json::to_value(report).expect("it is JSON"), &mut found);
     assert_described(&found, "conform.md");

@@ -43,7 +43,7 @@ impl World {
         let tree = syntax::parse(&Source::new(name, program));
         let sub = syntax::parse(&Source::new("SUB.H", "BEGIN PGM SUB MM\nCALL PGM SUB2\nEND PGM SUB MM\n"));
         let sub2 = syntax::parse(&Source::new("SUB2.H", "BEGIN PGM SUB2 MM\nCALL PGM SUB\nEND PGM SUB2 MM\n"));
-        let engine = Engine::new(&tree, on, &scene, &texts).with_catalogue(&self.catalogue).with_limits(limits);
+        let engine = Engine::new(&tree, on, &scene, &texts).with_catalogue(self.catalogue).with_limits(limits);
         let engine = engine.with_program("SUB.H", &sub).with_program("TNC:\\SUB2", &sub2);
         let mut events = Vec::new();
         let outcome = engine.run(&mut |event| events.push(event));

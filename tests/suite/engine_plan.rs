@@ -12,7 +12,7 @@ use crate::mistakes;
 #[test]
 fn every_run_compiles_for_every_control() {
     let catalogue = &crate::built::built().catalogue;
-    let found = plan::check(&catalogue);
+    let found = plan::check(catalogue);
     let shown: Vec<String> = found.iter().map(mistakes::line).collect();
     assert!(found.is_empty(), "{} mistakes:\n{}", found.len(), shown.join("\n"));
 }
@@ -66,7 +66,7 @@ fn a_wrong_quantity_contradicts_the_runs() {
     let others = [Quantity::Length, Quantity::Angle, Quantity::Feed, Quantity::Time, Quantity::Speed, Quantity::Number];
     let (mut unheld, mut tried) = (Vec::new(), 0);
     for meaning in meanings {
-        let mut reduced = with_meaning(&catalogue, meaning);
+        let mut reduced = with_meaning(catalogue, meaning);
         let params = |on: &OnControl| {
             let all = on.cycles.values().flat_map(|cycle| &cycle.params);
             all.filter(|param| param.is.as_str() == meaning).map(|param| param.quantity).next()

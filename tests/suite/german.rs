@@ -27,7 +27,7 @@ fn translated() -> BTreeMap<&'static str, &'static str> {
     TRANSLATED.lines().filter(|line| !line.starts_with('#')).filter_map(|line| line.split_once('\t')).collect()
 }
 
-fn family<'c>(catalogue: &'c Catalogue) -> impl Iterator<Item = (&'c OnControl, &'c Cycle)> {
+fn family(catalogue: &Catalogue) -> impl Iterator<Item = (&OnControl, &Cycle)> {
     let all = catalogue.controls.values().flat_map(|on| on.cycles.values().map(move |cycle| (on, cycle)));
     all.filter(|(_, cycle)| FAMILY.contains(&cycle.key.number))
 }

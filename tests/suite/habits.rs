@@ -67,8 +67,8 @@ fn with_data(each: impl Fn(&Habit, &Against<'_>)) {
     let catalogue = &crate::built::built().catalogue;
     let locales = &*crate::built::built().locales;
     let on = catalogue.on("tnc640").expect("the control");
-    let labels = LabelBook::new(on, &locales);
-    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
+    let labels = LabelBook::new(on, locales);
+    let against = Against { catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
     habits().iter().for_each(|habit| each(habit, &against));
 }
 

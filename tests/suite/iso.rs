@@ -47,8 +47,8 @@ impl Data {
 
     fn with<T>(&self, control: &str, then: impl FnOnce(&Against<'_>) -> T) -> T {
         let on = self.catalogue.on(control).expect("the control");
-        let labels = LabelBook::new(on, &self.locales);
-        then(&Against { catalogue: &self.catalogue, on, labels: &labels, language: None, software: None, readers: &[] })
+        let labels = LabelBook::new(on, self.locales);
+        then(&Against { catalogue: self.catalogue, on, labels: &labels, language: None, software: None, readers: &[] })
     }
 
     /// The differences of two programs.
@@ -91,7 +91,7 @@ fn told(finding: &Diagnostic) -> String {
 #[test]
 fn programs_are_told_in_klartext() {
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     let mut wrong = Vec::new();
     for path in files("i") {
         let text = fs::read_to_string(&path).expect("a program");
@@ -115,7 +115,7 @@ fn programs_are_told_in_klartext() {
 #[test]
 fn a_sheet_before_the_program_stays_there() {
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     let text = "; setup\n\n( sheet ) ; 2\n0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\n2 L X+1 R0 FMAX\n( a note )\n3 END PGM A MM\n";
     let program = read("part.h", text);
     let (iso, back) = by_way_of_iso(&codes, &program).expect("everything has an equivalent");
@@ -133,7 +133,7 @@ fn a_sheet_before_the_program_stays_there() {
 #[test]
 fn lengths_of_tools_are_no_labels() {
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     let text = "%A G71 *\nN10 G99 T2 L75. R0.0*\nN20 G99 T3 L75,5 R2,5*\nN30 L1,2*\nN40 M140 MB MAX F500*\nN50 G00 M140 MB50*\nN99999999 %A G71 *\n";
     let lowered = to_klartext(&read("part.i", text), &codes, None);
     let expected = "0 BEGIN PGM A MM\n1 TOOL DEF 2 L75. R0.0\n2 TOOL DEF 3 L75,5 R2,5\n3 CALL LBL 1 REP 2\n4 L F500 M140 MB MAX\n5 L FMAX M140 MB50\n6 END PGM A MM\n";
@@ -178,7 +178,7 @@ fn every_code_is_documented() {
 #[test]
 fn findings_stand_in_the_file() {
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     let text = "%A G71 *\nN10 T1 G17 S1000 M3*\nN20 G200 Q200=2 Q201=-20 Q206=0 Q202=5 Q210=0 Q203=+0 Q204=50 Q211=0*\n\
                 N30 G79*\nN40 G201 Q200=+2 ;SET-UP CLEARANCE\nQ201=-15 ;DEPTH\nQ206=99999999\nQ208=200*\nN50 G26 R2*\nN60 G333*\n\
                 N70 G81 X*\nN99999999 %A G71*\n";
@@ -201,7 +201,7 @@ fn findings_stand_in_the_file() {
 #[test]
 fn copies_know_where_they_come_from() {
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     let mut copies = 0;
     for path in files("i") {
         let text = fs::read_to_string(&path).expect("a program");
@@ -228,7 +228,7 @@ fn copies_know_where_they_come_from() {
 #[test]
 fn codes_of_the_manuals_are_those_of_cycles() {
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     let list = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso/codes.txt")).expect("the list");
     let mut written = BTreeMap::<String, Vec<&str>>::new();
     for on in data.catalogue.controls.values() {
@@ -263,7 +263,7 @@ fn codes_of_the_manuals_are_those_of_cycles() {
 #[test]
 fn printed_blocks_come_back() {
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/printed");
     let (mut count, mut refused) = (0, BTreeMap::<String, usize>::new());
     for entry in fs::read_dir(directory).expect("the blocks") {
@@ -296,7 +296,7 @@ fn printed_blocks_come_back() {
 #[test]
 fn a_second_program_in_a_file_is_refused() {
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     let program = read("two.h", "0 BEGIN PGM P MM\n1 L X+1\n2 BEGIN PGM P MM\n3 L X+2\n4 END PGM P MM\n");
     let raised = to_iso(&program, &codes);
     assert_eq!(raised.diagnostics.iter().map(|own| own.code).collect::<Vec<_>>(), ["iso-no-equivalent"]);
@@ -307,7 +307,7 @@ fn a_second_program_in_a_file_is_refused() {
 #[test]
 fn blocks_without_coordinates_or_radius_are_refused() {
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     for (line, refused) in [
         ("L", true),
         ("C DR+", true),
@@ -365,7 +365,7 @@ fn functions_are_d_functions() {
         "FN 38: SEND /\"done\"",
     ];
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     for line in FUNCTIONS {
         let program = read("part.h", &format!("0 BEGIN PGM A MM\n1 {line}\n2 END PGM A MM\n"));
         assert_eq!(program.errors().count(), 0, "{line}");
@@ -382,7 +382,7 @@ fn functions_are_d_functions() {
 #[test]
 fn programs_of_the_manuals_come_back() {
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     let mut count = 0;
     for entry in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples")).expect("the programs") {
         let path = entry.expect("an entry").path();
@@ -418,7 +418,7 @@ impl ByWayOfIso<'_> {
         let language = self.data.locales.language(&request.language).expect("the language");
         let texts = LogTexts::new(language, on.id(), &self.data.files);
         let mut trace = Trace::default();
-        let engine = Engine::new(program, on, &scene, &texts).with_catalogue(&self.data.catalogue);
+        let engine = Engine::new(program, on, &scene, &texts).with_catalogue(self.data.catalogue);
         let outcome = engine.run(&mut |event| trace.push(event));
         (trace.fingerprint(), trace.events.len(), outcome.status.as_str())
     }
@@ -445,8 +445,8 @@ impl Partner for ByWayOfIso<'_> {
 #[test]
 fn examples_do_the_same_by_way_of_iso() {
     let data = Data::shared();
-    let world = World { catalogue: &data.catalogue, locales: &data.locales, files: &data.files };
-    let mut partner = ByWayOfIso { data: &data, codes: Codes::new(&data.catalogue), executed: 0, refused: 0 };
+    let world = World { catalogue: data.catalogue, locales: data.locales, files: &data.files };
+    let mut partner = ByWayOfIso { data, codes: Codes::new(data.catalogue), executed: 0, refused: 0 };
     let _ = conform::run_foreign(&world, &Selection::of(&["tnc640", "tnc320"]), &mut partner);
     println!("{} executed, {} refused", partner.executed, partner.refused);
     assert!(partner.executed > 10 * partner.refused, "{} executed, {} refused", partner.executed, partner.refused);
@@ -456,7 +456,7 @@ fn examples_do_the_same_by_way_of_iso() {
 #[test]
 fn long_programs_are_told_in_linear_time() {
     let data = Data::shared();
-    let codes = Codes::new(&data.catalogue);
+    let codes = Codes::new(data.catalogue);
     for unit in [
         "G70\n",
         "N10 G01 G91 X+5 F100 M3*\n",
@@ -475,7 +475,7 @@ fn long_programs_are_told_in_linear_time() {
 /// Cases that laws once failed on.
 #[test]
 fn these_programs_come_back() {
-    let codes = Codes::new(&Data::shared().catalogue);
+    let codes = Codes::new(Data::shared().catalogue);
     for block in ["TCH PROBE 400 X ~\n Q263=+0 ;A ~\n Q264=+5", "CR X+0 R+0 DR-"] {
         let program = read("part.h", &format!("0 BEGIN PGM A MM\n{block}\nEND PGM A MM\n"));
         let (iso, back) = by_way_of_iso(&codes, &program).expect("nothing is refused");
@@ -495,7 +495,7 @@ laws! {
     #[test]
     fn klartext_comes_back(blocks in proptest::collection::vec(block(), 1..12), inch in any::<bool>()) {
         let data = Data::shared();
-        let codes = Codes::new(&data.catalogue);
+        let codes = Codes::new(data.catalogue);
         let unit = if inch { "INCH" } else { "MM" };
         let text = format!("0 BEGIN PGM A {unit}\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 BLK FORM 0.2 IX+100 Y+50 Z+0\n{}\nEND PGM A {unit}\n", blocks.join("\n"));
         let program = read("part.h", &text);
@@ -514,7 +514,7 @@ laws! {
     #[test]
     fn iso_comes_back(blocks in proptest::collection::vec(iso_block(), 1..12), inch in any::<bool>()) {
         let data = Data::shared();
-        let codes = Codes::new(&data.catalogue);
+        let codes = Codes::new(data.catalogue);
         let unit = if inch { "G70" } else { "G71" };
         let blocks = blocks.iter().filter(|block| !(inch && *block == "G71"));
         let body: String = blocks.flat_map(|block| block.split(" *\n").map(str::to_owned).collect::<Vec<_>>()).zip(1..)
@@ -542,7 +542,7 @@ laws! {
         "G55 P01 5 P02 X-", "G79:G01", "%:TAB:\"A\"", "%X", "G04", "G00 F5", "X1 ; c", "\"", "D16 x", "D18 Q1 ID5", "G30 X1", "G31 X1",
     ]), 0..12)) {
         let data = Data::shared();
-        let codes = Codes::new(&data.catalogue);
+        let codes = Codes::new(data.catalogue);
         let text = lines.join("\n");
         let lowered = to_klartext(&read("part.i", &text), &codes, None);
         for block in lowered.program.blocks() {

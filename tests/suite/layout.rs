@@ -39,8 +39,8 @@ fn a_layout_is_final_and_the_program_the_same() {
     let catalogue = &crate::built::built().catalogue;
     let locales = &*crate::built::built().locales;
     let on = catalogue.on("tnc640").expect("the control");
-    let labels = LabelBook::new(on, &locales);
-    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
+    let labels = LabelBook::new(on, locales);
+    let against = Against { catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
     let programs = programs();
     assert!(programs.len() > 100);
     for path in programs {

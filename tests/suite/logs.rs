@@ -42,7 +42,7 @@ fn logs(control: &str, language: &str, program: &str, scene: &str) -> Vec<(Strin
     let Ok(scene) = Scene::parse(&Source::new("scene.yaml", scene), &data.files) else { return Vec::new() };
     let texts = LogTexts::new(data.locales.language(language).expect("a language"), control, &data.files);
     let tree = syntax::parse(&Source::new("LOG.H", program));
-    let engine = Engine::new(&tree, on, &scene, &texts).with_catalogue(&data.catalogue);
+    let engine = Engine::new(&tree, on, &scene, &texts).with_catalogue(data.catalogue);
     let outcome = engine.run(&mut |_| {});
     let screens = outcome.screens.into_iter().map(|text| ("screen".to_owned(), text));
     // A file of digitized data is a program.
@@ -92,7 +92,7 @@ impl Partner for Writing {
 
 fn world() -> World<'static> {
     let data = data();
-    World { catalogue: &data.catalogue, locales: &data.locales, files: &data.files }
+    World { catalogue: data.catalogue, locales: data.locales, files: &data.files }
 }
 
 fn written() -> &'static BTreeMap<String, Vec<Written>> {

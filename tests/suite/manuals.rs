@@ -125,9 +125,9 @@ impl Data {
         let mut found = BTreeSet::new();
         for (control, on) in ["tnc640", "tnc320", "itnc530", "tnc426-430"].map(|name| (name, self.catalogue.on(name))) {
             let on = on.expect("the control");
-            let labels = LabelBook::new(on, &self.locales);
+            let labels = LabelBook::new(on, self.locales);
             let against = Against {
-                catalogue: &self.catalogue,
+                catalogue: self.catalogue,
                 on,
                 labels: &labels,
                 language: None,

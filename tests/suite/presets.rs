@@ -27,7 +27,7 @@ fn run_on(on: &OnControl, text: &str) -> (Outcome, Vec<Event>) {
     let scene = Scene::parse(&Source::new("scene.yaml", SCENE), &world.files).expect("a scene");
     let program = syntax::parse(&Source::new("A.H", text));
     let mut events = Vec::new();
-    let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(&world.catalogue);
+    let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(world.catalogue);
     let outcome = engine.run(&mut |event| events.push(event));
     (outcome, events)
 }

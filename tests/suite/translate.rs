@@ -28,9 +28,9 @@ impl Data {
 
     fn translate(&self, control: &str, text: &str, to: &str, encoding: Encoding) -> Translation {
         let on = self.catalogue.on(control).expect("the control");
-        let labels = LabelBook::new(on, &self.locales);
+        let labels = LabelBook::new(on, self.locales);
         let against =
-            Against { catalogue: &self.catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
+            Against { catalogue: self.catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
         translate(&parse(&Source::new("program.h", text)), &against, to, encoding)
     }
 
@@ -278,9 +278,9 @@ fn unknown_labels_are_replaced_when_asked_for() {
 3 L X+10 ;TIEFE
 ";
     let on = data.catalogue.on("tnc640").expect("the control");
-    let labels = LabelBook::new(on, &data.locales);
+    let labels = LabelBook::new(on, data.locales);
     let against =
-        Against { catalogue: &data.catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
+        Against { catalogue: data.catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
     let program = parse(&Source::new("program.h", german));
     let translation = ciklo::tools::translate::relabel(&program, &against, "en", UTF_8);
     assert_else_unchanged(german, &translation);
@@ -353,9 +353,9 @@ fn only_labels_of_the_language_that_is_given_are_replaced() {
     assert_eq!(whole.changes.len(), 4, "{:?}", whole.changes);
     assert_eq!(whole.sources.into_iter().collect::<Vec<_>>(), [("en".to_owned(), 1), ("sl".to_owned(), 1)]);
     let on = data.catalogue.on("tnc640").expect("the control");
-    let labels = LabelBook::new(on, &data.locales);
+    let labels = LabelBook::new(on, data.locales);
     let against =
-        Against { catalogue: &data.catalogue, on, labels: &labels, language: Some("sl"), software: None, readers: &[] };
+        Against { catalogue: data.catalogue, on, labels: &labels, language: Some("sl"), software: None, readers: &[] };
     let one = translate(&parse(&Source::new("program.h", mixed)), &against, "it", UTF_8);
     assert_eq!(one.changes.iter().map(|change| change.from.as_str()).collect::<Vec<_>>(), ["VRTANJE", "GLOBINA"]);
 }

@@ -49,7 +49,7 @@ pub(crate) fn hold(
     law: &dyn Fn(Drawn) -> TestCaseResult,
 ) {
     let mut runner = TestRunner::new(config);
-    match runner.run(strategy, |drawn| law(drawn)) {
+    match runner.run(strategy, law) {
         Ok(()) => {}
         Err(TestError::Fail(why, case)) => {
             panic!("{why}\nthe smallest case that fails: ({names}) = {case:?}\n{runner}")

@@ -101,7 +101,7 @@ fn of_text(line: &str) -> Hides {
     if !ends {
         return Hides::Anything;
     }
-    if MOVEMENTS.iter().any(|own| is(own)) {
+    if MOVEMENTS.iter().any(&is) {
         // What is misspelled after the word might be a block of its own.
         let other = ["LBL", "CALL", "DEF", "PGM", "GOTO"]
             .iter()

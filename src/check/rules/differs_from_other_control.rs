@@ -96,7 +96,7 @@ impl<'a> Other<'a> {
             let name = item.name.as_ref();
             // Words for feeds are many, and PREDEF may stand for any parameter.
             let word = matches!(item.value.map(|value| value.kind), Some(ValueKind::Word));
-            if !(word && !lines) && refused(item, facts.inch).is_some() {
+            if (lines || !word) && refused(item, facts.inch).is_some() {
                 found.push(tell(item.value_span, "value").arg("parameter", name).arg("value", shown(item)));
             }
             if lines {

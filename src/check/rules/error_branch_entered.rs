@@ -40,10 +40,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         Some(BlockKind::FnJump(jump)) => jump.decided() != Some(true),
         _ => false,
     });
-    if forward && fault && falls && conditional && facts.run.before(at).is_some() {
-        if let Some(block) = blocks.get(at) {
-            found.push(rule.at(facts, facts.content(block)).arg("what", "entered").arg("parameter", ""));
-        }
+    if forward
+        && fault
+        && falls
+        && conditional
+        && facts.run.before(at).is_some()
+        && let Some(block) = blocks.get(at)
+    {
+        found.push(rule.at(facts, facts.content(block)).arg("what", "entered").arg("parameter", ""));
     }
 }
 

@@ -56,7 +56,7 @@ fn retracts(facts: &Facts<'_>, block: &Block) -> Option<(f64, bool)> {
 /// Whether a movement stands where tools are changed, axes turned or the program ends.
 fn is_retreat(facts: &Facts<'_>, index: usize) -> bool {
     let blocks = facts.program.blocks();
-    let own = blocks.get(index).is_some_and(|block| stops(block));
+    let own = blocks.get(index).is_some_and(stops);
     let before = blocks.get(..index).unwrap_or_default().iter().rev().find(|block| !is_silent(block));
     let after = blocks.get(index + 1..).unwrap_or_default().iter().find(|block| !is_silent(block));
     let calls = |block: &Block| matches!(&block.kind, BlockKind::ToolCall(call) if call.tool.is_some());

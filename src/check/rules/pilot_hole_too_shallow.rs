@@ -75,7 +75,7 @@ fn below_all(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let value = |meaning: &str| read.item(meaning).and_then(|item| Some((number(item)?, item.value_span)));
         let Some(((deepened, span), (surface, _))) = value(DEEPENED).zip(value(SURFACE)) else { continue };
         let mut calls = called.values().filter(|all| all.contains(&index)).peekable();
-        let piloted = calls.peek().is_some() && calls.all(|all| all.range(..index).any(|own| drills(own)));
+        let piloted = calls.peek().is_some() && calls.all(|all| all.range(..index).any(&drills));
         if deepened <= 0.0 || !piloted {
             continue;
         }

@@ -302,7 +302,7 @@ fn beside_holes(read: &Definition<'_>, circles: &[Circle]) -> Option<(Span, f64)
     let made = |angle: f64| {
         all.iter().any(|own| {
             let apart = (own - angle).rem_euclid(360.0);
-            apart < SAME || apart > 360.0 - SAME
+            !(SAME..=360.0 - SAME).contains(&apart)
         })
     };
     let angles = [number(items[0]?)?, number(items[1]?)?, number(items[2]?)?];

@@ -318,6 +318,7 @@ impl Contour {
     }
 
     /// The way to a contour waits for its first element.
+    #[expect(clippy::too_many_arguments, reason = "they are what the block says")]
     pub(crate) fn begin(
         &mut self,
         drives: &mut Drives<'_, '_>,

@@ -48,7 +48,7 @@ impl Run<'_, '_> {
             }
         }
         if !axes.is_empty() {
-            self.drives.not_beside_contour(&axes.iter().map(|axis| axis.axis).collect::<String>())?;
+            self.drives.not_beside_contour(axes.iter().map(|axis| axis.axis).collect::<String>())?;
         }
         let before = (self.drives.world.here, self.drives.world.angles);
         if !others.is_empty() {

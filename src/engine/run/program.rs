@@ -76,7 +76,7 @@ impl<'e> Run<'_, 'e> {
         let internal = || Fault::new(super::Class::Internal, "no-program");
         let prepared = self.calls.here().ok_or_else(internal)?;
         match label.target {
-            Label::Q(q) if q.kind == QKind::Qs => self.named_label(&*self.params.text(q)?),
+            Label::Q(q) if q.kind == QKind::Qs => self.named_label(&self.params.text(q)?),
             Label::Name(span) => self.named_label(prepared.program.slice(span)),
             Label::Q(q) => {
                 let number = self.params.number(q)?;

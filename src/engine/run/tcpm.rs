@@ -38,23 +38,32 @@ impl Run<'_, '_> {
             }
             "TURNDATA" | "TURNDATABLANK" => self.turning_data(statement),
             // How the feed is kept, and what is displayed: the tool goes the same way.
-            "FEED" | "COUNT" | "LIFTOFF" | "AFC" => Ok(self.report_function(block)),
+            "FEED" | "COUNT" | "LIFTOFF" | "AFC" => {
+                self.report_function(block);
+                Ok(())
+            }
             "PARAXCOMP" => {
                 self.compensate_parallel(statement)?;
-                Ok(self.report_function(block))
+                self.report_function(block);
+                Ok(())
             }
             "PARAXMODE" if !statement.words.is_empty() => {
                 self.choose_axes(statement)?;
-                Ok(self.report_function(block))
+                self.report_function(block);
+                Ok(())
             }
             "DWELL" => self.dwell(statement),
-            _ if head.replace(' ', "").starts_with("FUNCTIONS-PULSE") => Ok(self.report_function(block)),
+            _ if head.replace(' ', "").starts_with("FUNCTIONS-PULSE") => {
+                self.report_function(block);
+                Ok(())
+            }
             "RESET" if words.clone().all(|(name, _)| name == "TCPM") => self.drives.hold_tip(false),
             "RESET" if words.next().is_some_and(|(name, _)| RESETS.contains(&name.as_str())) => {
                 if statement.words.iter().any(|word| self.slice(word.name).trim().eq_ignore_ascii_case("PARAXCOMP")) {
                     self.drives.world.parallels.compensate(BTreeSet::new());
                 }
-                Ok(self.report_function(block))
+                self.report_function(block);
+                Ok(())
             }
             _ => {
                 let first = statement.words.first().map_or("", |word| self.slice(word.name)).trim();

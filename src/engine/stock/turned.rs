@@ -30,7 +30,7 @@ impl Body {
         let section = section(&blank.shape, &mut line)?;
         let (origin, axis) = line?;
         let along = axis.dot(blank.axis.unit()).abs();
-        let is_held = blank.frame.is_rigid() && (along < 1e-12 || along > 1.0 - 1e-12);
+        let is_held = blank.frame.is_rigid() && !(1e-12..=1.0 - 1e-12).contains(&along);
         is_held.then_some(Self { section, line: (origin, axis), frame: blank.frame })
     }
 

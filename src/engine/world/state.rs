@@ -19,7 +19,7 @@ use crate::engine::world::parallel::Parallels;
 use crate::engine::world::stylus::{OfMachine, ProbeData};
 
 /// How far away a tool is that stands aside, mm.
-pub(crate) const ASIDE: f64 = 98_765.4321;
+pub(crate) const ASIDE: f64 = 98_765.432_1;
 /// The file of the kinematics that a program has changed.
 const KINEMATICS_FILE: &str = "KINEMATICS.YAML";
 /// The file of the memories in which kinematics are saved (001:14137-14143).

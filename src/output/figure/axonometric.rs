@@ -125,13 +125,13 @@ fn below(polygon: &[DVec3], origin: DVec3, normal: DVec3) -> Vec<DVec3> {
 /// Where a plane cuts a block: the corners in order around.
 fn cut([least, greatest]: [DVec3; 2], origin: DVec3, [x, y, normal]: [DVec3; 3]) -> Vec<DVec3> {
     let mut met: Vec<DVec3> = Vec::new();
-    for axis in 0..3 {
+    for (axis, unit) in UNITS.into_iter().enumerate() {
         let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
         for (at_a, at_b) in [(false, false), (true, false), (true, true), (false, true)] {
             let mut from = least;
             from[a] = if at_a { greatest[a] } else { least[a] };
             from[b] = if at_b { greatest[b] } else { least[b] };
-            let to = from + UNITS[axis] * (greatest - least)[axis];
+            let to = from + unit * (greatest - least)[axis];
             let [low, high] = [from, to].map(|p| (p - origin).dot(normal));
             let found = if (low > NEAR) == (high > NEAR) {
                 [(low, from), (high, to)]

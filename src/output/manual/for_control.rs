@@ -140,10 +140,10 @@ fn blocks(markdown: &str) -> Vec<Vec<&str>> {
         if begins || (line.is_empty() && !in_code) {
             blocks.push(Vec::new());
         }
-        if !line.is_empty() || in_code {
-            if let Some(last) = blocks.last_mut() {
-                last.push(line);
-            }
+        if (!line.is_empty() || in_code)
+            && let Some(last) = blocks.last_mut()
+        {
+            last.push(line);
         }
         in_code ^= fence;
         if fence && !in_code {

@@ -178,7 +178,7 @@ fn sound(own: &Unit, unit: Received, negation: Option<&Negation>, is_twice: bool
     if is_twice {
         return Err(Why::Twice);
     }
-    let unit = unit.as_exported(&merged(own.source.clone()), &own.target);
+    let unit = unit.into_exported_form(&merged(own.source.clone()), &own.target);
     if unit.source.as_ref() != Some(&merged(own.source.clone())) {
         return Err(Why::SourceChanged);
     }

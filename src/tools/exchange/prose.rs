@@ -240,7 +240,7 @@ fn checked(
     }
     let own = page.segments.get(at).ok_or(Why::Unknown)?;
     let old = page.translated.get(at).map(|segment| segment.pieces.as_slice());
-    let unit = unit.clone().as_exported(&own.pieces, old.unwrap_or_default());
+    let unit = unit.clone().into_exported_form(&own.pieces, old.unwrap_or_default());
     if unit.source.as_ref() != Some(&own.pieces) {
         return Err(Why::SourceChanged);
     }

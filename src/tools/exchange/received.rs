@@ -40,14 +40,14 @@ impl Received {
     /// The same unit as it was exported, but for what a translator has changed: with the blanks between codes, and without
     /// the line breaks and blanks with which a tool has laid out its elements. Only where the source is then that of today,
     /// and neither text has lines of its own, is that certain.
-    pub(super) fn as_exported(mut self, source: &[Piece], target: &[Piece]) -> Self {
-        self = self.as_laid_out(source, target);
+    pub(super) fn into_exported_form(mut self, source: &[Piece], target: &[Piece]) -> Self {
+        self = self.into_layout_of_export(source, target);
         self.source = self.source.map(|own| with_blanks(&own, source));
         self.target = self.target.map(|own| with_blanks(&own, target));
         self
     }
 
-    fn as_laid_out(self, source: &[Piece], target: &[Piece]) -> Self {
+    fn into_layout_of_export(self, source: &[Piece], target: &[Piece]) -> Self {
         let has_lines =
             |pieces: &[Piece]| pieces.iter().any(|piece| matches!(piece, Piece::Text(words) if words.contains('\n')));
         if has_lines(source) || has_lines(target) {

@@ -364,7 +364,7 @@ fn text_of(locales: &Locales, tag: &str, texts: &[Text], id: &str, name: &'stati
 }
 
 /// Puts added texts after the others of their message.
-fn in_order(texts: &mut Vec<Text>, edits: &mut Edits) {
+fn in_order(texts: &mut [Text], edits: &mut Edits) {
     let mut places: HashMap<String, usize> = HashMap::new();
     for text in texts.iter() {
         let next = places.len();

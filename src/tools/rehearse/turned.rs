@@ -191,11 +191,11 @@ impl Watcher<'_> {
             let incident = Incident::WallTurnedThrough { other: pass.other * unit };
             return self.report(pass.line, incident);
         }
-        if let Some([beside, radius, surface]) = pass.nearest.filter(|_| !pass.cuts) {
-            if pass.recess || beside > WALL {
-                let incident = Incident::TurnedInAir { tool: radius * unit, part: surface * unit };
-                self.report(pass.line, incident);
-            }
+        if let Some([beside, radius, surface]) = pass.nearest.filter(|_| !pass.cuts)
+            && (pass.recess || beside > WALL)
+        {
+            let incident = Incident::TurnedInAir { tool: radius * unit, part: surface * unit };
+            self.report(pass.line, incident);
         }
     }
 }

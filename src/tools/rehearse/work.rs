@@ -534,10 +534,12 @@ impl Watcher<'_> {
                 let incident = Incident::HoleTooShallow { tap: work.low.z * self.unit, hole: hole.bottom * self.unit };
                 self.report(work.line, incident);
             }
-            None if !work.milled && !self.holes.is_empty() && (!self.others || work.solid && !self.remains.open) => {
-                if self.body.is_none_or(|body| body.distance(work.start) <= 0.0) {
-                    self.report(work.line, Incident::NoHole(place));
-                }
+            None if !work.milled
+                && !self.holes.is_empty()
+                && (!self.others || work.solid && !self.remains.open)
+                && self.body.is_none_or(|body| body.distance(work.start) <= 0.0) =>
+            {
+                self.report(work.line, Incident::NoHole(place));
             }
             _ => {}
         }

@@ -205,7 +205,7 @@ fn every_mistake_of_a_file_has_its_place() {
         (changed("vertex 0", "vertex 1e7"), "scene-stl-word", 4, 14),
         (changed("vertex 0", "vertex inf"), "scene-stl-word", 4, 14),
         (changed("endsolid", "solid"), "scene-stl-word", 86, 1),
-        (sound[..sound.len() / 2].as_bytes().to_vec(), "scene-stl-word", 44, 3),
+        (sound.as_bytes()[..sound.len() / 2].to_vec(), "scene-stl-word", 44, 3),
         (format!("{sound}x").into_bytes(), "scene-stl-word", 87, 1),
         (b"solid \xff\xfe\nfacet normal \xff 0 0 outer loop vertex \xff".to_vec(), "scene-stl-word", 2, 38),
     ];

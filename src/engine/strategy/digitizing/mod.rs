@@ -8,6 +8,7 @@ pub mod range;
 mod rotary_axis;
 mod scan;
 
+use std::iter::successors;
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
@@ -28,7 +29,7 @@ const SAME: f64 = 1e-9;
 /// A table of points bounds a range with at least and at most so many of them (003: 3163).
 const CORNERS: (usize, usize) = (3, 893);
 /// Places are looked through for the way between two points of a line with retractions of so many sizes.
-const TRIES: i32 = 12;
+const TRIES: usize = 12;
 /// The least step with which a line is followed whose points are stored within a tolerance, mm, and its share of the
 /// greatest distance.
 const FINE: (f64, f64) = (0.02, 0.125);
@@ -36,6 +37,11 @@ const FINE: (f64, f64) = (0.02, 0.125);
 const SUDDEN: f64 = 30.0;
 /// The most such places of a line for which the feed is reduced in the next one (003: 3223, 3257).
 const MOST_SUDDEN: usize = 1000;
+
+/// A length, and each time twice the one before: how far a probe gives way, try after try.
+fn doubled(first: f64) -> impl Iterator<Item = f64> {
+    successors(Some(first), |way| Some(way * 2.0))
+}
 
 strategy! {
     /// Keeps a block-shaped range for the cycles that digitize.
@@ -361,8 +367,8 @@ fn wait_before(
     let (from, feed) = control.stylus()?;
     let from = control.in_plane(from);
     // Less in narrow places, more where the part bulges between the two.
-    let smaller = (0..TRIES).map(|count| travel * 0.5_f64.powi(count)).take_while(|way| *way > OFF);
-    let larger = (0..TRIES).map(|count| travel.max(OFF) * 2.0_f64.powi(count)).filter(|way| *way > travel);
+    let smaller = successors(Some(travel), |way| Some(way / 2.0)).take(TRIES).take_while(|way| *way > OFF);
+    let larger = doubled(travel.max(OFF)).take(TRIES).filter(|way| *way > travel);
     for way in smaller.chain([OFF]).chain(larger) {
         let (via, to) = (before(control, last, way)?, before(control, sample, way)?);
         if feel(control, from, via)?.is_none() && feel(control, via, to)?.is_none() {

@@ -7,7 +7,9 @@ use glam::{DVec2, DVec3};
 
 use super::range::{Range, RotaryRange, Row, SAME};
 use super::scan::{Chart, Ground, Profile, Sample, beyond, lost};
-use super::{ApproachDigitizingStart, Manner, OFF, Spent, axis_wrong, in_plane, probe, range_of, stepping, store};
+use super::{
+    ApproachDigitizingStart, Manner, OFF, Spent, axis_wrong, doubled, in_plane, probe, range_of, stepping, store,
+};
 use crate::engine::geometry::{Axis, RotaryAxis};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -24,7 +26,7 @@ const BEGINS: &str = "contour-line-direction";
 /// A whole turn, degrees.
 const TURN: f64 = 360.0;
 /// A way back before the table turns is looked for with so many sizes.
-const TRIES: i32 = 16;
+const TRIES: usize = 16;
 
 /// The fault of a range, or of a point in it, without an axis.
 fn incomplete(letter: char) -> Fault {
@@ -243,7 +245,7 @@ pub(super) fn take_turned(
         let now = (control.in_plane(here) - chart.base).dot(chart.up);
         let before = if touches { height + travel } else { height };
         let least = before.max(now);
-        let larger = (0..TRIES).map(|count| least + travel * 2.0_f64.powi(count));
+        let larger = doubled(travel).take(TRIES).map(|more| least + more);
         let mut clear = None;
         for way in [least].into_iter().chain(larger).take_while(|way| *way < top).chain([top]) {
             if !control.touches_while_turning((chart.axis, angle), control.axes(chart.place(way)))? {
