@@ -332,8 +332,10 @@ diag-path-twice =
     { $what ->
         [repeated] The tool goes this way for the third time: nothing is left to remove.
         [air] Under this transformation the path from here on removes nothing, although the same blocks have cut under another one.
+        [copied] The contour from here on has already been machined with this tool by other blocks, although the tool has been positioned elsewhere.
        *[transformed] The whole path from here on has already been machined with this tool under another transformation.
     }
+diag-path-not-closed = This subprogram does not come back to its beginning, although it is called again at the same place: the step is { $value }, and { $other } would close the path.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } cannot call { $called } with { $value }.
@@ -518,6 +520,7 @@ diag-value-unlike-others =
         [sign] The height is { $value } here, between lower ones on the same path; { $other } would fit.
         [depth] The depth is { $value } here; in the other cycles of the program depths are negative.
         [path] The coordinate is { $value } here, far beside its neighbours on the same path; { $other } would fit.
+        [angle] The angle is { $value } here; { $other } would fit the steps of the other angles.
        *[others] The value is { $value } here, and { $other } in all other places of this kind.
     }
 diag-wall-left = The open contour leaves a wall { $value } mm wide at the edge of the blank: RL and RR may be exchanged.
@@ -634,6 +637,13 @@ diag-wrong-value-kind =
        *[other] {" "}or { $words }
     }.
 diag-coolant-forgotten = This tool cuts without coolant; all other tools of the program turn it on.
+diag-comment-contradicts =
+    { $what ->
+        [digits] The value is { $value } here, and { $other } in the comment: two digits are exchanged.
+        [result] The result is { $value }, and not { $other } as the comment says.
+        [scale] The scaling factor { $value } does not belong to the { $other } percent of the comment.
+       *[holes] The program makes { $value } holes after this tool call, and the comment says { $other }.
+    }
 diag-decimal-comma = This value has a decimal comma, other values of the program have a decimal point.
 diag-definitions-differ =
     { $what ->

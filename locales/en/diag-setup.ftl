@@ -28,6 +28,7 @@ diag-machining-outside-blank =
         [below] The tool cuts at a height of { $value }, far below the blank.
         [over] What is machined at { $value }, { $other } goes over the edge of the blank.
         [contour] The contour is called at { $value }, above the blank, and elsewhere inside of it: it removes nothing here.
+        [curve] The curve begins and ends in the blank, but leaves it on the way, at { $value }, { $other }.
        *[outside] What is machined at { $value }, { $other } is far from the blank.
     }
 diag-milling-deeper-than-edges = The tool mills { $value } deep here, which is more than its cutting edges are long (LCUTS).
@@ -97,6 +98,7 @@ diag-contour-crossed =
         [away] The tool leaves this closed contour for its other side: on the way it cuts through what it has just finished.
         [start] This closed contour is approached in an inside corner: the tool cuts into its last element there.
         [short] This contour ends on its first line, short of its beginning: the rest of the line is not machined.
+        [itself] This contour comes back to one of its own lines before its end: the tool cuts through what it has just finished.
        *[side] With this radius compensation the tool crosses the closed contour: it comes from the other side of it.
     }
 diag-error-branch-entered =

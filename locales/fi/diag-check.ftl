@@ -332,8 +332,10 @@ diag-path-twice =
     { $what ->
         [repeated] Työkalu ajaa tämän radan kolmannen kerran: poistettavaa ei ole jäljellä.
         [air] Tämän muunnoksen aikana rata tästä eteenpäin ei poista mitään, vaikka samat lauseet ovat lastunneet toisen muunnoksen aikana.
+        [copied] Tästä alkava muoto on jo koneistettu tällä työkalulla toisissa lauseissa, vaikka työkalu on paikoitettu muualle.
        *[transformed] Koko tästä alkava rata on jo koneistettu tällä työkalulla toisen muunnoksen ollessa voimassa.
     }
+diag-path-not-closed = Tämä aliohjelma ei palaa alkuunsa, vaikka se kutsutaan uudelleen samassa paikassa: askel on { $value }, ja { $other } sulkisi radan.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } ei voi kutsua työkiertoa { $called }, kun { $value }.
@@ -517,6 +519,7 @@ diag-value-unlike-others =
         [sign] Korkeus on tässä { $value }, vaikka sen edellä ja jäljessä samalla radalla ollaan alempana; { $other } sopisi.
         [depth] Syvyys on tässä { $value }; ohjelman muissa työkierroissa syvyydet ovat negatiivisia.
         [path] Koordinaatti on tässä { $value }, kaukana saman radan viereisistä pisteistä; { $other } sopisi.
+        [angle] Kulma on tässä { $value }; { $other } sopisi muiden kulmien väleihin.
        *[others] Arvo on tässä { $value } ja kaikissa muissa vastaavissa paikoissa { $other }.
     }
 diag-wall-left = Avoin muoto jättää aihion reunaan { $value } mm leveän seinämän: RL ja RR voivat olla vaihtuneet.
@@ -633,6 +636,13 @@ diag-wrong-value-kind =
        *[other] {" "}tai { $words }
     }.
 diag-coolant-forgotten = Tämä työkalu lastuaa ilman jäähdytysnestettä; ohjelman kaikki muut työkalut kytkevät sen.
+diag-comment-contradicts =
+    { $what ->
+        [digits] Arvo on tässä { $value } ja kommentissa { $other }: kaksi numeroa on vaihtunut keskenään.
+        [result] Tulos on { $value } eikä { $other }, kuten kommentissa sanotaan.
+        [scale] Mittakerroin { $value } ei vastaa kommentin lukemaa { $other } prosenttia.
+       *[holes] Tämän työkalukutsun jälkeen tehdään { $value } reikää, vaikka kommentissa sanotaan { $other }.
+    }
 diag-decimal-comma = Tässä arvossa on desimaalipilkku, ohjelman muissa arvoissa desimaalipiste.
 diag-definitions-differ =
     { $what ->

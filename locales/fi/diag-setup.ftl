@@ -28,6 +28,7 @@ diag-machining-outside-blank =
         [below] Työkalu lastuaa korkeudella { $value }, kaukana aihion alapuolella.
         [over] Kohdassa { $value }; { $other } koneistus ulottuu aihion reunan yli.
         [contour] Muoto kutsutaan korkeudella { $value }, aihion yläpuolella, ja muualla aihion sisällä: tässä se ei poista mitään.
+        [curve] Käyrä alkaa ja päättyy aihion sisällä, mutta ulottuu välillä sen ulkopuolelle kohdassa { $value }; { $other }.
        *[outside] Koneistettava kohta { $value }; { $other } on kaukana aihiosta.
     }
 diag-milling-deeper-than-edges = Työkalu jyrsii tässä syvyyteen { $value }, mikä on enemmän kuin sen terien pituus (LCUTS).
@@ -97,6 +98,7 @@ diag-contour-crossed =
         [away] Työkalu poistuu tästä suljetusta muodosta sen toiselle puolelle: matkalla se lastuaa sitä, minkä se juuri viimeisteli.
         [start] Tähän suljettuun muotoon ajetaan sisänurkassa: työkalu lastuaa siinä muodon viimeistä elementtiä.
         [short] Tämä muoto päättyy ensimmäiselle suoralleen ennen alkupistettään: suoran loppuosa jää koneistamatta.
+        [itself] Tämä muoto palaa ennen loppuaan omalle suoralleen: työkalu lastuaa sitä, minkä se juuri viimeisteli.
        *[side] Tällä sädekorjauksella työkalu kulkee suljetun muodon poikki: se tulee muodon toiselta puolelta.
     }
 diag-error-branch-entered =

@@ -332,8 +332,10 @@ diag-path-twice =
     { $what ->
         [repeated] L’utensile percorre questa traiettoria per la terza volta: non resta nulla da asportare.
         [air] Con questa conversione il percorso da qui in poi non asporta nulla, mentre gli stessi blocchi con un’altra hanno lavorato.
+        [copied] Il profilo da qui in poi è già stato lavorato con questo utensile da altri blocchi, anche se l’utensile è stato posizionato altrove.
        *[transformed] L’intera traiettoria da qui in poi è già stata lavorata con questo utensile con un’altra conversione.
     }
+diag-path-not-closed = Questo sottoprogramma non torna al suo inizio, anche se viene richiamato nello stesso punto: il passo è { $value }, { $other } chiuderebbe il percorso.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } non può chiamare { $called } con { $value }.
@@ -517,6 +519,7 @@ diag-value-unlike-others =
         [sign] La quota è qui { $value }, tra altre più basse sullo stesso percorso; { $other } sarebbe coerente.
         [depth] La profondità è qui { $value }; negli altri cicli del programma le profondità sono negative.
         [path] La coordinata è qui { $value }, lontana dai punti vicini sullo stesso percorso; { $other } sarebbe coerente.
+        [angle] Qui l’angolo è { $value }; { $other } sarebbe coerente con i passi degli altri angoli.
        *[others] Qui il valore è { $value }, in tutti gli altri punti simili { $other }.
     }
 diag-wall-left = Il profilo aperto lascia una parete larga { $value } mm sul bordo del pezzo grezzo: RL e RR potrebbero essere scambiati.
@@ -633,6 +636,13 @@ diag-wrong-value-kind =
        *[other] {" "}oppure { $words }
     }.
 diag-coolant-forgotten = Questo utensile lavora senza refrigerante; tutti gli altri utensili del programma lo inseriscono.
+diag-comment-contradicts =
+    { $what ->
+        [digits] Qui il valore è { $value }, nel commento { $other }: due cifre sono scambiate.
+        [result] Il risultato è { $value }, non { $other } come dice il commento.
+        [scale] Il fattore di scala { $value } non corrisponde al { $other } percento del commento.
+       *[holes] Dopo questa chiamata utensile i fori sono { $value }, nel commento { $other }.
+    }
 diag-decimal-comma = Questo valore ha la virgola decimale, altri valori del programma il punto decimale.
 diag-definitions-differ =
     { $what ->

@@ -28,6 +28,7 @@ diag-machining-outside-blank =
         [below] L’utensile taglia all’altezza { $value }, molto al di sotto del pezzo grezzo.
         [over] Ciò che viene lavorato in { $value }; { $other } oltrepassa il bordo del pezzo grezzo.
         [contour] Il profilo viene chiamato a { $value }, sopra il pezzo grezzo, e altrove dentro di esso: qui non asporta nulla.
+        [curve] La curva inizia e termina nel pezzo grezzo, ma lungo il percorso ne esce in { $value }; { $other }.
        *[outside] Ciò che viene lavorato in { $value }; { $other } è lontano dal pezzo grezzo.
     }
 diag-milling-deeper-than-edges = Qui l’utensile fresa a una profondità di { $value }, maggiore della lunghezza dei suoi taglienti (LCUTS).
@@ -97,6 +98,7 @@ diag-contour-crossed =
         [away] L’utensile lascia questo profilo chiuso verso l’altro lato: lungo il percorso taglia ciò che ha appena finito.
         [start] Questo profilo chiuso viene raggiunto in uno spigolo interno: lì l’utensile intacca l’ultimo elemento.
         [short] Questo profilo termina sulla sua prima retta prima dell’inizio: il resto della retta non viene lavorato.
+        [itself] Questo profilo torna prima della fine su una delle proprie rette: l’utensile taglia ciò che ha appena finito.
        *[side] Con questa correzione del raggio l’utensile attraversa il profilo chiuso: arriva dall’altro lato.
     }
 diag-error-branch-entered =

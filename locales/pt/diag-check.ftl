@@ -332,8 +332,10 @@ diag-path-twice =
     { $what ->
         [repeated] A ferramenta faz este percurso pela terceira vez: não fica nada para remover.
         [air] Com esta conversão o percurso a partir daqui não retira nada, embora as mesmas frases tenham cortado com outra.
+        [copied] O contorno a partir daqui já foi maquinado com esta ferramenta noutras frases, embora a ferramenta tenha sido posicionada noutro lugar.
        *[transformed] Todo o percurso a partir daqui já foi maquinado com esta ferramenta com outra conversão.
     }
+diag-path-not-closed = Este subprograma não volta ao seu início, embora seja chamado de novo no mesmo sítio: o passo é { $value }, e { $other } fecharia o percurso.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } não pode chamar { $called } com { $value }.
@@ -518,6 +520,7 @@ diag-value-unlike-others =
         [sign] A altura é aqui { $value }, entre outras mais baixas no mesmo percurso; { $other } seria coerente.
         [depth] A profundidade é aqui { $value }; nos outros ciclos do programa as profundidades são negativas.
         [path] A coordenada é aqui { $value }, longe dos pontos vizinhos no mesmo percurso; { $other } seria coerente.
+        [angle] O ângulo é aqui { $value }; { $other } seria coerente com os passos dos outros ângulos.
        *[others] O valor é aqui { $value }, e { $other } em todos os outros sítios deste tipo.
     }
 diag-wall-left = O contorno aberto deixa uma parede com { $value } mm de largura na borda do bloco: RL e RR podem estar trocados.
@@ -634,6 +637,13 @@ diag-wrong-value-kind =
        *[other] {" "}ou { $words }
     }.
 diag-coolant-forgotten = Esta ferramenta corta sem refrigerante; todas as outras ferramentas do programa ligam-no.
+diag-comment-contradicts =
+    { $what ->
+        [digits] O valor é aqui { $value }, e { $other } no comentário: dois algarismos estão trocados.
+        [result] O resultado é { $value }, e não { $other } como diz o comentário.
+        [scale] O fator de escala { $value } não corresponde aos { $other } por cento do comentário.
+       *[holes] Depois desta chamada de ferramenta são feitos { $value } furos, e o comentário diz { $other }.
+    }
 diag-decimal-comma = Este valor tem vírgula decimal, outros valores do programa têm ponto decimal.
 diag-definitions-differ =
     { $what ->

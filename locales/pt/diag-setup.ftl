@@ -28,6 +28,7 @@ diag-machining-outside-blank =
         [below] A ferramenta corta à altura { $value }, muito abaixo do bloco.
         [over] O que é maquinado em { $value }; { $other } ultrapassa o bordo do bloco.
         [contour] O contorno é chamado em { $value }, acima do bloco, e noutro lugar dentro dele: aqui não remove nada.
+        [curve] A curva começa e termina no bloco, mas pelo caminho sai dele em { $value }; { $other }.
        *[outside] O que é maquinado em { $value }; { $other } está longe do bloco.
     }
 diag-milling-deeper-than-edges = Aqui a ferramenta fresa a uma profundidade de { $value }, maior do que a longitude das suas navalhas (LCUTS).
@@ -97,6 +98,7 @@ diag-contour-crossed =
         [away] A ferramenta sai deste contorno fechado para o outro lado: no caminho corta o que acabou de terminar.
         [start] A aproximação a este contorno fechado é feita numa esquina interior: ali a ferramenta corta o último elemento.
         [short] Este contorno termina na sua primeira reta antes do início: o resto da reta fica por maquinar.
+        [itself] Este contorno volta antes do fim a uma das suas próprias retas: a ferramenta corta o que acabou de terminar.
        *[side] Com esta correção de raio a ferramenta atravessa o contorno fechado: vem do outro lado dele.
     }
 diag-error-branch-entered =

@@ -336,8 +336,10 @@ diag-path-twice =
     { $what ->
         [repeated] Orodje gre po tej poti že tretjič: odstraniti ni ničesar več.
         [air] S tem preračunavanjem pot od tu naprej ne odvzame ničesar, čeprav so isti stavki z drugim rezali.
+        [copied] Kontura od tu naprej je bila s tem orodjem že obdelana v drugih stavkih, čeprav je orodje pozicionirano drugam.
        *[transformed] Celotna pot od tu naprej je bila s tem orodjem že obdelana pri drugem preračunavanju koordinat.
     }
+diag-path-not-closed = Ta podprogram se ne vrne na svoj začetek, čeprav je znova priklican na istem mestu: korak je { $value }, pot pa bi sklenil { $other }.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } ne more priklicati { $called } z { $value }.
@@ -521,6 +523,7 @@ diag-value-unlike-others =
         [sign] Višina je tu { $value }, med nižjimi na isti poti; ustrezala bi { $other }.
         [depth] Globina je tu { $value }; v drugih ciklih programa so globine negativne.
         [path] Koordinata je tu { $value }, daleč od sosednjih točk na isti poti; ustrezala bi { $other }.
+        [angle] Kot je tu { $value }; korakom drugih kotov bi ustrezal { $other }.
        *[others] Vrednost je tu { $value }, na vseh drugih takih mestih pa { $other }.
     }
 diag-wall-left = Odprta kontura pusti ob robu surovca { $value } mm široko steno: RL in RR sta morda zamenjana.
@@ -637,6 +640,13 @@ diag-wrong-value-kind =
        *[other] {" "}ali { $words }
     }.
 diag-coolant-forgotten = To orodje reže brez hladilne tekočine; vsa druga orodja programa jo vklopijo.
+diag-comment-contradicts =
+    { $what ->
+        [digits] Vrednost je tu { $value }, v komentarju pa { $other }: dve števki sta zamenjani.
+        [result] Rezultat je { $value }, ne { $other }, kot pravi komentar.
+        [scale] Faktor merila { $value } ne ustreza { $other } odstotkom iz komentarja.
+       *[holes] Število lukenj po tem priklicu orodja je { $value }, v komentarju pa { $other }.
+    }
 diag-decimal-comma = Ta vrednost ima decimalno vejico, druge vrednosti programa pa decimalno piko.
 diag-definitions-differ =
     { $what ->

@@ -30,6 +30,7 @@ diag-machining-outside-blank =
         [below] Orodje reže na višini { $value }, daleč pod surovcem.
         [over] Kar se obdeluje na { $value }; { $other }, sega čez rob surovca.
         [contour] Kontura je priklicana pri { $value }, nad surovcem, drugje pa v njem: tu ničesar ne odstrani.
+        [curve] Krivulja se začne in konča v surovcu, vmes pa ga zapusti pri { $value }; { $other }.
        *[outside] Kar se obdeluje na { $value }; { $other }, je daleč od surovca.
     }
 diag-milling-deeper-than-edges = Orodje tukaj rezka { $value } globoko, kar je več od dolžine njegovih rezil (LCUTS).
@@ -99,6 +100,7 @@ diag-contour-crossed =
         [away] Orodje se s te sklenjene konture odmakne na njeno drugo stran: na poti reže to, kar je pravkar končalo.
         [start] Do te sklenjene konture orodje pride v notranjem vogalu: tam zareže v njen zadnji element.
         [short] Ta kontura se konča na svoji prvi premici pred začetkom: preostanek premice ostane neobdelan.
+        [itself] Ta kontura se pred svojim koncem vrne na eno od lastnih premic: orodje reže to, kar je pravkar končalo.
        *[side] S tem popravkom polmera orodje prečka sklenjeno konturo: prihaja z njene druge strani.
     }
 diag-error-branch-entered =

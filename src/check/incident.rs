@@ -177,6 +177,12 @@ pub enum Incident {
     RotationsLackOne(usize),
     /// A path that the same tool has gone under another transformation.
     PathTwice,
+    /// How many holes are made after a tool call, all cycles and places together.
+    HolesMade(usize),
+    /// A contour that other blocks of the same tool have gone before, from another place.
+    ContourCopied,
+    /// A curve that begins in the blank and comes back there, but is outside of it at a place.
+    CurveLeavesBlank([f64; 2]),
     /// A path that removes nothing, though the same blocks have cut under another transformation.
     PathInAir,
     /// A movement through material that has come back to the same way for the second time.

@@ -11,12 +11,15 @@ pub fn is_slip(written: f64, meant: f64) -> bool {
     near(written, -meant) || factor || exchanged(written, meant)
 }
 
-/// Whether two neighbouring digits are exchanged.
-fn exchanged(one: f64, other: f64) -> bool {
+/// Whether two neighbouring digits are exchanged, be it across the decimal point.
+pub(super) fn exchanged(one: f64, other: f64) -> bool {
     let (one, other) = (one.to_string(), other.to_string());
-    let differ: Vec<usize> =
-        one.bytes().zip(other.bytes()).enumerate().filter(|(_, (a, b))| a != b).map(|own| own.0).collect();
-    let ([first, second], true) = (differ.as_slice(), one.len() == other.len()) else { return false };
-    let at = |text: &str, place: usize| text.as_bytes().get(place).copied();
-    second - first == 1 && at(&one, *first) == at(&other, *second) && at(&one, *second) == at(&other, *first)
+    if one.len() != other.len() || one.find('.') != other.find('.') {
+        return false;
+    }
+    let digits = |text: &str| text.bytes().filter(|own| *own != b'.').collect::<Vec<_>>();
+    let (one, other) = (digits(&one), digits(&other));
+    let differ: Vec<usize> = (0..one.len()).filter(|at| one.get(*at) != other.get(*at)).collect();
+    let [first, second] = differ.as_slice() else { return false };
+    second - first == 1 && one.get(*first) == other.get(*second) && one.get(*second) == other.get(*first)
 }

@@ -1,7 +1,8 @@
 //! A closed contour with RL or RR to which the tool comes from the wrong side: it begins outside and compensates to the
 //! inside, or the other way round, and crosses the contour by its radius; or one that goes from a corner straight back to
 //! the one before it; or one that the tool leaves for its other side without being lifted; or one that is approached in an
-//! inside corner, which the tool damages by its radius; or one that ends on its first line, short of its beginning.
+//! inside corner, which the tool damages by its radius; or one that ends on its first line, short of its beginning; or one
+//! that comes back to one of its own lines between.
 //!
 //! Only contours whose elements are all numbers, that do not cross themselves, and whose height does not change from the
 //! compensating movement to the one that leaves: a tool that plunges at the contour may come from above.
@@ -19,6 +20,8 @@ const PLANE: [Axis; 2] = [Axis::X, Axis::Y];
 
 /// The finding about a contour that other tools machine from the other side.
 const OTHER_SIDE: &str = "compensation-other-side";
+/// The finding about an arc that makes a contour cross itself.
+const ARC: &str = "arc-direction-wrong";
 
 /// A contour under way.
 struct Course {
@@ -72,7 +75,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let ends = || left_for(&line, &words).is_some_and(|end| is_across(own.side, end, &ring));
                 let corner = || own.begins_in_corner(&line.points).then_some(("start", own.place));
                 let short = || stops_short(&line.points).then(|| ("short", facts.content(block)));
-                begins.or_else(|| ends().then(|| ("away", facts.content(block)))).or_else(corner).or_else(short)
+                let arc = found.iter().any(|own| own.code == ARC);
+                let itself = || (!arc && meets_itself(&line.points)).then_some(("itself", own.place));
+                let away = || ends().then(|| ("away", facts.content(block)));
+                begins.or_else(away).or_else(corner).or_else(short).or_else(itself)
             };
             // Against the other passes of the contour the side was reported before.
             let same = |known: &Diagnostic| {
@@ -190,13 +196,42 @@ fn is_across(side: Compensation, place: [f64; 2], ring: &[[f64; 2]]) -> bool {
     apart && is_inside(area, side) != holds(ring, place)
 }
 
+/// Whether a contour crosses one of its own lines, or comes to it between its ends: the first and the last one may overlap.
+fn meets_itself(points: &[[f64; 2]]) -> bool {
+    let lines: Vec<[[f64; 2]; 2]> = points.windows(2).filter_map(|two| two.try_into().ok()).collect();
+    if lines.len() < 4 || MANY < lines.len() {
+        return false;
+    }
+    let last = lines.len() - 1;
+    let within = |place: [f64; 2], [from, to]: [[f64; 2]; 2]| {
+        let apart = |end: [f64; 2]| libm::hypot(place[0] - end[0], place[1] - end[1]) > NEAR;
+        distance(place, from, to) <= NEAR && apart(from) && apart(to)
+    };
+    lines.iter().enumerate().any(|(at, one)| {
+        lines.iter().enumerate().skip(at + 2).filter(|(after, _)| (at, *after) != (0, last)).any(|(after, other)| {
+            // What goes on along the line from there overlaps it.
+            let leaves = lines.get(after + 1).is_some_and(|next| !is_along(*next, *one));
+            let comes = leaves && within(other[1], *one) || at != 0 && within(one[0], *other);
+            comes || crosses(*one, *other)
+        })
+    })
+}
+
+/// Whether two lines have the same direction.
+fn is_along([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    let (one, other) = ([b[0] - a[0], b[1] - a[1]], [d[0] - c[0], d[1] - c[1]]);
+    let turn = one[0] * other[1] - one[1] * other[0];
+    turn.abs() <= NEAR * libm::hypot(one[0], one[1]) && one[0] * other[0] + one[1] * other[1] > 0.0
+}
+
+/// Whether two lines cross.
+fn crosses([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    let turn = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
+}
+
 /// Whether two of its lines cross.
 fn is_crossed(ring: &[[f64; 2]]) -> bool {
-    let turn = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     let all: Vec<[[f64; 2]; 2]> = edges(ring).collect();
-    all.iter().enumerate().any(|(at, [a, b])| {
-        all.iter()
-            .skip(at + 2)
-            .any(|[c, d]| turn(*a, *b, *c) * turn(*a, *b, *d) < 0.0 && turn(*c, *d, *a) * turn(*c, *d, *b) < 0.0)
-    })
+    all.iter().enumerate().any(|(at, one)| all.iter().skip(at + 2).any(|other| crosses(*one, *other)))
 }

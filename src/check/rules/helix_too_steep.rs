@@ -2,7 +2,8 @@
 //! angle is missing, or the angle is that of a part of the turns.
 //!
 //! Also a helix of several turns upwards that is followed by a full circle at its end, as one to a floor is: its sign
-//! is wrong. And a helix of several turns whose pitch is not that of the thread mill in the spindle.
+//! is wrong. And a helix of several turns, or one that goes along by more than a pitch, whose pitch is not that of the thread
+//! mill in the spindle.
 //!
 //! Only polar helices with incremental numbers; in inch programs, and where the tool is not known, 20 mm in one turn
 //! are too much. Threads are milled with a feed of many revolutions, but no pitch is so large.
@@ -20,6 +21,9 @@ const MOST: f64 = 20.0;
 const STEEPEST: f64 = 0.8;
 /// So many turns make a hole, degrees; a thread has one.
 const TURNS: f64 = 720.0;
+/// A way to a thread turns by less, degrees, or goes along it by less than so many pitches.
+const HALF: f64 = 180.0;
+const FAR: f64 = 1.5;
 /// A pitch that differs by more than this part is another one.
 const OTHER: f64 = 0.05;
 /// Less than this is a way into a floor, mm.
@@ -44,7 +48,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.comparison(facts, facts.content(block), "up", depth, most));
         }
         let each = -depth * 360.0 / angle.abs();
-        let pitch = tool.and_then(|tool| tool.pitch).filter(|pitch| *pitch > 0.0 && angle.abs() >= TURNS);
+        let pitch = tool.and_then(|tool| tool.pitch).filter(|pitch| {
+            // In less than a turn a tool may also come to the thread, by less than the pitch.
+            let far = depth.abs().min(each.abs()) > FAR * pitch && angle.abs() >= HALF;
+            *pitch > 0.0 && (angle.abs() >= TURNS || far)
+        });
         if let Some(pitch) = pitch.filter(|pitch| (each.abs() - pitch).abs() > OTHER * pitch && depth != 0.0) {
             let value = Arg::Number((each.abs() * 1e3).round() / 1e3);
             let finding = rule.at(facts, facts.content(block)).arg("what", "pitch").arg("value", value);

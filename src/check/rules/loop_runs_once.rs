@@ -9,7 +9,7 @@ use crate::base::diag::{Diagnostic, Severity};
 use crate::base::expr::{QKind, QRef};
 use crate::check::loops::{Loop, set_once};
 use crate::check::{Facts, Rule, Use, Way};
-use crate::program::syntax::{Amount, Block, BlockKind, FnJump, Relation};
+use crate::program::syntax::{Amount, Block, BlockKind, FnJump, Operand, Relation};
 
 pub(super) const RULE: Rule = Rule { code: "loop-runs-once", severity: Severity::Warning, run };
 
@@ -60,22 +60,30 @@ fn once<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut usize
     if body.open || !body.exits.is_empty() {
         return false;
     }
-    let of = |q: QRef| set_once(facts, q, &blocks).filter(|_| is_free(q) && !body.written.contains(&q));
+    let of = |q: QRef, operand: &Operand| {
+        let kept = is_free(q) && !body.written.contains(&q);
+        set_once(facts, q, &blocks).or_else(|| facts.known(operand)).filter(|_| kept)
+    };
     let (q, end, left, written) = match (jump.a.amount, jump.b.amount) {
         (Amount::Q { q, negative: false }, Amount::Number(end)) => (q, end, true, true),
         (Amount::Number(end), Amount::Q { q, negative: false }) => (q, end, false, true),
-        (Amount::Q { q: a, negative: false }, Amount::Q { q: b, negative: false }) => match (of(a), of(b)) {
-            (None, Some(end)) => (a, end, true, false),
-            (Some(end), None) => (b, end, false, false),
-            _ => return false,
-        },
+        (Amount::Q { q: a, negative: false }, Amount::Q { q: b, negative: false }) => {
+            match (of(a, &jump.a), of(b, &jump.b)) {
+                (None, Some(end)) => (a, end, true, false),
+                (Some(end), None) => (b, end, false, false),
+                _ => return false,
+            }
+        }
         _ => return false,
     };
     if !is_free(q) {
         return false;
     }
-    let (Some(by), Some(start)) = (body.step_of(facts, q, &blocks), set_once(facts, q, &blocks)) else { return false };
-    let first = start + by;
+    let (counter, limit) = if left { (&jump.a, &jump.b) } else { (&jump.b, &jump.a) };
+    let Some(by) = body.step_towards(facts, q, limit.amount, &blocks) else { return false };
+    // Where other blocks write the counter too, the one way of the run says what it is after the only pass.
+    let first = set_once(facts, q, &blocks).map(|start| start + by).or_else(|| facts.known(counter));
+    let Some(first) = first else { return false };
     // The condition as one on the counter.
     match (jump.relation, left) {
         // What a parameter limits may be one pass by intention, unless the counter has not come to it.

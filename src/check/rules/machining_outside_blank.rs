@@ -3,7 +3,8 @@
 //! both ends; a cycle that stays above the blank, and a movement that cuts far below it, where an execution shows them;
 //! a cycle of the old form that no manual describes and that is called far above the blank: it works from where the
 //! tool is; a contour that is called above the blank, and elsewhere inside of it; a pocket or slot that lies across the face
-//! milled in a tilted plane, and goes beyond it at both ends.
+//! milled in a tilted plane, and goes beyond it at both ends; a whole circle, or a curve that a loop draws, which begins in
+//! the blank and is outside of it for a part.
 //!
 //! Only at places that are known, in programs with a box as their blank and without transformations. Each is said once
 //! a program.
@@ -32,10 +33,11 @@ const FACE: [&str; 5] =
 const BACK: usize = 32;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let (mut outside, mut over, mut above, mut below) = (false, false, false, false);
+    let (mut outside, mut over, mut above, mut below, mut curve) = (false, false, false, false, false);
     for (span, own) in incidents(facts) {
         let (what, [x, y], said) = match own {
             Incident::OutsideBlank(place) => ("outside", *place, &mut outside),
+            Incident::CurveLeavesBlank(place) => ("curve", *place, &mut curve),
             Incident::CoversBlank(place) => ("over", *place, &mut over),
             Incident::AboveBlank(height) => ("above", [*height, 0.0], &mut above),
             Incident::BelowBlank(height) => ("below", [*height, 0.0], &mut below),

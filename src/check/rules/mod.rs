@@ -26,6 +26,7 @@ mod chamfer_wrong_side;
 mod choice_not_offered;
 mod circle_point_wrong;
 mod clearance_height_too_low;
+mod comment_contradicts;
 mod compensation_at_cycle;
 mod compensation_left_on;
 mod compensation_on_arc;
@@ -128,6 +129,7 @@ mod out_of_usual_range;
 mod parameter_of_later_software;
 mod parameter_unassigned;
 mod parameter_unused;
+mod path_not_closed;
 mod path_twice;
 mod pattern_combination;
 mod pattern_missing;
@@ -262,6 +264,7 @@ pub const RULES: &[&Rule] = &[
     &choice_not_offered::RULE,
     &circle_point_wrong::RULE,
     &clearance_height_too_low::RULE,
+    &comment_contradicts::RULE,
     &compensation_at_cycle::RULE,
     &compensation_left_on::RULE,
     &compensation_on_arc::RULE,
@@ -364,6 +367,7 @@ pub const RULES: &[&Rule] = &[
     &parameter_of_later_software::RULE,
     &parameter_unassigned::RULE,
     &parameter_unused::RULE,
+    &path_not_closed::RULE,
     &path_twice::RULE,
     &pattern_combination::RULE,
     &pattern_missing::RULE,

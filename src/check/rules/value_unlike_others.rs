@@ -3,7 +3,8 @@
 //!
 //! At least two others, and all of them equal. Coordinates, angles and choices are not compared. The clearance heights
 //! of all touch-probe cycles are compared with each other, and so are those of all that measure tools. Of polar
-//! coordinates in a row of blocks the radius is compared, and the angle, if it grows by the same in all the others. The
+//! coordinates in a row of blocks the radius is compared, and the angle, if it grows by the same in all the others; so are
+//! the angles to which a program tilts the plane or turns the coordinates. The
 //! feeds of cycles and of contours are compared with that of the tool call. Each is reported. So is the one point of a
 //! path of many points that sticks out of it, where such a slip brings it back.
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,7 +14,9 @@ use crate::check::program::{is_silent, number, with_meaning};
 use crate::check::slip::is_slip;
 use crate::check::spikes;
 use crate::check::{Facts, Loaded, Pending, Rule};
-use crate::program::syntax::{Amount, Axis, BlockKind, Compensates, CycleForm, FeedKind, Path, ValueKind};
+use crate::program::syntax::{
+    Amount, Axis, BlockKind, Compensates, CycleForm, FeedKind, Path, StatementKind, ValueKind,
+};
 use crate::spec::{CycleKey, Group, Quantity, Reference};
 
 pub(super) const RULE: Rule = Rule { code: "value-unlike-others", severity: Severity::Warning, run };
@@ -59,8 +62,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for own in contour_feeds(facts).into_iter().filter_map(odd) {
         tell(rule, facts, own, found);
     }
-    for own in polar(facts) {
+    let (radii, angles) = polar(facts);
+    for own in radii {
         tell(rule, facts, own, found);
+    }
+    for (span, value, other) in angles.into_iter().chain(turns(facts)) {
+        found.push(rule.comparison(facts, span, "angle", value, other));
     }
     let depths = old_depths(facts);
     if let ([(depth, span)], true) = (
@@ -218,9 +225,12 @@ fn heights(facts: &Facts<'_>, meaning: &str) -> Vec<(f64, Span)> {
     heights
 }
 
-/// What differs from the others in rows of polar coordinates: a radius, or an angle between equal steps.
-fn polar(facts: &Facts<'_>) -> Vec<(Span, f64, f64)> {
-    let mut found = Vec::new();
+/// A value that differs, and the one that would fit.
+type Odd = (Span, f64, f64);
+
+/// What differs from the others in rows of polar coordinates: the radii, and the angles between equal steps.
+fn polar(facts: &Facts<'_>) -> (Vec<Odd>, Vec<Odd>) {
+    let (mut lengths, mut turns) = (Vec::new(), Vec::new());
     let (mut radii, mut angles): (Vec<(f64, Span)>, Vec<(f64, Span)>) = (Vec::new(), Vec::new());
     let blocks = facts.program.blocks();
     for block in blocks.iter().filter(|own| blocks.len() <= MOST && !is_silent(own)) {
@@ -229,8 +239,8 @@ fn polar(facts: &Facts<'_>) -> Vec<(Span, f64, f64)> {
             // Corners are rounded and broken between the same points.
             BlockKind::Motion(motion) if matches!(motion.path(), Path::Rnd | Path::Chf) => continue,
             _ => {
-                found.extend(odd(std::mem::take(&mut radii)));
-                found.extend(step(&std::mem::take(&mut angles)));
+                lengths.extend(odd(std::mem::take(&mut radii)));
+                turns.extend(step(&std::mem::take(&mut angles), is_slip));
                 continue;
             }
         };
@@ -245,14 +255,46 @@ fn polar(facts: &Facts<'_>) -> Vec<(Span, f64, f64)> {
             }
         }
     }
-    found
+    (lengths, turns)
 }
+
+/// What differs from the others in the angles of the planes, and in those of the rotations, one after the other.
+fn turns(facts: &Facts<'_>) -> Vec<Odd> {
+    let mut rows: BTreeMap<String, Vec<(f64, Span)>> = BTreeMap::new();
+    let blocks = facts.program.blocks();
+    for block in blocks.iter().filter(|block| blocks.len() <= MOST && !block.skip) {
+        let words = match &block.kind {
+            BlockKind::Statement(own) if matches!(own.kind, StatementKind::Plane | StatementKind::Trans) => &own.words,
+            BlockKind::OldCycleLine(own) => &own.words,
+            _ => continue,
+        };
+        for word in words {
+            let name = facts.text(word.name).trim().to_ascii_uppercase();
+            if let (true, ValueKind::Number(angle)) = (ANGLE_WORDS.contains(&name.as_str()), word.value.kind) {
+                rows.entry(name).or_default().push((angle, word.value.span));
+            }
+        }
+    }
+    let wrong = |row: Vec<(f64, Span)>| {
+        // Each plane or rotation may be taken back before the next one.
+        let taken_back = row.iter().filter(|(angle, _)| *angle == 0.0).count() > 1;
+        let row: Vec<_> = row.into_iter().filter(|(angle, _)| !taken_back || *angle != 0.0).collect();
+        let (span, written, meant) = step(&row, |_, _| true).filter(|_| row.len() >= ANGLES)?;
+        // The first or the last one may be meant for something else.
+        let inside = row.iter().skip(1).rev().skip(1).any(|(_, own)| *own == span);
+        (inside || is_slip(written, meant)).then_some((span, written, meant))
+    };
+    rows.into_values().filter_map(wrong).collect()
+}
+
+/// The words of a plane that is tilted by spatial angles, and of a rotation.
+const ANGLE_WORDS: [&str; 4] = ["SPA", "SPB", "SPC", "ROT"];
 
 /// So many angles make a row of which one can differ.
 const ANGLES: usize = 5;
 
 /// The one angle that breaks a row of equal steps, with the one that fits.
-fn step(row: &[(f64, Span)]) -> Option<(Span, f64, f64)> {
+fn step(row: &[(f64, Span)], may_be: fn(f64, f64) -> bool) -> Option<(Span, f64, f64)> {
     // Holes all around a circle need fewer.
     let around = (row.len() > OTHERS).then(|| 360.0 / row.len() as f64);
     if row.len() <= OTHERS {
@@ -274,7 +316,7 @@ fn step(row: &[(f64, Span)]) -> Option<(Span, f64, f64)> {
             let [only] = wrong.as_slice() else { return None };
             let (written, span) = row[*only];
             let meant = fits(*only);
-            (is_slip(written, meant) || is_slip(written, meant.rem_euclid(360.0))).then_some((span, written, meant))
+            (may_be(written, meant) || may_be(written, meant.rem_euclid(360.0))).then_some((span, written, meant))
         })
     })
 }

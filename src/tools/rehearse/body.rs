@@ -60,6 +60,16 @@ impl Body {
         libm::hypot(beyond.x, beyond.y)
     }
 
+    /// Whether a place is at least so far inside of its sides, at any height.
+    pub(super) fn is_within(&self, place: DVec3, margin: f64) -> bool {
+        if let Some(bore) = self.bore {
+            let out = (place - (self.low + self.high) / 2.0).truncate().length();
+            return out <= (self.high.x - self.low.x) / 2.0 - margin && (bore <= 0.0 || out >= bore + margin);
+        }
+        let room = (place - self.low).min(self.high - place).truncate();
+        room.min_element() >= margin
+    }
+
     /// Whether a place is at least so far inside of its faces.
     pub(super) fn holds(&self, place: DVec3, skin: f64) -> bool {
         let inside = (place - self.low).min_element() > skin && (self.high - place).min_element() > skin;

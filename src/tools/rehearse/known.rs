@@ -37,10 +37,10 @@ impl Watcher<'_> {
             if let BlockKind::Motion(element) = &block.kind {
                 let words = element.words();
                 let of_machine = words.functions.iter().any(|own| matches!(own.number, 91 | 92));
-                for (known, axis) in self.known.iter_mut().zip([self.plane.main, self.plane.secondary, self.plane.tool])
-                {
+                let tool = self.plane.tool;
+                for (known, axis) in self.known.iter_mut().zip([self.plane.main, self.plane.secondary, tool]) {
                     let coord = words.coord(letter(axis));
-                    *known |= coord.is_some_and(|coord| !coord.incremental);
+                    *known |= names(&words, axis, tool);
                     *known &= coord.is_none() || !of_machine;
                 }
             }
@@ -90,8 +90,8 @@ impl Watcher<'_> {
             _ => None,
         });
         for (index, axis) in [self.plane.main, self.plane.secondary, self.plane.tool].into_iter().enumerate() {
+            let named = words.as_ref().is_some_and(|words| names(words, axis, self.plane.tool));
             let axis = letter(axis);
-            let named = words.as_ref().is_some_and(|words| words.coord(axis).is_some_and(|coord| !coord.incremental));
             let moved = (from.to_array()[index] - self.at.to_array()[index]).abs() > 1e-9;
             self.known[index] |= named || moved;
             // Where a position in machine coordinates is depends on the machine.
@@ -99,6 +99,13 @@ impl Watcher<'_> {
             self.known[index] &= !words.as_ref().is_some_and(|own| own.coord(axis).is_some() && of_machine(own));
         }
     }
+}
+
+/// Whether a movement names where it leads along an axis: by its coordinate, or in the plane by polar ones.
+fn names(words: &syntax::Motion, axis: Axis, tool: Axis) -> bool {
+    let absolute = |axis: syntax::Axis| words.coord(axis).is_some_and(|coord| !coord.incremental);
+    let polar = words.path == syntax::Path::Lp && absolute(syntax::Axis::Pr) && words.coord(syntax::Axis::Pa).is_some();
+    absolute(letter(axis)) || axis != tool && polar
 }
 
 /// An axis as programs write it.

@@ -8,7 +8,8 @@
 //! a program without a blank only holes and the use of its tools are followed.
 //!
 //! `mod.rs` sets up the run, `body.rs` is the blank, `remains.rs` what is left of it, `watcher.rs` follows the events (`known.rs` where the tool is),
-//! `cuts.rs` judges movements that cut, `work.rs` what a cycle has done, `path.rs` what plain movements have,
+//! `cuts.rs` judges movements that cut, `work.rs` what a cycle has done, `path.rs` what plain movements have, `curves.rs` curves and
+//! contours of them,
 //! `tilted.rs` what is done in a tilted plane, `turned.rs` what is turned (`lathe.rs` keeps the workpiece meanwhile),
 //! `overlaps.rs` compares pockets and holes (`areas.rs`), `edges.rs` finds what open contours leave (`walls.rs`),
 //! `series.rs` the holes of the whole program together, `undescribed.rs` what cycles do that are passed over, `unsure.rs`
@@ -18,6 +19,7 @@
 //! have changed is forgotten; elsewhere it ends where the engine cannot go on, and what was seen before holds.
 mod areas;
 mod body;
+mod curves;
 mod cuts;
 mod edges;
 mod known;

@@ -3,10 +3,12 @@
 //!
 //! Invariant: only of programs of which all holes are known: those that came to their end, or to a block after which
 //! nothing is drilled.
+use std::collections::BTreeMap;
+
 use super::body::{Body, SAME};
 use super::watcher::Watcher;
 use super::work::Work;
-use crate::check::{Incident, ToolKind, is_slip};
+use crate::check::{Incident, Observed, ToolKind, is_slip};
 use crate::program::fields::key;
 use crate::program::syntax::{BlockKind, CallForm};
 use crate::spec::{CycleKey, Group};
@@ -45,6 +47,8 @@ enum Kind {
 /// What one tool call does with one cycle.
 struct Row {
     made: (u32, CycleKey),
+    /// The line of that tool call.
+    called: usize,
     /// The setting in which its places are meant.
     setting: usize,
     kind: Kind,
@@ -128,7 +132,7 @@ impl Watcher<'_> {
         if !self.away() {
             self.at_edge(work, place, width.filter(|_| matches!(kind, Kind::Drilled | Kind::Threaded)));
         }
-        let own = (place, work.line, work.written);
+        let (own, called) = ((place, work.line, work.written), self.called);
         let setting = self.setting();
         let series = &mut self.series;
         let setting = series.settings.iter().position(|own| *own == setting).unwrap_or_else(|| {
@@ -137,7 +141,7 @@ impl Watcher<'_> {
         });
         match series.rows.iter_mut().find(|row| row.made == made && row.setting == setting) {
             Some(row) => row.places.push(own),
-            None => series.rows.push(Row { made, setting, kind, width, places: vec![own] }),
+            None => series.rows.push(Row { made, called, setting, kind, width, places: vec![own] }),
         }
     }
 
@@ -167,6 +171,12 @@ impl Watcher<'_> {
         if rows.open {
             return;
         }
+        let mut made: BTreeMap<usize, usize> = BTreeMap::new();
+        for row in &rows.rows {
+            *made.entry(row.called).or_default() += row.places.len();
+        }
+        let counted = made.into_iter().map(|(line, count)| Observed { line, incident: Incident::HolesMade(count) });
+        self.found.extend(counted);
         let settings = rows.settings.len();
         let mut all: Vec<Vec<Row>> = (0..settings).map(|_| Vec::new()).collect();
         for row in rows.rows {

@@ -5,6 +5,7 @@ use glam::DVec3;
 
 use super::areas::Area;
 use super::body::{Body, SAME, SKIN};
+use super::curves::Curves;
 use super::lathe::Turned;
 use super::path::Ways;
 use super::presets::UNNAMED_PRESET;
@@ -34,8 +35,9 @@ const ROUND: u8 = 8;
 pub(super) const RADIUS: f64 = 12.0;
 /// So far beside the blank a tool below its top has not been retracted, mm.
 const BESIDE: f64 = 50.0;
-/// A movement that cuts goes so far below the blank, mm.
+/// A movement that cuts goes so far below the blank, mm, and the floor of a pocket.
 const UNDER: f64 = 15.0;
+const UNDER_POCKET: f64 = 3.0;
 /// A place so far from the blank, besides its size, belongs to another one, mm.
 const FAR: f64 = 50.0;
 /// So far beside the blank nothing is scaled on purpose, besides the radius of the tool, mm.
@@ -147,6 +149,7 @@ pub(super) struct Watcher<'w> {
     pub(super) used: BTreeSet<(u64, CycleKey)>,
     /// The plain movements since the last tool call.
     pub(super) ways: Ways,
+    pub(super) curves: Curves,
     pub(super) found: Vec<Observed>,
 }
 
@@ -229,6 +232,7 @@ impl<'w> Watcher<'w> {
             series: Rows::default(),
             used: BTreeSet::new(),
             ways: Ways::default(),
+            curves: Curves::default(),
             found: Vec::new(),
         }
     }
@@ -419,6 +423,12 @@ impl<'w> Watcher<'w> {
         own.map(|(_, radius)| 2.0 * radius)
     }
 
+    /// How far the end of the tool may be round.
+    fn rounding(&self) -> f64 {
+        let flat = self.flat.iter().find(|(number, _)| Some(*number) == self.tool).map_or(0.0, |(_, radius)| *radius);
+        (self.radius() - flat).max(0.0)
+    }
+
     pub(super) fn radius(&self) -> f64 {
         self.width().map_or(RADIUS, |width| width / 2.0)
     }
@@ -458,6 +468,9 @@ impl<'w> Watcher<'w> {
         self.worked |= feed.is_some();
         let places = self.places_of(path);
         let certain = self.known == [true; 3];
+        if key.is_none() && certain && begun {
+            self.note_entry(from);
+        }
         let low = key.is_none() && block.is_some() && self.top().is_some_and(|top| self.at.z < top - SKIN);
         if low && self.known[2] && !(self.known[0] && self.known[1]) && !self.is_placed() {
             self.report(self.line, Incident::DownBeforePositioned(self.at.z * self.unit));
@@ -496,6 +509,8 @@ impl<'w> Watcher<'w> {
         if key.is_none() && certain && begun {
             self.note_pass(from, line, &places);
             self.note_height(from, line);
+            self.note_curve(from, line, &round);
+            self.note_contour(from, line);
             self.note_way(from, &places);
             self.dips(from);
         }
@@ -559,7 +574,12 @@ impl<'w> Watcher<'w> {
                 self.ways.note(self.line, (from, self.at), body, (meets, cuts));
             }
         }
-        let under = if self.scaled { SCALED / 4.0 } else { UNDER };
+        let under = match group {
+            _ if self.scaled => SCALED / 4.0,
+            // The corners of its floor are as round as the tool.
+            Some(Group::Pockets) => UNDER_POCKET + self.rounding(),
+            _ => UNDER,
+        };
         if self.at.z < body.low.z - under && body.distance(self.at) <= 0.0 && self.is_milling(key) {
             self.report(self.line, Incident::BelowBlank(self.at.z * self.unit));
         }
