@@ -57,6 +57,7 @@ diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearanc
 diag-compensation-at-cycle =
     { $cycle } is executed here while radius compensation is active.
 diag-compensation-left-on = Radius compensation is still active here.
+diag-compensation-missing = This contour is machined with RL or RR elsewhere; here the middle of the tool goes along it with R0.
 diag-compensation-on-arc = Radius compensation must not begin in an arc.
 diag-compensation-other-side = The same contour was machined with the opposite radius compensation before: here the tool is on its other side.
 diag-compensation-switched = Radius compensation changes sides here without R0 in between.
@@ -178,6 +179,7 @@ diag-early-cycle-wrong =
         [feed] The feed rate of the cycle is 0.
         [narrow] The tool with the diameter { $other } does not fit into a slot or pocket of { $value }.
         [pitch] The thread has a pitch of { $value }, but the tap has { $other }.
+        [wide] The round pocket is { $value } wide, and the blank only { $other }: a diameter may have been entered for the radius.
        *[tapped] A feed rate of { $value } does not fit the tap: pitch times spindle speed is { $other }.
     }
 diag-empty-word = This { $word } has no value and does nothing.
@@ -302,6 +304,7 @@ diag-no-result =
        *[domain] a function is not defined for its value
     }.
 diag-no-table-open = FN 27 and FN 28 need a table that FN 26 has opened.
+diag-nominal-differs = The nominal diameter is { $value } here, and the pocket at this place is { $other } wide.
 diag-not-a-program = This file is not an NC program.
 diag-nothing-left = The hole is already { $other } wide here: a tool of { $value } removes nothing.
 diag-number-does-not-exist = { $name } does not exist: the greatest number is { $greatest }.
@@ -356,6 +359,7 @@ diag-pilot-hole-too-shallow =
         [bored] The tool turns inside down to { $value }, and the hole that was drilled ends at { $other }.
        *[start] The deepened starting point is at { $value }, and the hole that is there ends at { $other }.
     }
+diag-pilot-hole-elsewhere = Nothing else is done at the hole at { $value }, { $other }, and a pocket begins in solid material where both coordinates are exchanged.
 diag-plane-incomplete = This PLANE lacks { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -446,6 +450,7 @@ diag-speed-out-of-range =
         [below] it is negative
        *[above] the manuals permit at most { $limit }
     }.
+diag-stepover-too-wide = The lines are { $value } apart, and the tool is only { $other } wide: ribs stay between them.
 diag-spindle-direction = { $cycle } needs a spindle that turns clockwise, but it turns counter-clockwise here.
 diag-spindle-off = The tool cuts here while the spindle is not turning.
 diag-sql-handle-missing =
@@ -493,6 +498,7 @@ diag-tool-feed-missing = The feed rate of the tool call is used here, but the to
 diag-tool-missing = A cycle moves here, but no tool call has set the tool axis.
 diag-tool-not-changed = { $cycle } is called with the tool that has already been used for { $before }: it needs another tool.
 diag-tool-not-listed = The tool table has no tool { $tool }.
+diag-tool-radius-outdated = This is calculated with the radius of the tool before (Q108), and read only after another tool is called.
 diag-turning-start-wrong =
     { $what ->
         [positive] The turning cycle does not begin where the tool is: the contour goes to positive Z, away from the part.
@@ -642,6 +648,7 @@ diag-comment-contradicts =
         [digits] The value is { $value } here, and { $other } in the comment: two digits are exchanged.
         [result] The result is { $value }, and not { $other } as the comment says.
         [scale] The scaling factor { $value } does not belong to the { $other } percent of the comment.
+        [parameter] { $value } is read here, and the comment above names { $other }.
        *[holes] The program makes { $value } holes after this tool call, and the comment says { $other }.
     }
 diag-decimal-comma = This value has a decimal comma, other values of the program have a decimal point.
@@ -657,6 +664,7 @@ diag-helix-too-steep =
     { $what ->
         [up] The helix goes up by { $value }, although a full circle follows as at a floor: its sign is wrong.
         [pitch] The helix has a pitch of { $value }, and the thread mill has { $other }.
+        [left] This helix cuts a left-hand thread; neither the tool nor a comment says that it is one.
        *[steep] The helix goes down by { $value } in one turn; more than { $other } no tool cuts here.
     }
 diag-holes-differ =
@@ -718,7 +726,11 @@ diag-tilted-work =
         [beside] In the tilted plane this cycle meets nothing of the blank.
        *[stands] The cycle begins at { $value }, but in the tilted plane the blank stands up to { $other } here.
     }
-diag-circle-point-wrong = { $parameter } and { $other } are both calculated with { $value } of the same angle: a point on a circle has the sine in one coordinate and the cosine in the other.
+diag-circle-point-wrong =
+    { $what ->
+        [angle] { $parameter } is calculated with the angle { $value }, and { $other } with { $angle }: the two coordinates of a point on a circle have the same angle.
+       *[function] { $parameter } and { $other } are both calculated with { $value } of the same angle: a point on a circle has the sine in one coordinate and the cosine in the other.
+    }
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } is corrected by { $other }, which is the deviation of the other side.

@@ -48,6 +48,7 @@ diag-preset-row-wrong =
 diag-repeat-without-effect =
     { $what ->
         [same] The contour is repeated at the same depth { $value }: incremental steps of it would go through the blank.
+        [place] The repeated movement leads to a place with absolute coordinates, where the tool already is: the repeats do nothing.
        *[zero] A repeat of zero times does nothing.
     }
 diag-slot-too-narrow = The tool with the diameter { $tool } does not fit between the walls here: this line is only { $value } long.
@@ -101,6 +102,12 @@ diag-contour-crossed =
         [itself] This contour comes back to one of its own lines before its end: the tool cuts through what it has just finished.
        *[side] With this radius compensation the tool crosses the closed contour: it comes from the other side of it.
     }
+diag-contour-depths-differ =
+    { $what ->
+        [chamfer] The chamfer is cut at { $value }, below the floor of the contour at { $other }.
+        [deep] The contour ends at { $value } here, and the tool before has cut one infeed deeper, down to { $other }.
+       *[shallow] The contour is cut down to { $value } here in one pass, and the tool before has only come down to { $other }.
+    }
 diag-error-branch-entered =
     { $what ->
         [turned] The jump over the stop is taken where { $parameter } reports a fault.
@@ -116,6 +123,7 @@ diag-label-unused = Nothing calls, repeats or jumps to label { $label } in this 
 diag-loop-runs-once =
     { $what ->
         [again] From the second time on this loop is executed only once: nothing sets its counter back.
+        [other] The counter of this loop is calculated from another parameter in each pass: the number with which it begins has no effect.
        *[never] This jump back is never taken: its counter fulfils the condition on no pass.
     }
 diag-parameter-unused =

@@ -57,6 +57,7 @@ diag-clearance-height-too-low = { $cycle } koskettaa korkeudella { $touched }: v
 diag-compensation-at-cycle =
     { $cycle } suoritetaan tässä sädekorjauksen ollessa voimassa.
 diag-compensation-left-on = Sädekorjaus on tässä vielä voimassa.
+diag-compensation-missing = Tämä muoto koneistetaan muualla sädekorjauksella RL tai RR; tässä työkalun keskipiste kulkee sitä pitkin R0:lla.
 diag-compensation-on-arc = Sädekorjaus ei saa alkaa kaarella.
 diag-compensation-other-side = Sama muoto koneistettiin aiemmin vastakkaisella sädekorjauksella: tässä työkalu on sen toisella puolella.
 diag-compensation-switched = Sädekorjaus vaihtaa tässä puolta, vaikka välissä ei ole R0-lausetta.
@@ -178,6 +179,7 @@ diag-early-cycle-wrong =
         [feed] Työkierron syöttöarvo on 0.
         [narrow] Työkalu, jonka halkaisija on { $other }, ei mahdu uraan tai taskuun, jonka mitta on { $value }.
         [pitch] Kierteen nousu on { $value }, mutta kierretapin { $other }.
+        [wide] Ympyrätaskun halkaisija on { $value }, ja aihion leveys on vain { $other }: säteen tilalle on voitu antaa halkaisija.
        *[tapped] Syöttöarvo { $value } ei sovi kierretapille: nousu kertaa karan kierrosluku on { $other }.
     }
 diag-empty-word = Tässä sanassa { $word } ei ole arvoa, eikä se tee mitään.
@@ -302,6 +304,7 @@ diag-no-result =
        *[domain] funktiota ei ole määritelty sen arvolle
     }.
 diag-no-table-open = FN 27 ja FN 28 tarvitsevat taulukon, jonka FN 26 on avannut.
+diag-nominal-differs = Asetushalkaisija on tässä { $value }, mutta tässä paikassa olevan taskun halkaisija on { $other }.
 diag-not-a-program = Tämä tiedosto ei ole NC-ohjelma.
 diag-nothing-left = Reikä on tässä jo { $other } leveä: työkalu, jonka halkaisija on { $value }, ei poista mitään.
 diag-number-does-not-exist = { $name } ei ole olemassa: suurin numero on { $greatest }.
@@ -356,6 +359,7 @@ diag-pilot-hole-too-shallow =
         [bored] Työkalu sorvaa sisäpuolelta arvoon { $value } asti, mutta porattu reikä päättyy arvoon { $other }.
        *[start] Syvennetty aloituspiste on arvossa { $value }, mutta siinä oleva reikä päättyy arvoon { $other }.
     }
+diag-pilot-hole-elsewhere = Kohdassa { $value }; { $other } olevalle reiälle ei tehdä muuta, ja tasku alkaa kiinteässä materiaalissa paikassa, jonka koordinaatit ovat päinvastoin.
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -445,6 +449,7 @@ diag-speed-out-of-range =
         [below] se on negatiivinen
        *[above] suurin arvo, jonka käsikirjat sallivat, on { $limit }
     }.
+diag-stepover-too-wide = Ratojen väli on { $value }, mutta työkalun leveys on vain { $other }: niiden väliin jää harjanteita.
 diag-spindle-direction = { $cycle } tarvitsee myötäpäivään pyörivän karan, mutta tässä kara pyörii vastapäivään.
 diag-spindle-off = Työkalu lastuaa tässä, vaikka kara ei pyöri.
 diag-sql-handle-missing =
@@ -492,6 +497,7 @@ diag-tool-feed-missing = Tässä käytetään työkalukutsun syöttöarvoa, mutt
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään työkalukutsu ei ole määritellyt työkaluakselia.
 diag-tool-not-changed = { $cycle } kutsutaan työkalulla, jolla on jo suoritettu { $before }: se tarvitsee toisen työkalun.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
+diag-tool-radius-outdated = Tämä lasketaan edellisen työkalun säteestä (Q108) ja luetaan vasta, kun toinen työkalu on kutsuttu.
 diag-turning-start-wrong =
     { $what ->
         [positive] Sorvaustyökierto ei ala siitä, missä työkalu on: muoto kulkee positiiviseen Z-suuntaan, poispäin kappaleesta.
@@ -641,6 +647,7 @@ diag-comment-contradicts =
         [digits] Arvo on tässä { $value } ja kommentissa { $other }: kaksi numeroa on vaihtunut keskenään.
         [result] Tulos on { $value } eikä { $other }, kuten kommentissa sanotaan.
         [scale] Mittakerroin { $value } ei vastaa kommentin lukemaa { $other } prosenttia.
+        [parameter] Tässä luetaan { $value }, vaikka yllä olevassa kommentissa mainitaan { $other }.
        *[holes] Tämän työkalukutsun jälkeen tehdään { $value } reikää, vaikka kommentissa sanotaan { $other }.
     }
 diag-decimal-comma = Tässä arvossa on desimaalipilkku, ohjelman muissa arvoissa desimaalipiste.
@@ -656,6 +663,7 @@ diag-helix-too-steep =
     { $what ->
         [up] Kierukka nousee { $value }, vaikka sitä seuraa täysi ympyrä kuten pohjalla: sen etumerkki on väärä.
         [pitch] Kierukan nousu on { $value }, mutta kierrejyrsimen { $other }.
+        [left] Tämä kierukka lastuaa vasenkätisen kierteen; mikään työkalussa tai kommenteissa ei kerro siitä.
        *[steep] Kierukka laskeutuu kierroksella { $value }; enempää kuin { $other } ei työkalu tässä lastua.
     }
 diag-holes-differ =
@@ -717,7 +725,11 @@ diag-tilted-work =
         [beside] Käännetyssä tasossa tämä työkierto ei osu aihioon lainkaan.
        *[stands] Työkierto alkaa arvosta { $value }, mutta käännetyssä tasossa aihio ulottuu tässä arvoon { $other }.
     }
-diag-circle-point-wrong = { $parameter } ja { $other } lasketaan kumpikin saman kulman funktiolla { $value }: ympyrän pisteellä on toisessa koordinaatissa sini ja toisessa kosini.
+diag-circle-point-wrong =
+    { $what ->
+        [angle] { $parameter } lasketaan kulmasta { $value } ja { $other } kulmasta { $angle }: ympyrän pisteen molemmilla koordinaateilla on sama kulma.
+       *[function] { $parameter } ja { $other } lasketaan kumpikin saman kulman funktiolla { $value }: ympyrän pisteellä on toisessa koordinaatissa sini ja toisessa kosini.
+    }
 diag-correction-wrong =
     { $what ->
         [side] Parametria { $parameter } korjataan arvolla { $other }, joka on toisen sivun ero.

@@ -48,6 +48,7 @@ diag-preset-row-wrong =
 diag-repeat-without-effect =
     { $what ->
         [same] Muoto toistetaan samalla syvyydellä { $value }: samansuuruisin inkrementaalisin askelin se menisi aihion läpi.
+        [place] Toistettava liike johtaa absoluuttisin koordinaatein annettuun paikkaan, jossa työkalu jo on: toistot eivät tee mitään.
        *[zero] Nolla toistoa ei tee mitään.
     }
 diag-slot-too-narrow = Työkalu, jonka halkaisija on { $tool }, ei mahdu tässä seinämien väliin: tämän suoran pituus on vain { $value }.
@@ -101,6 +102,12 @@ diag-contour-crossed =
         [itself] Tämä muoto palaa ennen loppuaan omalle suoralleen: työkalu lastuaa sitä, minkä se juuri viimeisteli.
        *[side] Tällä sädekorjauksella työkalu kulkee suljetun muodon poikki: se tulee muodon toiselta puolelta.
     }
+diag-contour-depths-differ =
+    { $what ->
+        [chamfer] Viiste lastutaan korkeudella { $value }, muodon pohjan { $other } alapuolella.
+        [deep] Muoto päättyy tässä korkeudelle { $value }, mutta edellinen työkalu on lastunnut yhden asetuksen syvemmälle, korkeudelle { $other }.
+       *[shallow] Muoto lastutaan tässä yhdellä kertaa korkeudelle { $value }, vaikka edellinen työkalu on laskeutunut vain korkeudelle { $other }.
+    }
 diag-error-branch-entered =
     { $what ->
         [turned] Pysäytyksen yli hypätään silloin, kun { $parameter } ilmoittaa viasta.
@@ -116,6 +123,7 @@ diag-label-unused = Mikään ei kutsu tai toista tämän aliohjelman labelia { $
 diag-loop-runs-once =
     { $what ->
         [again] Toisesta kerrasta alkaen tämä silmukka suoritetaan vain kerran: mikään ei palauta sen laskuria.
+        [other] Tämän silmukan laskuri lasketaan joka kierroksella toisesta parametrista: sen alkuarvolla ei ole vaikutusta.
        *[never] Tätä hyppyä taaksepäin ei koskaan tehdä: laskuri ei täytä ehtoa millään kierroksella.
     }
 diag-parameter-unused = Parametri { $parameter } saa tässä arvon, eikä mikään lue sitä.

@@ -57,6 +57,7 @@ diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di 
 diag-compensation-at-cycle =
     { $cycle } viene eseguito qui con la correzione del raggio attiva.
 diag-compensation-left-on = Qui la correzione del raggio è ancora attiva.
+diag-compensation-missing = Altrove questo profilo viene lavorato con RL o RR; qui lo percorre il centro dell’utensile con R0.
 diag-compensation-on-arc = La correzione del raggio non deve iniziare su un arco.
 diag-compensation-other-side = Lo stesso profilo è stato lavorato prima con la correzione del raggio opposta: qui l’utensile è sull’altro lato.
 diag-compensation-switched = La correzione del raggio cambia lato qui senza R0 intermedio.
@@ -178,6 +179,7 @@ diag-early-cycle-wrong =
         [feed] L’avanzamento del ciclo è 0.
         [narrow] L’utensile con il diametro di { $other } non entra in una scanalatura o tasca di { $value }.
         [pitch] La filettatura ha un passo di { $value }, ma il maschio ha { $other }.
+        [wide] La tasca circolare è larga { $value } e il pezzo grezzo solo { $other }: al posto del raggio potrebbe essere stato inserito il diametro.
        *[tapped] Un avanzamento di { $value } non è adatto al maschio: passo per numero di giri dà { $other }.
     }
 diag-empty-word = Questa { $word } è senza valore e non fa nulla.
@@ -302,6 +304,7 @@ diag-no-result =
        *[domain] una funzione non è definita per il suo valore
     }.
 diag-no-table-open = FN 27 e FN 28 richiedono una tabella aperta da FN 26.
+diag-nominal-differs = Qui il diametro nominale è { $value }, mentre la tasca in questo punto è larga { $other }.
 diag-not-a-program = Questo file non è un programma NC.
 diag-nothing-left = Qui il foro è già largo { $other }: un utensile di { $value } non asporta nulla.
 diag-number-does-not-exist = { $name } non esiste: il numero massimo è { $greatest }.
@@ -356,6 +359,7 @@ diag-pilot-hole-too-shallow =
         [bored] L’utensile tornisce all’interno fino a { $value }, e il foro eseguito termina a { $other }.
        *[start] Il punto di partenza abbassato è a { $value }, e il foro esistente termina a { $other }.
     }
+diag-pilot-hole-elsewhere = Sul foro in { $value }; { $other } non viene eseguito altro, e una tasca inizia nel pieno nel punto con le due coordinate scambiate.
 diag-plane-incomplete = In questo PLANE manca { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -445,6 +449,7 @@ diag-speed-out-of-range =
         [below] è negativo
        *[above] i manuali ammettono al massimo { $limit }
     }.
+diag-stepover-too-wide = Le passate distano { $value } e l’utensile è largo solo { $other }: tra di esse restano nervature.
 diag-spindle-direction = { $cycle } richiede un mandrino che giri in senso orario, ma qui gira in senso antiorario.
 diag-spindle-off = Qui l’utensile taglia a mandrino fermo.
 diag-sql-handle-missing =
@@ -492,6 +497,7 @@ diag-tool-feed-missing = Qui si usa l’avanzamento della chiamata utensile, ma 
 diag-tool-missing = Qui un ciclo esegue movimenti, ma nessuna chiamata utensile ha indicato l’asse utensile.
 diag-tool-not-changed = { $cycle } viene chiamato con l’utensile già usato per { $before }: richiede un altro utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
+diag-tool-radius-outdated = Questo viene calcolato con il raggio dell’utensile precedente (Q108) e letto solo dopo la chiamata di un altro utensile.
 diag-turning-start-wrong =
     { $what ->
         [positive] Il ciclo di tornitura non inizia dove si trova l’utensile: il profilo va verso Z positivo, lontano dal pezzo.
@@ -641,6 +647,7 @@ diag-comment-contradicts =
         [digits] Qui il valore è { $value }, nel commento { $other }: due cifre sono scambiate.
         [result] Il risultato è { $value }, non { $other } come dice il commento.
         [scale] Il fattore di scala { $value } non corrisponde al { $other } percento del commento.
+        [parameter] Qui viene letto { $value }, mentre il commento sopra indica { $other }.
        *[holes] Dopo questa chiamata utensile i fori sono { $value }, nel commento { $other }.
     }
 diag-decimal-comma = Questo valore ha la virgola decimale, altri valori del programma il punto decimale.
@@ -656,6 +663,7 @@ diag-helix-too-steep =
     { $what ->
         [up] L’elica sale di { $value }, benché segua un cerchio completo come sul fondo: il suo segno è sbagliato.
         [pitch] L’elica ha un passo di { $value }, mentre la fresa per filettare ha { $other }.
+        [left] Questa elica taglia una filettatura sinistra; né l’utensile né un commento lo indicano.
        *[steep] L’elica scende di { $value } in un giro; più di { $other } qui nessun utensile taglia.
     }
 diag-holes-differ =
@@ -717,7 +725,11 @@ diag-tilted-work =
         [beside] Nel piano ruotato questo ciclo non incontra in nessun punto il pezzo grezzo.
        *[stands] Il ciclo inizia a { $value }, ma nel piano ruotato qui il pezzo grezzo arriva a { $other }.
     }
-diag-circle-point-wrong = { $parameter } e { $other } sono calcolati entrambi con { $value } dello stesso angolo: un punto su un cerchio ha in una coordinata il seno e nell’altra il coseno.
+diag-circle-point-wrong =
+    { $what ->
+        [angle] { $parameter } viene calcolato con l’angolo { $value } e { $other } con { $angle }: le due coordinate di un punto su un cerchio hanno lo stesso angolo.
+       *[function] { $parameter } e { $other } sono calcolati entrambi con { $value } dello stesso angolo: un punto su un cerchio ha in una coordinata il seno e nell’altra il coseno.
+    }
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } viene corretto di { $other }, che è lo scostamento dell’altro lato.

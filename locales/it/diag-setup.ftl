@@ -48,6 +48,7 @@ diag-preset-row-wrong =
 diag-repeat-without-effect =
     { $what ->
         [same] Il profilo viene ripetuto alla stessa profondità { $value }: con passi incrementali di tale misura attraverserebbe il grezzo.
+        [place] Il movimento ripetuto porta a un punto in coordinate assolute in cui l’utensile si trova già: le ripetizioni non fanno nulla.
        *[zero] Una ripetizione di zero volte non ha alcun effetto.
     }
 diag-slot-too-narrow = L’utensile di diametro { $tool } qui non passa tra le pareti: questa retta è lunga solo { $value }.
@@ -101,6 +102,12 @@ diag-contour-crossed =
         [itself] Questo profilo torna prima della fine su una delle proprie rette: l’utensile taglia ciò che ha appena finito.
        *[side] Con questa correzione del raggio l’utensile attraversa il profilo chiuso: arriva dall’altro lato.
     }
+diag-contour-depths-differ =
+    { $what ->
+        [chamfer] Lo smusso viene tagliato a { $value }, sotto il fondo del profilo a { $other }.
+        [deep] Qui il profilo termina a { $value }, ma l’utensile precedente ha tagliato un incremento più in basso, fino a { $other }.
+       *[shallow] Qui il profilo viene tagliato in una passata fino a { $value }, mentre l’utensile precedente è sceso solo a { $other }.
+    }
 diag-error-branch-entered =
     { $what ->
         [turned] Il salto oltre l’arresto viene eseguito quando { $parameter } segnala un difetto.
@@ -116,6 +123,7 @@ diag-label-unused = Nulla chiama o ripete il label { $label } di questo sottopro
 diag-loop-runs-once =
     { $what ->
         [again] Dalla seconda volta in poi questa ripetizione viene eseguita una volta sola: nulla riporta indietro il suo contatore.
+        [other] Il contatore di questo ciclo viene calcolato a ogni passaggio da un altro parametro: il numero con cui inizia non ha effetto.
        *[never] Questo salto all’indietro non viene mai eseguito: il contatore non soddisfa la condizione in nessun passaggio.
     }
 diag-parameter-unused =

@@ -57,6 +57,7 @@ diag-clearance-height-too-low = { $cycle } apalpa em { $touched }: a altura segu
 diag-compensation-at-cycle =
     { $cycle } é executado aqui com a correção de raio ativa.
 diag-compensation-left-on = A correção de raio ainda está aqui ativa.
+diag-compensation-missing = Noutro sítio este contorno é maquinado com RL ou RR; aqui percorre-o o centro da ferramenta com R0.
 diag-compensation-on-arc = A correção de raio não pode começar num arco.
 diag-compensation-other-side = O mesmo contorno foi maquinado antes com a correção de raio oposta: aqui a ferramenta está do outro lado.
 diag-compensation-switched = A correção de raio muda aqui de lado sem R0 pelo meio.
@@ -178,6 +179,7 @@ diag-early-cycle-wrong =
         [feed] O avanço do ciclo é 0.
         [narrow] A ferramenta com o diâmetro { $other } não cabe numa ranhura ou caixa de { $value }.
         [pitch] A rosca tem um passo de { $value }, mas o macho tem { $other }.
+        [wide] A caixa circular tem { $value } de largura e o bloco apenas { $other }: pode ter sido introduzido o diâmetro em vez do raio.
        *[tapped] Um avanço de { $value } não serve para o macho: passo vezes rotações dá { $other }.
     }
 diag-empty-word = Este { $word } não tem valor e não faz nada.
@@ -302,6 +304,7 @@ diag-no-result =
        *[domain] uma função não está definida para o seu valor
     }.
 diag-no-table-open = FN 27 e FN 28 precisam de uma tabela que FN 26 tenha aberto.
+diag-nominal-differs = O diâmetro nominal é aqui { $value }, e a caixa neste ponto tem { $other } de largura.
 diag-not-a-program = Este ficheiro não é um programa NC.
 diag-nothing-left = O furo já tem aqui { $other } de largura: uma ferramenta de { $value } não remove nada.
 diag-number-does-not-exist = { $name } não existe: o número maior é { $greatest }.
@@ -356,6 +359,7 @@ diag-pilot-hole-too-shallow =
         [bored] A ferramenta torneia no interior até { $value }, e o furo feito termina em { $other }.
        *[start] O ponto de partida aprofundado está em { $value }, e o furo existente termina em { $other }.
     }
+diag-pilot-hole-elsewhere = No furo em { $value }; { $other } nada mais é feito, e uma caixa começa em material maciço no ponto com as duas coordenadas trocadas.
 diag-plane-incomplete = Neste PLANE falta { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -446,6 +450,7 @@ diag-speed-out-of-range =
         [below] é negativo
        *[above] os manuais permitem no máximo { $limit }
     }.
+diag-stepover-too-wide = As linhas distam { $value }, e a ferramenta tem apenas { $other } de largura: ficam nervuras entre elas.
 diag-spindle-direction = { $cycle } precisa de um cabeçote que rode no sentido horário, mas aqui roda no sentido anti-horário.
 diag-spindle-off = A ferramenta corta aqui com o cabeçote parado.
 diag-sql-handle-missing =
@@ -493,6 +498,7 @@ diag-tool-feed-missing = Utiliza-se aqui o avanço da chamada da ferramenta, mas
 diag-tool-missing = Aqui um ciclo faz movimentos, mas nenhuma chamada da ferramenta definiu o eixo da ferramenta.
 diag-tool-not-changed = { $cycle } é chamado com a ferramenta já usada para { $before }: precisa de outra ferramenta.
 diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
+diag-tool-radius-outdated = Isto é calculado com o raio da ferramenta anterior (Q108) e só é lido depois da chamada de outra ferramenta.
 diag-turning-start-wrong =
     { $what ->
         [positive] O ciclo de torneamento não começa onde a ferramenta está: o contorno vai para Z positivo, afastando-se da peça.
@@ -642,6 +648,7 @@ diag-comment-contradicts =
         [digits] O valor é aqui { $value }, e { $other } no comentário: dois algarismos estão trocados.
         [result] O resultado é { $value }, e não { $other } como diz o comentário.
         [scale] O fator de escala { $value } não corresponde aos { $other } por cento do comentário.
+        [parameter] Aqui é lido { $value }, e o comentário acima indica { $other }.
        *[holes] Depois desta chamada de ferramenta são feitos { $value } furos, e o comentário diz { $other }.
     }
 diag-decimal-comma = Este valor tem vírgula decimal, outros valores do programa têm ponto decimal.
@@ -657,6 +664,7 @@ diag-helix-too-steep =
     { $what ->
         [up] A hélice sobe { $value }, embora se siga um círculo completo como no fundo: o seu sinal está errado.
         [pitch] A hélice tem um passo de { $value }, mas a fresa de roscar tem { $other }.
+        [left] Esta hélice corta uma rosca à esquerda; nem a ferramenta nem um comentário o indicam.
        *[steep] A hélice desce { $value } numa volta; mais de { $other } nenhuma ferramenta corta aqui.
     }
 diag-holes-differ =
@@ -718,7 +726,11 @@ diag-tilted-work =
         [beside] No plano inclinado este ciclo não encontra o bloco em nenhum ponto.
        *[stands] O ciclo começa em { $value }, mas no plano inclinado o bloco chega aqui a { $other }.
     }
-diag-circle-point-wrong = { $parameter } e { $other } são calculados ambos com { $value } do mesmo ângulo: um ponto num círculo tem numa coordenada o seno e na outra o cosseno.
+diag-circle-point-wrong =
+    { $what ->
+        [angle] { $parameter } é calculado com o ângulo { $value } e { $other } com { $angle }: as duas coordenadas de um ponto num círculo têm o mesmo ângulo.
+       *[function] { $parameter } e { $other } são calculados ambos com { $value } do mesmo ângulo: um ponto num círculo tem numa coordenada o seno e na outra o cosseno.
+    }
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } é corrigido por { $other }, que é o desvio do outro lado.

@@ -48,6 +48,7 @@ diag-preset-row-wrong =
 diag-repeat-without-effect =
     { $what ->
         [same] O contorno é repetido à mesma profundidade { $value }: com passos incrementais desse valor atravessaria o bloco.
+        [place] O movimento repetido leva a um ponto em coordenadas absolutas onde a ferramenta já está: as repetições não fazem nada.
        *[zero] Uma repetição de zero vezes não tem efeito.
     }
 diag-slot-too-narrow = A ferramenta com o diâmetro { $tool } não cabe aqui entre as paredes: esta reta só tem { $value } de comprimento.
@@ -101,6 +102,12 @@ diag-contour-crossed =
         [itself] Este contorno volta antes do fim a uma das suas próprias retas: a ferramenta corta o que acabou de terminar.
        *[side] Com esta correção de raio a ferramenta atravessa o contorno fechado: vem do outro lado dele.
     }
+diag-contour-depths-differ =
+    { $what ->
+        [chamfer] O chanfro é cortado em { $value }, abaixo do fundo do contorno em { $other }.
+        [deep] Aqui o contorno termina em { $value }, mas a ferramenta anterior cortou uma passada mais abaixo, até { $other }.
+       *[shallow] Aqui o contorno é cortado numa passagem até { $value }, e a ferramenta anterior só desceu até { $other }.
+    }
 diag-error-branch-entered =
     { $what ->
         [turned] O salto por cima da paragem é executado quando { $parameter } indica um defeito.
@@ -116,6 +123,7 @@ diag-label-unused = Nada chama ou repete o label { $label } deste subprograma, e
 diag-loop-runs-once =
     { $what ->
         [again] A partir da segunda vez esta repetição só é executada uma vez: nada repõe o seu contador.
+        [other] O contador desta repetição é calculado em cada passagem a partir de outro parâmetro: o número com que começa não tem efeito.
        *[never] Este salto para trás nunca é executado: o contador não cumpre a condição em nenhuma passagem.
     }
 diag-parameter-unused =

@@ -57,6 +57,7 @@ diag-clearance-height-too-low = { $cycle } tipa pri { $touched }: varna višina 
 diag-compensation-at-cycle =
     { $cycle } se tu izvede pri aktivnem popravku polmera.
 diag-compensation-left-on = Popravek polmera je tu še aktiven.
+diag-compensation-missing = Ta kontura se drugje obdeluje z RL ali RR; tu gre po njej z R0 središče orodja.
 diag-compensation-on-arc = Popravek polmera se ne sme začeti na loku.
 diag-compensation-other-side = Ista kontura je bila prej obdelana z nasprotnim popravkom polmera: tu je orodje na njeni drugi strani.
 diag-compensation-switched = Popravek polmera tu zamenja stran brez vmesnega R0.
@@ -178,6 +179,7 @@ diag-early-cycle-wrong =
         [feed] Pomik cikla je 0.
         [narrow] Orodje s premerom { $other } ne gre v utor ali žep mere { $value }.
         [pitch] Navoj ima korak { $value }, navojni sveder pa { $other }.
+        [wide] Krožni žep je širok { $value }, surovec pa le { $other }: namesto polmera je morda vpisan premer.
        *[tapped] Pomik { $value } ne ustreza navojnemu svedru: korak krat število vrtljajev je { $other }.
     }
 diag-empty-word = Beseda { $word } tu nima vrednosti in ne naredi ničesar.
@@ -306,6 +308,7 @@ diag-no-result =
        *[domain] funkcija za to vrednost ni definirana
     }.
 diag-no-table-open = FN 27 in FN 28 potrebujeta preglednico, ki jo je odprl FN 26.
+diag-nominal-differs = Želeni premer je tu { $value }, žep na tem mestu pa je širok { $other }.
 diag-not-a-program = Ta datoteka ni NC-program.
 diag-nothing-left = Vrtina je tu že široka { $other }: orodje s premerom { $value } ne odvzame ničesar.
 diag-number-does-not-exist = { $name } ne obstaja: največja številka je { $greatest }.
@@ -360,6 +363,7 @@ diag-pilot-hole-too-shallow =
         [bored] Orodje struži znotraj do { $value }, izvrtana vrtina pa se konča pri { $other }.
        *[start] Poglobljena začetna točka je pri { $value }, vrtina, ki je tam, pa se konča pri { $other }.
     }
+diag-pilot-hole-elsewhere = Pri luknji na { $value }; { $other } se ne naredi nič drugega, žep pa se v polnem materialu začne tam, kjer sta koordinati zamenjani.
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
 diag-plane-not-positioned =
     { $what ->
@@ -449,6 +453,7 @@ diag-speed-out-of-range =
         [below] vrednost je negativna
        *[above] priročniki dovoljujejo največ { $limit }
     }.
+diag-stepover-too-wide = Vrstice so { $value } narazen, orodje pa je široko le { $other }: med njimi ostanejo rebra.
 diag-spindle-direction = { $cycle } potrebuje vreteno, ki se vrti v desno, tu pa se vrti v levo.
 diag-spindle-off = Orodje tu reže, medtem ko vreteno miruje.
 diag-sql-handle-missing =
@@ -496,6 +501,7 @@ diag-tool-feed-missing = Tu se uporabi pomik iz priklica orodja, ta pa pomika ni
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
 diag-tool-not-changed = { $cycle } se prikliče z orodjem, ki je že izvedlo { $before }: potrebuje drugo orodje.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
+diag-tool-radius-outdated = To se izračuna s polmerom prejšnjega orodja (Q108), bere pa se šele po priklicu drugega orodja.
 diag-turning-start-wrong =
     { $what ->
         [positive] Cikel za struženje se ne začne tam, kjer je orodje: kontura gre v pozitivno smer Z, stran od obdelovanca.
@@ -645,6 +651,7 @@ diag-comment-contradicts =
         [digits] Vrednost je tu { $value }, v komentarju pa { $other }: dve števki sta zamenjani.
         [result] Rezultat je { $value }, ne { $other }, kot pravi komentar.
         [scale] Faktor merila { $value } ne ustreza { $other } odstotkom iz komentarja.
+        [parameter] Tu se bere { $value }, komentar zgoraj pa navaja { $other }.
        *[holes] Število lukenj po tem priklicu orodja je { $value }, v komentarju pa { $other }.
     }
 diag-decimal-comma = Ta vrednost ima decimalno vejico, druge vrednosti programa pa decimalno piko.
@@ -660,6 +667,7 @@ diag-helix-too-steep =
     { $what ->
         [up] Vijačnica se dvigne za { $value }, čeprav ji sledi poln krog kot na dnu: njen predznak je napačen.
         [pitch] Vijačnica ima korak { $value }, rezkar za navoje pa { $other }.
+        [left] Ta vijačnica reže levi navoj; niti orodje niti komentar ne pove, da je tak.
        *[steep] Vijačnica se v enem obratu spusti za { $value }; več kot { $other } tu ne reže nobeno orodje.
     }
 diag-holes-differ =
@@ -721,7 +729,11 @@ diag-tilted-work =
         [beside] V zavrteni ravnini ta cikel nikjer ne zadene surovca.
        *[stands] Cikel se začne pri { $value }, v zavrteni ravnini pa surovec tu sega do { $other }.
     }
-diag-circle-point-wrong = { $parameter } in { $other } se oba izračunata z { $value } istega kota: točka na krogu ima v eni koordinati sinus, v drugi pa kosinus.
+diag-circle-point-wrong =
+    { $what ->
+        [angle] { $parameter } se računa s kotom { $value }, { $other } pa s kotom { $angle }: obe koordinati točke na krogu imata isti kot.
+       *[function] { $parameter } in { $other } se oba izračunata z { $value } istega kota: točka na krogu ima v eni koordinati sinus, v drugi pa kosinus.
+    }
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } se popravi za { $other }, kar je odstopanje druge stranice.

@@ -50,6 +50,7 @@ diag-preset-row-wrong =
 diag-repeat-without-effect =
     { $what ->
         [same] Kontura se ponovi na isti globini { $value }: z inkrementalnimi koraki te velikosti bi šla skozi surovec.
+        [place] Ponovljeni premik vodi na mesto z absolutnimi koordinatami, kjer orodje že je: ponovitve ne naredijo ničesar.
        *[zero] Nič ponovitev nima nobenega učinka.
     }
 diag-slot-too-narrow = Orodje s premerom { $tool } tukaj ne gre med stene: ta premica je dolga samo { $value }.
@@ -103,6 +104,12 @@ diag-contour-crossed =
         [itself] Ta kontura se pred svojim koncem vrne na eno od lastnih premic: orodje reže to, kar je pravkar končalo.
        *[side] S tem popravkom polmera orodje prečka sklenjeno konturo: prihaja z njene druge strani.
     }
+diag-contour-depths-differ =
+    { $what ->
+        [chamfer] Posnetje se reže pri { $value }, pod dnom konture pri { $other }.
+        [deep] Kontura se tu konča pri { $value }, prejšnje orodje pa je rezalo za eno dostavo globlje, do { $other }.
+       *[shallow] Kontura se tu v enem prehodu reže do { $value }, prejšnje orodje pa je prišlo le do { $other }.
+    }
 diag-error-branch-entered =
     { $what ->
         [turned] Skok čez zaustavitev se izvede, kadar { $parameter } javlja napako.
@@ -118,6 +125,7 @@ diag-label-unused = Oznake { $label } v tem podprogramu nič ne prikliče in ne 
 diag-loop-runs-once =
     { $what ->
         [again] Od drugič naprej se ta zanka izvede samo enkrat: njenega števca nič ne ponastavi.
+        [other] Števec te zanke se v vsakem prehodu izračuna iz drugega parametra: število, s katerim začne, nima učinka.
        *[never] Ta skok nazaj se nikoli ne izvede: števec v nobenem prehodu ne izpolni pogoja.
     }
 diag-parameter-unused =

@@ -177,6 +177,24 @@ pub enum Incident {
     RotationsLackOne(usize),
     /// A path that the same tool has gone under another transformation.
     PathTwice,
+    /// A contour with RL or RR that is gone along at a height below the top of the blank.
+    ContourAt {
+        /// The line of its block.
+        line: usize,
+        /// The line of the tool call.
+        call: usize,
+        /// How high the tool is.
+        height: f64,
+    },
+    /// Lines to and fro over the blank that leave ribs.
+    RibsLeft {
+        /// How far they are apart.
+        step: f64,
+        /// How wide the tool is.
+        width: f64,
+    },
+    /// The only hole of a tool, at a place whose exchanged coordinates are those of a pocket.
+    PilotHoleExchanged([f64; 2]),
     /// How many holes are made after a tool call, all cycles and places together.
     HolesMade(usize),
     /// A contour that other blocks of the same tool have gone before, from another place.

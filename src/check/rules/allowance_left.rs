@@ -1,10 +1,11 @@
 //! A contour that is machined with two tools and the same oversize DR both times: the allowance of roughing is still there
-//! after finishing. Also one that a negative DR machines first, and another tool then with a greater one: it finds nothing.
+//! after finishing; so is one that is machined twice with the same tool and the same oversize, but another speed or feed. Also one that a negative DR machines first, and another tool then with a greater one: it finds nothing.
 //! So does the same tool with any greater oversize than before. Also a contour train that two tools machine with the same
 //! allowance for the side.
 use std::collections::{BTreeMap, HashMap};
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::check::blank::is_unmoved;
 use crate::check::contours::listed;
 use crate::check::program::number;
 use crate::check::tools::named;
@@ -50,7 +51,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.arg("label", mark.to_string()).arg("other", ""));
         }
         if same
-            && other
+            && (other || again(facts, *first, *last) && calls.len() == 2)
             && milled
             && let Some(block) = blocks.get(*last as usize)
         {
@@ -157,6 +158,19 @@ fn tool_at<'f>(facts: &Facts<'f>, block: u32) -> Option<ToolName<'f>> {
         Some(BlockKind::ToolCall(call)) => named(facts, call.tool?),
         _ => None,
     }
+}
+
+/// Whether two blocks call the same tool with another speed or feed, without a transformation at the second one.
+fn again(facts: &Facts<'_>, one: u32, other: u32) -> bool {
+    let same = tool_at(facts, one).zip(tool_at(facts, other)).is_some_and(|(one, other)| one == other);
+    let call = |block: u32| match facts.program.blocks().get(block as usize).map(|block| &block.kind) {
+        Some(BlockKind::ToolCall(call)) => {
+            Some((call.speed.and_then(|own| facts.number(&own)), call.feed.as_ref().map(|own| facts.text(own.span))))
+        }
+        _ => None,
+    };
+    let unmoved = facts.run.before(other as usize).is_some_and(|modal| is_unmoved(&modal));
+    one != other && same && unmoved && call(one) != call(other)
 }
 
 /// Whether two blocks certainly call different tools.

@@ -10,8 +10,10 @@ use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "back-boring-inside", severity: Severity::Warning, run };
 
-/// Less than so much of what is below the surface is no blank with an allowance on its lower face.
+/// Less than so much of what is below the surface is no blank with an allowance on its lower face; the same where holes
+/// are drilled through the blank.
 const MOST: f64 = 0.25;
+const DRILLED: f64 = 0.8;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     rule.report_first(facts, found, "hole", |own| match own {
@@ -28,8 +30,19 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let unmoved = facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));
         let (Some(thickness), Some(surface)) = (number(item), number(surface)) else { continue };
         let below = surface - blank.low[2];
-        if unmoved && thickness > 0.0 && thickness < MOST * below {
+        let most = if drills_to(facts, blank.low[2]) { DRILLED } else { MOST };
+        if unmoved && thickness > 0.0 && thickness < most * below {
             found.push(rule.comparison(facts, item.value_span, "thickness", thickness, below));
         }
     }
+}
+
+/// Whether a hole is drilled down to a height.
+fn drills_to(facts: &Facts<'_>, bottom: f64) -> bool {
+    facts.definitions.iter().any(|own| {
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        value("surface-coordinate").zip(value("depth")).is_some_and(|(surface, depth)| surface + depth <= bottom)
+    })
 }

@@ -1,5 +1,6 @@
 //! A point whose two coordinates are both calculated with the sine, or both with the cosine, of the same angle: it lies on a
-//! straight line and not on a circle. One formula was copied and not changed.
+//! straight line and not on a circle. One formula was copied and not changed. Also one whose coordinates are calculated with the
+//! cosine of one angle and the sine of another.
 //!
 //! Only between two labels, where both parameters certainly come from such formulas, each has no other angle in it, and the
 //! other function of the angle is nowhere: a point in space has all of them.
@@ -34,7 +35,7 @@ struct Section {
     /// All functions of angles in it.
     parts: Vec<Part>,
     /// The points that look wrong: the place of the later formula, its parameter, the other one, the function.
-    points: Vec<(Span, QRef, QRef, Part)>,
+    points: Vec<(Span, QRef, QRef, [Part; 2])>,
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
@@ -151,18 +152,24 @@ impl Section {
             }
         };
         let (Some((x, one, first)), Some((y, other, second))) = (value(Axis::X), value(Axis::Y)) else { return };
-        if x != y && one == other && self.points.len() < MOST {
+        let angles = one.sine != other.sine && one.angle != other.angle;
+        if x != y && (one == other || angles) && self.points.len() < MOST {
             let (later, span, before) = if first.start > second.start { (x, first, y) } else { (y, second, x) };
-            self.points.push((span, later, before, one));
+            let parts = if first.start > second.start { [one, other] } else { [other, one] };
+            self.points.push((span, later, before, parts));
         }
     }
 
     /// The section is over.
     fn judge(self, rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let other = |own: &Part| self.parts.iter().any(|part| part.angle == own.angle && part.sine != own.sine);
-        if let Some((span, later, before, part)) = self.points.iter().find(|(.., part)| !other(part)) {
+        let alone = |parts: &[Part; 2]| parts.iter().all(|part| !other(part));
+        if let Some((span, later, before, parts)) = self.points.iter().find(|(.., parts)| alone(parts)) {
             let finding = rule.at(facts, *span).arg("parameter", later.to_string()).arg("other", before.to_string());
-            found.push(finding.arg("value", if part.sine { "SIN" } else { "COS" }));
+            let [one, two] = parts;
+            let what = if one == two { "function" } else { "angle" };
+            let value = if one == two { if one.sine { "SIN" } else { "COS" } } else { one.angle.as_str() };
+            found.push(finding.arg("what", what).arg("value", value.to_owned()).arg("angle", two.angle.clone()));
         }
     }
 }

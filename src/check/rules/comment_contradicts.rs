@@ -1,11 +1,13 @@
 //! A number in a comment that the blocks belonging to it do not have, while they have one that a slip of the keyboard makes of
 //! it: two digits are exchanged. Also a result that differs from the one that the comment beside it states, a scaling factor
-//! that does not fit the shrinkage which a comment states in percent, and one hole more or less than a comment counts.
+//! that does not fit the shrinkage which a comment states in percent, one hole more or less than a comment counts, and a result
+//! (Q100 to Q199) in place of the one that the comment names.
 //!
 //! A comment belongs to the blocks up to the next one, or to the block beside which it is; one before the first tool call
 //! belongs to all, where only numbers of three digits or more are compared. Half and twice a number are the same one: a
 //! diameter and a radius. Longer programs are written by posts.
 use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::base::expr::{QKind, QRef};
 use crate::check::incident::Incident;
 use crate::check::program::reads;
 use crate::check::slip::exchanged;
@@ -23,6 +25,8 @@ const DIGITS: [usize; 2] = [2, 3];
 const SAME: f64 = 1e-6;
 /// The greatest shrinkage, percent.
 const SHRINKAGE: f64 = 10.0;
+/// The parameters that hold results.
+const RESULTS: std::ops::Range<u16> = 100..200;
 /// So many holes are worth counting.
 const HOLES: [usize; 2] = [3, 200];
 /// What holes and threads are called in the languages of manuals and shops, by the beginning of the word.
@@ -57,6 +61,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let least = DIGITS[usize::from(alone && index < header)];
         if let Some((span, value, other)) = exchanged_digits(facts, text, part, least) {
             found.push(rule.comparison(facts, span, "digits", value, other));
+        }
+        if alone && let Some((span, value, other)) = other_parameter(text, part) {
+            let finding = rule.at(facts, span).arg("what", "parameter").arg("value", value.to_string());
+            found.push(finding.arg("other", other.to_string()));
         }
         if let Some((value, other)) = other_result(facts, index, text) {
             found.push(rule.comparison(facts, facts.content(block), "result", value, other));
@@ -173,6 +181,24 @@ fn other_result(facts: &Facts<'_>, index: usize, text: &str) -> Option<(f64, f64
         }
     }
     None
+}
+
+/// A result that the first block of a part reads, while the comment above names another one that no block of the part reads.
+fn other_parameter(text: &str, part: &[Block]) -> Option<(Span, QRef, QRef)> {
+    let upper = text.to_ascii_uppercase();
+    let words = upper.split(|sign: char| !sign.is_ascii_alphanumeric());
+    let named = words.filter_map(|word| word.strip_prefix('Q')?.parse::<u16>().ok()).map(QRef::q);
+    let is_result = |q: &QRef| q.kind == QKind::Q && RESULTS.contains(&q.number);
+    let mut named = named.filter(is_result);
+    let (only, None) = (named.next()?, named.next()) else { return None };
+    let mut all = Vec::new();
+    part.iter().for_each(|block| reads(block, &mut all));
+    let first = part.iter().find(|block| !is_remark(block) && !matches!(block.kind, BlockKind::Empty))?;
+    let mut read = Vec::new();
+    reads(first, &mut read);
+    let mut read = read.into_iter().filter(|(q, _)| is_result(q));
+    let ((other, span), None) = (read.next()?, read.next()) else { return None };
+    (!all.iter().any(|(q, _)| *q == only)).then_some((span, other, only))
 }
 
 /// A scaling factor that is none for the only percentage in the comments.

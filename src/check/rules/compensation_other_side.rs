@@ -1,6 +1,8 @@
 //! A closed contour that is written twice with the same points, once with RL and once with RR: the second time the tool
 //! goes along its other side.
 //!
+//! Its elements may be those of a subprogram that is called after the approach.
+//!
 //! Only contours with coordinates and no parameters, at the same points in the same order. Said once a program.
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -9,7 +11,7 @@ use std::mem::discriminant;
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, BlockKind, Compensates, Compensation, Motion, Path};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensates, Compensation, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "compensation-other-side", severity: Severity::Warning, run };
 
@@ -31,10 +33,10 @@ struct Contour {
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut seen: HashMap<(u64, usize), Compensation> = HashMap::new();
     let mut contour: Option<Contour> = None;
-    for block in facts.program.blocks() {
+    for (index, block) in facts.program.blocks().iter().enumerate() {
         let BlockKind::Motion(motion) = &block.kind else {
-            if !is_silent(block) {
-                contour = None;
+            if !is_silent(block) && !block.is_blend() {
+                contour = contour.and_then(|own| through(facts, own, index, block));
             }
             continue;
         };
@@ -60,9 +62,23 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// A contour that goes on in a subprogram; nothing if a block is not the call of one that only moves along it.
+fn through(facts: &Facts<'_>, mut contour: Contour, index: usize, block: &Block) -> Option<Contour> {
+    let BlockKind::CallLbl(call) = &block.kind else { return None };
+    let label = facts.run.graph.called_from(index).filter(|_| call.repeat.is_none() && !block.skip)?;
+    for own in facts.subprogram(label)?.iter().filter(|own| !is_silent(own) && !own.is_blend()) {
+        let BlockKind::Motion(motion) = &own.kind else { return None };
+        let words = motion.words();
+        let plain = words.compensation.is_none() && !matches!(words.path, Path::Appr(_) | Path::Dep(_));
+        contour = longer(contour, &words).filter(|_| plain && !own.skip)?;
+    }
+    Some(contour)
+}
+
 /// A contour with one more element; nothing if its shape is not certain.
 fn longer(mut contour: Contour, words: &Motion) -> Option<Contour> {
-    if !words.words.is_empty() {
+    // The words of an approach say how long it is.
+    if !words.words.is_empty() && !matches!(words.path, Path::Appr(_)) {
         return None;
     }
     discriminant(&words.path).hash(&mut contour.shape);

@@ -10,7 +10,7 @@ use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::contours::{Line, NEAR, area, closed, distance, edges, holds, is_inside};
 use crate::check::program::is_silent;
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::program::syntax::{Axis, BlockKind, Compensation, Motion, Path};
+use crate::program::syntax::{Approach, Axis, BlockKind, Compensation, Motion, Path, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "contour-crossed", severity: Severity::Warning, run };
 
@@ -29,8 +29,10 @@ struct Course {
     /// Where the tool was before it, if that is known.
     start: Option<[f64; 2]>,
     place: Span,
-    /// Whether APPR leads to it, and whether its first element and its last one so far are straight.
+    /// Whether APPR leads to it, with a straight line so long where it is one, and whether its first element and its last one
+    /// so far are straight.
     approached: bool,
+    lead: Option<(Approach, f64)>,
     straight: Option<[bool; 2]>,
 }
 
@@ -70,8 +72,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 Some(("back", own.place))
             } else {
                 let ring = closed(&line.points).unwrap_or_default();
+                let starts = own.start.into_iter().chain(own.lead_from(&line.points));
                 let begins =
-                    own.start.is_some_and(|start| is_across(own.side, start, &ring)).then_some(("side", own.place));
+                    starts.into_iter().any(|start| is_across(own.side, start, &ring)).then_some(("side", own.place));
                 let ends = || left_for(&line, &words).is_some_and(|end| is_across(own.side, end, &ring));
                 let corner = || own.begins_in_corner(&line.points).then_some(("start", own.place));
                 let short = || stops_short(&line.points).then(|| ("short", facts.content(block)));
@@ -92,7 +95,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if let (Some(side), None) = (beside, &course) {
             let approached = matches!(words.path, Path::Appr(_));
             let (start, place) = (line.end(), facts.content(block));
-            course = Some(Course { side, start, place, approached, straight: None });
+            course = Some(Course { side, start, place, approached, lead: lead(facts, &words), straight: None });
             line.begin();
         } else if let Some(own) = &mut course {
             own.note(&words);
@@ -125,7 +128,31 @@ fn stops_short(points: &[[f64; 2]]) -> bool {
     points.len() > 4 && same && aside.abs() < NEAR && along > NEAR
 }
 
+/// The form of an approach on a straight line, and how long that is.
+fn lead(facts: &Facts<'_>, words: &Motion) -> Option<(Approach, f64)> {
+    let Path::Appr(form @ (Approach::Lt | Approach::Ln | Approach::Plt | Approach::Pln)) = words.path else {
+        return None;
+    };
+    let word = words.words.iter().find(|own| facts.text(own.name).trim().eq_ignore_ascii_case("LEN"))?;
+    match word.value.kind {
+        ValueKind::Number(length) => Some((form, length)),
+        _ => None,
+    }
+}
+
 impl Course {
+    /// Where the line begins on which the tool is led to the contour: before its first element, or beside it.
+    fn lead_from(&self, points: &[[f64; 2]]) -> Option<[f64; 2]> {
+        let ((form, long), [first, next, ..]) = (self.lead?, points) else { return None };
+        let way = [next[0] - first[0], next[1] - first[1]];
+        let unit = long / libm::hypot(way[0], way[1]);
+        let aside = if self.side == Compensation::Rl { unit } else { -unit };
+        Some(match form {
+            Approach::Lt | Approach::Plt => [first[0] - way[0] * unit, first[1] - way[1] * unit],
+            _ => [first[0] - way[1] * aside, first[1] + way[0] * aside],
+        })
+    }
+
     /// Notes an element.
     fn note(&mut self, words: &Motion) {
         let straight = match words.path {

@@ -15,6 +15,10 @@ use crate::spec::{CycleKey, Group};
 
 pub(super) const RULE: Rule = Rule { code: "definitions-differ", severity: Severity::Warning, run };
 
+/// An infeed that is so many times the depth takes all of it at once by a slip, where it is so many times as deep as the tool is
+/// wide.
+const FAR: (f64, f64) = (1.5, 1.5);
+
 /// The meaning of the choice between roughing and finishing, with the values for roughing alone and for both.
 const OPERATIONS: [&str; 2] = ["machining-operation", "turning-operation"];
 const ROUGHING: f64 = 1.0;
@@ -165,8 +169,10 @@ fn deep(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let reported = found
             .iter()
             .any(|own| own.code == rule.code && own.place.as_ref().is_some_and(|place| place.span == item.value_span));
-        if infeed >= 2.0 * depth.abs() && depth.abs() > 2.0 * tool.radius && !reported {
-            found.push(rule.comparison(facts, item.value_span, "deep", infeed, depth.abs()));
+        let (depth, width) = (depth.abs(), 2.0 * tool.radius);
+        let whole = infeed >= 2.0 * depth && depth > width || infeed >= FAR.0 * depth && depth > FAR.1 * width;
+        if whole && !reported {
+            found.push(rule.comparison(facts, item.value_span, "deep", infeed, depth));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A machining cycle of the first controls, which no manual here describes, with a value that it cannot work with: a
 //! set-up clearance with another sign than the others, a depth above the surface, a plunging depth or a feed of 0, a slot
-//! or pocket that is narrower than the tool, corners with a smaller radius than it, a pitch or a feed that is not that of
+//! or pocket that is narrower than the tool, a round one that is wider than the blank, corners with a smaller radius than it, a pitch or a feed that is not that of
 //! the tap.
 //!
 //! What its words mean, their order says. Tools count as far as a tool table or a TOOL DEF gives their data, a pitch
@@ -8,6 +8,7 @@
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity};
+use crate::check::blank::Blank;
 use crate::check::first_way::{Early, FirstWay, Placed};
 use crate::check::program::Work;
 use crate::check::tools::{Tool, Tools};
@@ -43,6 +44,17 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         if let Some(placed) = own.feeds.iter().find(|(value, _)| *value == 0.0) {
             tell("feed", *placed, 0.0);
+        }
+    }
+    if let Some(blank) = Blank::of(facts.program) {
+        let room = (blank.high[0] - blank.low[0]).min(blank.high[1] - blank.low[1]);
+        for (_, own) in way.called() {
+            // The pocket of a radius has one size.
+            if let ([only], Work::Milling) = (own.sides.as_slice(), own.work)
+                && only.0.abs() > room
+            {
+                return tell("wide", *only, room);
+            }
         }
     }
     let Some(tools) = Tools::of(facts) else { return };

@@ -3,14 +3,14 @@
 //!
 //! Also a helix of several turns upwards that is followed by a full circle at its end, as one to a floor is: its sign
 //! is wrong. And a helix of several turns, or one that goes along by more than a pitch, whose pitch is not that of the thread
-//! mill in the spindle.
+//! mill in the spindle, or that cuts a left-hand thread although nothing says so.
 //!
 //! Only polar helices with incremental numbers; in inch programs, and where the tool is not known, 20 mm in one turn
 //! are too much. Threads are milled with a feed of many revolutions, but no pitch is so large.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::program::is_silent;
-use crate::check::tools::Tools;
-use crate::check::{Facts, Rule};
+use crate::check::tools::{Tools, named};
+use crate::check::{Facts, Loaded, Rule, is_left};
 use crate::program::syntax::{Axis, Block, BlockKind, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "helix-too-steep", severity: Severity::Warning, run };
@@ -59,10 +59,31 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.arg("other", Arg::Number(pitch)));
             continue;
         }
+        let threads = tool.and_then(|tool| tool.pitch).is_some_and(|own| (each.abs() - own).abs() <= OTHER * own);
+        let turns = words.counter_clockwise.unwrap_or(angle > 0.0);
+        if threads && turns != (depth > 0.0) && !is_left_handed(facts, modal.loaded) {
+            found.push(rule.comparison(facts, facts.content(block), "left", depth, 0.0));
+            continue;
+        }
         if depth < -SHALLOW * unit && angle != 0.0 && each > most + unit / 1e3 {
             found.push(rule.comparison(facts, facts.content(block), "steep", (each * 1e3).round() / 1e3, most));
         }
     }
+}
+
+/// Whether a comment, or the name of the tool, says that a thread is left-handed.
+fn is_left_handed(facts: &Facts<'_>, loaded: Loaded) -> bool {
+    let called = match loaded {
+        Loaded::By(block) => facts.program.blocks().get(block as usize),
+        Loaded::None | Loaded::Unknown => None,
+    };
+    let name = called.and_then(|block| match &block.kind {
+        BlockKind::ToolCall(call) => named(facts, call.tool?),
+        _ => None,
+    });
+    let listed = name.and_then(|name| facts.project?.tool_word(name, "NAME"));
+    let mut comments = facts.program.blocks().iter().filter_map(|block| block.comment().map(|span| facts.text(span)));
+    listed.is_some_and(is_left) || comments.any(is_left)
 }
 
 /// Whether blocks begin with a full circle at the height that was reached.

@@ -1,15 +1,17 @@
 //! A jump back whose counter fulfils its condition on no pass: the loop is executed once and never repeated. Also one in a
 //! loop or a subprogram that is executed several times and never sets the counter back: from the second time on the inner
-//! loop is executed once.
+//! loop is executed once. And a loop whose counter is calculated from another parameter in each pass, so that its first number
+//! has no effect.
 //!
 //! Only where the counter has a number before the loop, is changed by a known step, and is compared with a number that is
 //! written in the jump, or with a parameter that it moves towards: what a parameter limits may be one pass by intention. Silent where anything else may lead into the
 //! loop or write the counter.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::base::expr::{QKind, QRef};
+use crate::base::expr::{Node, Op, QKind, QRef};
 use crate::check::loops::{Loop, set_once};
+use crate::check::program::reads;
 use crate::check::{Facts, Rule, Use, Way};
-use crate::program::syntax::{Amount, Block, BlockKind, FnJump, Operand, Relation};
+use crate::program::syntax::{Amount, Block, BlockKind, FnJump, FnOp, Operand, Relation};
 
 pub(super) const RULE: Rule = Rule { code: "loop-runs-once", severity: Severity::Warning, run };
 
@@ -34,6 +36,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             "never"
         } else if again(facts, own, jump, &mut patience) {
             "again"
+        } else if is_calculated(facts, own, jump) {
+            "other"
         } else {
             continue;
         };
@@ -86,13 +90,58 @@ fn once<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut usize
     let Some(first) = first else { return false };
     // The condition as one on the counter.
     match (jump.relation, left) {
-        // What a parameter limits may be one pass by intention, unless the counter has not come to it.
-        (Relation::Less, true) | (Relation::Greater, false) if !written => by < 0.0 && first > end,
-        (Relation::Greater, true) | (Relation::Less, false) if !written => by > 0.0 && first < end,
+        // What a parameter limits may be one pass by intention, unless the counter has not
+        // come to it, or was there before the first pass.
+        (Relation::Less, true) | (Relation::Greater, false) if !written => {
+            by < 0.0 && first > end || by > 0.0 && first - by >= end
+        }
+        (Relation::Greater, true) | (Relation::Less, false) if !written => {
+            by > 0.0 && first < end || by < 0.0 && first - by <= end
+        }
         (Relation::Less, true) | (Relation::Greater, false) => by != 0.0 && first >= end,
         (Relation::Greater, true) | (Relation::Less, false) => by != 0.0 && first <= end,
         _ => false,
     }
+}
+
+/// Whether the counter of a loop, which begins with a number, is calculated from another parameter in it and never read before:
+/// the number has no effect.
+fn is_calculated(facts: &Facts<'_>, own: &Use, jump: &FnJump) -> bool {
+    let blocks = facts.program.blocks();
+    let target = own.mark.as_ref().and_then(|mark| facts.run.graph.block_of(mark));
+    let Some(body) = target.filter(|from| *from <= own.block).and_then(|from| blocks.get(from..own.block)) else {
+        return false;
+    };
+    let (Amount::Q { q, negative: false }, Relation::Less | Relation::Greater) = (jump.a.amount, jump.relation) else {
+        return false;
+    };
+    let steps = |block: &Block| match &block.kind {
+        BlockKind::FnAssign(own) if own.target == q => match (own.op, own.a.amount, own.b.as_ref()?.amount) {
+            (FnOp::Add | FnOp::Sub, Amount::Q { q: other, .. }, Amount::Number(_)) => Some(other),
+            _ => None,
+        },
+        BlockKind::Formula(own) if own.target == q => match &own.expr.node {
+            Node::Binary(Op::Add | Op::Sub, one, by) => match (&one.node, &by.node) {
+                (Node::Q(other), Node::Number(_)) => Some(*other),
+                _ => None,
+            },
+            _ => None,
+        },
+        _ => None,
+    };
+    let writes = |block: &Block| match &block.kind {
+        BlockKind::FnAssign(own) => Some(own.target),
+        BlockKind::Formula(own) => Some(own.target),
+        _ => None,
+    };
+    let mut written = body.iter().filter(|block| writes(block) == Some(q));
+    let (Some(other), None) = (written.next().and_then(steps), written.next()) else { return false };
+    let mut read = Vec::new();
+    body.iter().for_each(|block| reads(block, &mut read));
+    let range = target.unwrap_or_default()..=own.block;
+    let begins = set_once(facts, q, &range).is_some();
+    let changes = body.iter().any(|block| writes(block) == Some(other));
+    is_free(q) && other != q && changes && begins && !read.iter().any(|(own, _)| *own == q)
 }
 
 /// Whether the counter of a loop goes on from where it was when a loop around it, or its subprogram, is executed again.

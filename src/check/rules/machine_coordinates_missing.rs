@@ -2,7 +2,7 @@
 //!
 //! Heights in machine coordinates are zero or less near the end of the travel; in workpiece coordinates they are at the
 //! workpiece or inside of it. Only movements along Z alone at rapid are looked at, directly before a tool call, a turn of
-//! rotary axes, a plane or the end, or directly after a tool call. Said once a program.
+//! rotary axes, a plane, a movement with M91 or the end, or directly after a tool call. Said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::program::{is_silent, stops};
 use crate::check::{Facts, Rule};
@@ -60,7 +60,17 @@ fn is_retreat(facts: &Facts<'_>, index: usize) -> bool {
     let before = blocks.get(..index).unwrap_or_default().iter().rev().find(|block| !is_silent(block));
     let after = blocks.get(index + 1..).unwrap_or_default().iter().find(|block| !is_silent(block));
     let calls = |block: &Block| matches!(&block.kind, BlockKind::ToolCall(call) if call.tool.is_some());
-    own || before.is_some_and(calls) || after.is_some_and(|block| calls(block) || stops(block) || turns(block))
+    let follows = |block: &Block| calls(block) || stops(block) || turns(block) || is_of_machine(block);
+    own || before.is_some_and(calls) || after.is_some_and(follows)
+}
+
+/// Whether a block goes to another place of the machine.
+fn is_of_machine(block: &Block) -> bool {
+    let mut found = false;
+    if let BlockKind::Motion(motion) = &block.kind {
+        motion.each_function(|number| found |= number == MACHINE);
+    }
+    found
 }
 
 /// Whether a block tilts the plane or turns nothing but rotary axes.

@@ -29,6 +29,7 @@ mod clearance_height_too_low;
 mod comment_contradicts;
 mod compensation_at_cycle;
 mod compensation_left_on;
+mod compensation_missing;
 mod compensation_on_arc;
 mod compensation_other_side;
 mod compensation_switched;
@@ -37,6 +38,7 @@ mod contour_crossed;
 mod contour_data_missing;
 mod contour_def_wrong;
 mod contour_depth_missing;
+mod contour_depths_differ;
 mod contour_not_selected;
 mod contour_returns;
 mod contour_undeclared;
@@ -120,6 +122,7 @@ mod monitored_tool_idle;
 mod name_of_another_cycle;
 mod no_result;
 mod no_table_open;
+mod nominal_differs;
 mod not_a_program;
 mod nothing_left;
 mod number_does_not_exist;
@@ -135,6 +138,7 @@ mod pattern_combination;
 mod pattern_missing;
 mod pattern_not_called;
 mod pattern_wrong;
+mod pilot_hole_elsewhere;
 mod pilot_hole_too_shallow;
 mod plane_incomplete;
 mod plane_left_on;
@@ -185,6 +189,7 @@ mod spindle_direction;
 mod spindle_off;
 mod spindle_start_wrong;
 mod sql_handle_missing;
+mod stepover_too_wide;
 mod stud_in_solid;
 mod subprogram_end_without_label;
 mod subprogram_recursive;
@@ -207,6 +212,7 @@ mod tool_feed_missing;
 mod tool_missing;
 mod tool_not_changed;
 mod tool_not_listed;
+mod tool_radius_outdated;
 mod tool_table_contradicts;
 mod tool_unused;
 mod tool_zero;
@@ -267,6 +273,7 @@ pub const RULES: &[&Rule] = &[
     &comment_contradicts::RULE,
     &compensation_at_cycle::RULE,
     &compensation_left_on::RULE,
+    &compensation_missing::RULE,
     &compensation_on_arc::RULE,
     &compensation_other_side::RULE,
     &compensation_switched::RULE,
@@ -276,6 +283,7 @@ pub const RULES: &[&Rule] = &[
     &contour_def_wrong::RULE,
     &contour_depth_missing::RULE,
     &contour_not_selected::RULE,
+    &contour_depths_differ::RULE,
     &contour_returns::RULE,
     &contour_undeclared::RULE,
     &contour_wrong::RULE,
@@ -359,6 +367,7 @@ pub const RULES: &[&Rule] = &[
     &no_result::RULE,
     &no_table_open::RULE,
     &not_a_program::RULE,
+    &nominal_differs::RULE,
     &nothing_left::RULE,
     &number_does_not_exist::RULE,
     &older_parameter_set::RULE,
@@ -373,6 +382,7 @@ pub const RULES: &[&Rule] = &[
     &pattern_missing::RULE,
     &pattern_not_called::RULE,
     &pattern_wrong::RULE,
+    &pilot_hole_elsewhere::RULE,
     &pilot_hole_too_shallow::RULE,
     &plane_incomplete::RULE,
     &plane_left_on::RULE,
@@ -423,6 +433,7 @@ pub const RULES: &[&Rule] = &[
     &spindle_off::RULE,
     &spindle_start_wrong::RULE,
     &sql_handle_missing::RULE,
+    &stepover_too_wide::RULE,
     &stud_in_solid::RULE,
     &subprogram_end_without_label::RULE,
     &subprogram_recursive::RULE,
@@ -445,6 +456,7 @@ pub const RULES: &[&Rule] = &[
     &tool_missing::RULE,
     &tool_not_changed::RULE,
     &tool_not_listed::RULE,
+    &tool_radius_outdated::RULE,
     &tool_table_contradicts::RULE,
     &tool_unused::RULE,
     &tool_zero::RULE,

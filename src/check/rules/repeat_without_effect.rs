@@ -1,9 +1,11 @@
 //! A repeat zero times: the part of the program is executed once, as without it. Also a repeat of a contour that does the
-//! same again, because its depth is absolute, while incremental steps of that depth would just go through the blank.
+//! same again, because its depth is absolute, while incremental steps of that depth would just go through the blank; and a
+//! repeat of a single movement to a place with absolute coordinates, where the tool already is.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::Blank;
+use crate::check::program::is_silent;
 use crate::check::{Facts, Rule, Way};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensates, Motion};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensates, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "repeat-without-effect", severity: Severity::Warning, run };
 
@@ -34,7 +36,12 @@ fn same(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(Amount::Number(times)) = call.repeat.map(|times| times.amount).filter(|_| !block.skip) else {
             continue;
         };
-        let Some(lowest) = blocks.get(from + 1..own.block).and_then(fixed_depth) else { continue };
+        let part = blocks.get(from + 1..own.block);
+        if times >= 1.0 && part.is_some_and(stays) {
+            let finding = rule.at(facts, facts.content(block)).arg("what", "place");
+            return found.push(finding.arg("value", ""));
+        }
+        let Some(lowest) = part.and_then(fixed_depth) else { continue };
         let (deep, thick) = (blank.high[2] - lowest, blank.high[2] - blank.low[2]);
         let through = deep * (times + 1.0);
         if times >= 1.0 && deep > SAME && through >= thick - SAME && through - deep < thick - SAME {
@@ -43,6 +50,17 @@ fn same(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             return;
         }
     }
+}
+
+/// Whether a part consists of one movement to a place that is given by absolute numbers.
+fn stays(blocks: &[Block]) -> bool {
+    let mut moves = blocks.iter().filter(|block| !is_silent(block));
+    let (Some(only), None) = (moves.next(), moves.next()) else { return false };
+    let BlockKind::Motion(motion) = &only.kind else { return false };
+    let words = motion.words();
+    let absolute = words.coords.iter().all(|own| !own.incremental && matches!(own.value.amount, Amount::Number(_)));
+    let line = matches!(words.path, Path::L | Path::Lp);
+    line && absolute && !words.coords.is_empty() && !motion.has_functions() && !only.skip
 }
 
 /// The lowest height of a contour that is the same on each pass: its first coordinates and all heights are absolute numbers.

@@ -316,7 +316,10 @@ fn step(row: &[(f64, Span)], may_be: fn(f64, f64) -> bool) -> Option<(Span, f64,
             let [only] = wrong.as_slice() else { return None };
             let (written, span) = row[*only];
             let meant = fits(*only);
-            (may_be(written, meant) || may_be(written, meant.rem_euclid(360.0))).then_some((span, written, meant))
+            // The one before may have been copied.
+            let copied = (turn(written - meant) - turn(by)).abs() <= 1e-6;
+            let slip = copied || may_be(written, meant) || may_be(written, meant.rem_euclid(360.0));
+            slip.then_some((span, written, meant))
         })
     })
 }

@@ -177,6 +177,13 @@ impl Watcher<'_> {
         }
         let counted = made.into_iter().map(|(line, count)| Observed { line, incident: Incident::HolesMade(count) });
         self.found.extend(counted);
+        let holes: Vec<[f64; 2]> = rows.rows.iter().flat_map(|row| row.places.iter().map(|own| own.0)).collect();
+        let alone = rows.rows.iter().filter(|row| row.kind == Kind::Drilled && row.places.len() == 1);
+        let single: Vec<[f64; 2]> = alone.flat_map(|row| row.places.iter().map(|own| own.0)).collect();
+        if let Some(place) = self.beside_pocket(&single, &holes).filter(|_| rows.settings.len() == 1) {
+            let line = rows.rows.iter().flat_map(|row| &row.places).find(|own| own.0 == place).map(|own| own.1);
+            self.report(line.unwrap_or(self.line), Incident::PilotHoleExchanged(place.map(|own| own * self.unit)));
+        }
         let settings = rows.settings.len();
         let mut all: Vec<Vec<Row>> = (0..settings).map(|_| Vec::new()).collect();
         for row in rows.rows {

@@ -301,6 +301,7 @@ impl<'w> Watcher<'w> {
                 self.judge_rows();
                 self.judge_ways();
                 self.judge_walls();
+                self.judge_curves();
                 if let Some(height) = self.low_at(BESIDE).filter(|_| self.tool.is_some()) {
                     self.report(self.line, Incident::EndsInMaterial(height));
                 }
@@ -511,6 +512,7 @@ impl<'w> Watcher<'w> {
             self.note_height(from, line);
             self.note_curve(from, line, &round);
             self.note_contour(from, line);
+            self.note_lines(from);
             self.note_way(from, &places);
             self.dips(from);
         }

@@ -2,7 +2,7 @@
 //!
 //! Each call of a cycle is one piece of work, as are calls from one block in a row. Left out are cycles that finish, as
 //! they may take away less than the columns of the stock show; threads, reamed and bored holes for the same reason;
-//! tools that are hardly wider than a column; and what the stock could not follow.
+//! tools that are hardly wider than a column or take away an oversize of their own; and what the stock could not follow.
 use std::collections::BTreeSet;
 
 use crate::check::{ToolKind, is_reaming};
@@ -18,6 +18,8 @@ const OPERATION: &str = "machining-operation";
 const ROUGHS: [f64; 2] = [0.0, 1.0];
 /// A tool is so many times as wide as a column at least: then one of them is certainly below it.
 const COLUMNS: f64 = 1.5;
+/// So many oversizes are remembered.
+const MOST: usize = 256;
 
 /// What a cycle does at one call.
 struct Work {
@@ -43,6 +45,9 @@ pub struct Works<'w> {
     kinds: Vec<(f64, ToolKind)>,
     kind: Option<ToolKind>,
     wide: bool,
+    /// The oversizes with which each tool was called, and whether that of the last call is smaller than one before.
+    oversizes: Vec<(f64, f64)>,
+    thin: bool,
     all: Vec<Work>,
     seen: u64,
 }
@@ -64,6 +69,8 @@ impl<'w> Works<'w> {
             kinds,
             kind: None,
             wide: false,
+            oversizes: Vec::new(),
+            thin: false,
             all: Vec::new(),
             seen: 0,
         };
@@ -78,6 +85,11 @@ impl<'w> Works<'w> {
             EventKind::Spindle { tool: Some((tool, _)), .. } => {
                 self.kind = self.kinds.iter().find(|(number, _)| *number == tool.number).map(|(_, kind)| *kind);
                 self.wide = 2.0 * tool.radius > COLUMNS * self.column;
+                let (number, own) = (tool.number, tool.deltas.0);
+                self.thin = self.oversizes.iter().any(|(other, before)| *other == number && own < *before);
+                if self.oversizes.len() < MOST && !self.oversizes.contains(&(number, own)) {
+                    self.oversizes.push((number, own));
+                }
             }
             EventKind::Move { kind: MoveKind::Rapid | MoveKind::Arc { rapid: true, .. }, .. } => {}
             EventKind::Move { turned, .. } => {
@@ -111,7 +123,7 @@ impl<'w> Works<'w> {
 
     /// Whether a cycle takes away so much with this tool that the stock shows it.
     fn removes(&self, key: CycleKey) -> bool {
-        let Some(cycle) = self.cycle(key).filter(|_| self.wide && key.keyword == Keyword::CyclDef) else {
+        let Some(cycle) = self.cycle(key).filter(|_| self.wide && !self.thin && key.keyword == Keyword::CyclDef) else {
             return false;
         };
         let has = |meaning: &str| parameter(cycle, meaning).is_some();
