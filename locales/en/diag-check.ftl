@@ -227,7 +227,11 @@ diag-hole-outside-blank =
 diag-incremental-left-on = The coordinates of this contour are incremental; only as absolute ones do they lead back to its beginning.
 diag-pattern-not-called = The cycle is called at one position here, but not at the positions of the pattern of line { $line }.
 diag-plunge-beside-hole = The block has plunged into a hole before, but at { $value }, { $other } it plunges into solid material.
-diag-polygon-incomplete = A regular polygon with { $count } corners lacks the one at { $value }°.
+diag-polygon-incomplete =
+    { $what ->
+        [rectangle] A rectangle lacks its corner at { $value }, { $other }: this line cuts it off.
+       *[polar] A regular polygon with { $count } corners lacks the one at { $value }°.
+    }
 diag-position-without-call = The tool goes to { $value }, { $other } between two calls and does nothing there: a call (M99, CYCL CALL) may be missing.
 diag-result-of-other-axis =
     { $what ->

@@ -227,7 +227,11 @@ diag-hole-outside-blank =
 diag-incremental-left-on = Tämän muodon koordinaatit ovat inkrementaalisia; vain absoluuttisina ne johtavat takaisin sen alkuun.
 diag-pattern-not-called = Työkierto kutsutaan tässä yhdessä paikassa, ei rivin { $line } pistekuvion paikoissa.
 diag-plunge-beside-hole = Lause on aiemmin ajanut reikään, mutta kohdassa { $value }, { $other } se ajaa kiinteään materiaaliin.
-diag-polygon-incomplete = Säännöllisestä monikulmiosta, jossa on { $count } nurkkaa, puuttuu nurkka kulmasta { $value }°.
+diag-polygon-incomplete =
+    { $what ->
+        [rectangle] Suorakulmiosta puuttuu nurkka { $value }, { $other }: tämä viiva leikkaa sen pois.
+       *[polar] Säännöllisestä monikulmiosta, jossa on { $count } nurkkaa, puuttuu nurkka kulmasta { $value }°.
+    }
 diag-position-without-call = Työkalu käy kahden kutsun välissä paikassa { $value }, { $other } eikä tee siellä mitään: kutsu (M99, CYCL CALL) voi puuttua.
 diag-result-of-other-axis =
     { $what ->

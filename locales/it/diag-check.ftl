@@ -227,7 +227,11 @@ diag-hole-outside-blank =
 diag-incremental-left-on = Le coordinate di questo profilo sono incrementali; solo come assolute riportano al suo inizio.
 diag-pattern-not-called = Qui il ciclo è richiamato in una sola posizione non nelle posizioni della sagoma della riga { $line }.
 diag-plunge-beside-hole = Prima il blocco è sceso in un foro, ma a { $value }, { $other } penetra nel materiale pieno.
-diag-polygon-incomplete = A un poligono regolare con { $count } vertici manca quello a { $value }°.
+diag-polygon-incomplete =
+    { $what ->
+        [rectangle] A un rettangolo manca il vertice a { $value }, { $other }: questa linea lo taglia via.
+       *[polar] A un poligono regolare con { $count } vertici manca quello a { $value }°.
+    }
 diag-position-without-call = Tra due chiamate l’utensile va a { $value }, { $other } e lì non fa nulla: potrebbe mancare una chiamata (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->

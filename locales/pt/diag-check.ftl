@@ -227,7 +227,11 @@ diag-hole-outside-blank =
 diag-incremental-left-on = As coordenadas deste contorno são incrementais; só como absolutas levam de volta ao seu início.
 diag-pattern-not-called = Aqui o ciclo é chamado numa só posição, e não nas posições da figura da linha { $line }.
 diag-plunge-beside-hole = Antes a frase desceu num furo, mas em { $value }, { $other } penetra em material maciço.
-diag-polygon-incomplete = A um polígono regular com { $count } vértices falta o que está a { $value }°.
+diag-polygon-incomplete =
+    { $what ->
+        [rectangle] A um retângulo falta o vértice em { $value }, { $other }: esta linha corta-o.
+       *[polar] A um polígono regular com { $count } vértices falta o que está a { $value }°.
+    }
 diag-position-without-call = Entre duas chamadas a ferramenta vai a { $value }, { $other } e não faz lá nada: pode faltar uma chamada (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->

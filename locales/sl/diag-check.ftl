@@ -227,7 +227,11 @@ diag-hole-outside-blank =
 diag-incremental-left-on = Koordinate te konture so inkrementalne; samo kot absolutne vodijo nazaj na njen začetek.
 diag-pattern-not-called = Cikel se tu prikliče na enem položaju, ne pa na položajih vzorca v vrstici { $line }.
 diag-plunge-beside-hole = Stavek je prej zapeljal v vrtino, na { $value }, { $other } pa gre v poln material.
-diag-polygon-incomplete = Pravilnemu mnogokotniku s { $count } oglišči manjka tisto pri { $value }°.
+diag-polygon-incomplete =
+    { $what ->
+        [rectangle] Pravokotniku manjka oglišče pri { $value }, { $other }: ta črta ga odreže.
+       *[polar] Pravilnemu mnogokotniku s { $count } oglišči manjka tisto pri { $value }°.
+    }
 diag-position-without-call = Orodje gre med dvema priklicema na { $value }, { $other } in tam ne naredi ničesar: morda manjka priklic (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->

@@ -3,12 +3,16 @@
 //!
 //! Only corners that are written as straight lines with numbers, one after the other, about a pole with numbers, of polygons
 //! with five corners or more.
+//!
+//! Also a rectangle along the axes that lacks a corner: a contour with radius compensation has one line across, with acute
+//! corners at both ends, and all its other lines lie on two sides. A triangle may be meant: it is reported where a remark
+//! names both sides of the rectangle, a hole lies in the corner, or another contour goes round it.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::base::expr::atan2d;
-use crate::check::contours::led;
+use crate::check::contours::{led, place_of_call};
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, BlockKind, Motion, Path};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensation, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "polygon-incomplete", severity: Severity::Warning, run };
 
@@ -30,6 +34,7 @@ struct Corners {
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    rectangles(rule, facts, found);
     let mut corners = Corners::default();
     let (mut pole, mut at) = (None, None);
     for block in facts.program.blocks() {
@@ -113,7 +118,135 @@ fn judge(rule: &Rule, facts: &Facts<'_>, own: &Corners, after: Option<[f64; 2]>,
     let [(from, _)] = double.as_slice() else { return };
     if equal.iter().all(|(_, own)| (own - step).abs() < EQUAL) {
         let angle = libm::round((from + step).rem_euclid(360.0) * 1e3) / 1e3;
-        let finding = rule.at(facts, place).arg("value", Arg::Number(angle));
+        let finding = rule.at(facts, place).arg("what", "polar").arg("value", Arg::Number(angle));
         found.push(finding.arg("count", count + 1));
     }
+}
+
+/// The corners of a contour with radius compensation, each with its block.
+type Contour = Vec<([f64; 2], Span)>;
+
+/// A rectangle that lacks a corner.
+struct Rectangle {
+    /// The ends of the line across, and the corner.
+    across: [[f64; 2]; 2],
+    corner: [f64; 2],
+    place: Span,
+}
+
+/// Rectangles along the axes that lack a corner.
+fn rectangles(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let contours = contours(facts);
+    for own in contours.iter().filter_map(|contour| rectangle(contour)) {
+        let passed = contours
+            .iter()
+            .flatten()
+            .any(|(place, _)| libm::hypot(place[0] - own.corner[0], place[1] - own.corner[1]) < NEAR);
+        if passed || is_remarked(facts, &own) || is_drilled(facts, &own) {
+            let finding = rule.at(facts, own.place).arg("what", "rectangle");
+            let [x, y] = own.corner;
+            return found.push(finding.arg("value", Arg::Number(x)).arg("other", Arg::Number(y)));
+        }
+    }
+}
+
+/// The contours of straight lines with radius compensation.
+fn contours(facts: &Facts<'_>) -> Vec<Contour> {
+    let (mut all, mut own): (Vec<Contour>, Contour) = (Vec::new(), Vec::new());
+    let (mut at, mut on) = (None, false);
+    for block in facts.program.blocks() {
+        let motion = match &block.kind {
+            _ if is_silent(block) || block.is_blend() => continue,
+            BlockKind::Motion(motion) if !block.skip => motion.words(),
+            _ => {
+                all.push(std::mem::take(&mut own));
+                (at, on) = (None, false);
+                continue;
+            }
+        };
+        if motion.path.is_corner() {
+            continue;
+        }
+        let straight = matches!(motion.path, Path::L | Path::Appr(_));
+        on = motion.compensation.map_or(on, |own| own != Compensation::R0) && !matches!(motion.path, Path::Dep(_));
+        at = led(at, &motion).filter(|_| straight);
+        match at.filter(|_| on) {
+            Some(place) => own.push((place, facts.content(block))),
+            None => all.push(std::mem::take(&mut own)),
+        }
+    }
+    all.push(own);
+    all
+}
+
+/// The rectangle that a contour would be with one more corner.
+fn rectangle(contour: &Contour) -> Option<Rectangle> {
+    let along = |one: [f64; 2], other: [f64; 2]| [(one[0] - other[0]).abs() < NEAR, (one[1] - other[1]).abs() < NEAR];
+    let mut sides: Vec<([[f64; 2]; 2], Span)> = Vec::new();
+    for pair in contour.windows(2) {
+        let [(from, _), (to, place)] = pair else { continue };
+        if along(*from, *to) != [true; 2] {
+            sides.push(([*from, *to], *place));
+        }
+    }
+    let mut lines = sides.iter().enumerate().filter(|(_, ([from, to], _))| along(*from, *to) == [false; 2]);
+    let (at, ([begin, end], place)) = lines.next().filter(|_| lines.next().is_none())?;
+    let before = sides.get(at.checked_sub(1)?)?.0;
+    let after = sides.get(at + 1)?.0;
+    let way = |[from, to]: [[f64; 2]; 2]| [to[0] - from[0], to[1] - from[1]];
+    let dot = |one: [f64; 2], other: [f64; 2]| one[0] * other[0] + one[1] * other[1];
+    let across = way([*begin, *end]);
+    let square = dot(way(before), way(after)).abs() < NEAR;
+    if !square || dot(way(before), across) >= 0.0 || dot(across, way(after)) >= 0.0 {
+        return None;
+    }
+    // The axis along which the side before does not go.
+    let axis = usize::from(along(before[0], before[1])[1]);
+    let on_sides = |[from, to]: [[f64; 2]; 2]| {
+        let lies = |place: [f64; 2]| {
+            [(place[axis] - begin[axis]).abs() < NEAR, (place[1 - axis] - end[1 - axis]).abs() < NEAR]
+        };
+        let (one, other) = (lies(from), lies(to));
+        one[0] && other[0] || one[1] && other[1]
+    };
+    let others = sides.iter().enumerate().filter(|(index, _)| *index != at);
+    let mut corner = *end;
+    corner[1 - axis] = begin[1 - axis];
+    let whole = others.into_iter().all(|(_, (side, _))| on_sides(*side));
+    whole.then_some(Rectangle { across: [*begin, *end], corner, place: *place })
+}
+
+/// Whether a remark of the program names both sides, as `80X50`.
+fn is_remarked(facts: &Facts<'_>, own: &Rectangle) -> bool {
+    let [begin, end] = own.across;
+    let sides = [(end[0] - begin[0]).abs(), (end[1] - begin[1]).abs()];
+    let same = |one: f64, other: f64| (one - other).abs() < NEAR;
+    let names = |text: &str| {
+        let text = text.to_ascii_uppercase().replace(" X ", "X").replace(',', ".");
+        let parts = text.split(|sign: char| !(sign.is_ascii_digit() || matches!(sign, '.' | 'X')));
+        parts.into_iter().any(|part| {
+            let numbers: Vec<f64> = part.split('X').filter_map(|own| own.parse().ok()).collect();
+            numbers.windows(2).any(|pair| {
+                let [one, other] = pair else { return false };
+                same(*one, sides[0]) && same(*other, sides[1]) || same(*one, sides[1]) && same(*other, sides[0])
+            })
+        })
+    };
+    let mut remarks = facts.program.blocks().iter().filter_map(Block::comment);
+    remarks.any(|remark| names(facts.text(remark)))
+}
+
+/// Whether a cycle is called in the corner, beyond the line across.
+fn is_drilled(facts: &Facts<'_>, own: &Rectangle) -> bool {
+    let [begin, end] = own.across;
+    let side =
+        |place: [f64; 2]| (end[0] - begin[0]) * (place[1] - begin[1]) - (end[1] - begin[1]) * (place[0] - begin[0]);
+    let inside = |place: [f64; 2]| {
+        let between = |axis: usize| {
+            let (low, high) = (begin[axis].min(end[axis]), begin[axis].max(end[axis]));
+            low < place[axis] && place[axis] < high
+        };
+        between(0) && between(1) && side(place) * side(own.corner) > 0.0
+    };
+    facts.run.calls.iter().filter_map(|call| place_of_call(facts, call.block)).any(inside)
 }
