@@ -69,7 +69,11 @@ diag-contour-def-wrong =
        *[island] { $found }: the first contour of CONTOUR DEF must be a pocket, the deepest one.
     }
 diag-contour-depth-missing = { $contour } has no DEPTH, but other contours have one.
-diag-contour-returns = The contour comes back to { $value }, { $other }, a corner that it already has.
+diag-contour-returns =
+    { $what ->
+        [back] The contour goes back here along the line on which it has come to { $value }, { $other }.
+       *[corner] The contour comes back to { $value }, { $other }, a corner that it already has.
+    }
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } has already been declared.
@@ -178,6 +182,7 @@ diag-early-cycle-wrong =
         [feed] The feed rate of the cycle is 0.
         [narrow] The tool with the diameter { $other } does not fit into a slot or pocket of { $value }.
         [pitch] The thread has a pitch of { $value }, but the tap has { $other }.
+        [peck] The hole is drilled in one infeed of { $value }: more than eight times the diameter { $other } of the drill.
        *[tapped] A feed rate of { $value } does not fit the tap: pitch times spindle speed is { $other }.
     }
 diag-empty-word = This { $word } has no value and does nothing.

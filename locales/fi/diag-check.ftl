@@ -69,7 +69,11 @@ diag-contour-def-wrong =
        *[island] { $found }: CONTOUR DEF -lauseen ensimmäisen muodon on oltava tasku, niistä syvin.
     }
 diag-contour-depth-missing = Muodolla { $contour } ei ole DEPTH-arvoa, vaikka muilla muodoilla on.
-diag-contour-returns = Muoto palaa pisteeseen { $value }; { $other }, joka on jo sen kulma.
+diag-contour-returns =
+    { $what ->
+        [back] Muoto palaa tässä samaa viivaa, jota se on tullut kohtaan { $value }, { $other }.
+       *[corner] Muoto palaa pisteeseen { $value }; { $other }, joka on jo sen kulma.
+    }
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } on jo määritelty edellä.
@@ -178,6 +182,7 @@ diag-early-cycle-wrong =
         [feed] Työkierron syöttöarvo on 0.
         [narrow] Työkalu, jonka halkaisija on { $other }, ei mahdu uraan tai taskuun, jonka mitta on { $value }.
         [pitch] Kierteen nousu on { $value }, mutta kierretapin { $other }.
+        [peck] Reikä porataan yhdellä asetuksella { $value }: yli kahdeksan kertaa poran halkaisija { $other }.
        *[tapped] Syöttöarvo { $value } ei sovi kierretapille: nousu kertaa karan kierrosluku on { $other }.
     }
 diag-empty-word = Tässä sanassa { $word } ei ole arvoa, eikä se tee mitään.

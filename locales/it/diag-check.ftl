@@ -69,7 +69,11 @@ diag-contour-def-wrong =
        *[island] { $found }: il primo profilo di CONTOUR DEF deve essere una tasca, la più profonda.
     }
 diag-contour-depth-missing = { $contour } non ha DEPTH, ma altri profili sì.
-diag-contour-returns = Il profilo torna in { $value }; { $other }, uno spigolo che ha già.
+diag-contour-returns =
+    { $what ->
+        [back] Qui il profilo torna indietro lungo la linea sulla quale è arrivato a { $value }, { $other }.
+       *[corner] Il profilo torna in { $value }; { $other }, uno spigolo che ha già.
+    }
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } è già stato dichiarato.
@@ -178,6 +182,7 @@ diag-early-cycle-wrong =
         [feed] L’avanzamento del ciclo è 0.
         [narrow] L’utensile con il diametro di { $other } non entra in una scanalatura o tasca di { $value }.
         [pitch] La filettatura ha un passo di { $value }, ma il maschio ha { $other }.
+        [peck] Il foro viene eseguito in un solo incremento di { $value }: più di otto volte il diametro { $other } della punta.
        *[tapped] Un avanzamento di { $value } non è adatto al maschio: passo per numero di giri dà { $other }.
     }
 diag-empty-word = Questa { $word } è senza valore e non fa nulla.

@@ -69,7 +69,11 @@ diag-contour-def-wrong =
        *[island] { $found }: o primeiro contorno de CONTOUR DEF tem de ser uma caixa, a mais profunda.
     }
 diag-contour-depth-missing = { $contour } não tem DEPTH, mas outros contornos têm.
-diag-contour-returns = O contorno volta a { $value }; { $other }, um canto que já tem.
+diag-contour-returns =
+    { $what ->
+        [back] Aqui o contorno volta para trás pela linha por que chegou a { $value }, { $other }.
+       *[corner] O contorno volta a { $value }; { $other }, um canto que já tem.
+    }
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } já foi declarado.
@@ -178,6 +182,7 @@ diag-early-cycle-wrong =
         [feed] O avanço do ciclo é 0.
         [narrow] A ferramenta com o diâmetro { $other } não cabe numa ranhura ou caixa de { $value }.
         [pitch] A rosca tem um passo de { $value }, mas o macho tem { $other }.
+        [peck] O furo é feito num só passo de { $value }: mais de oito vezes o diâmetro { $other } da broca.
        *[tapped] Um avanço de { $value } não serve para o macho: passo vezes rotações dá { $other }.
     }
 diag-empty-word = Este { $word } não tem valor e não faz nada.

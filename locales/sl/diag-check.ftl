@@ -69,7 +69,11 @@ diag-contour-def-wrong =
        *[island] { $found }: prva kontura v CONTOUR DEF mora biti žep, in sicer najgloblji.
     }
 diag-contour-depth-missing = { $contour } nima DEPTH, druge konture pa ga imajo.
-diag-contour-returns = Kontura se vrne v točko { $value }; { $other }, ki je že njeno oglišče.
+diag-contour-returns =
+    { $what ->
+        [back] Kontura se tu vrača po isti črti, po kateri je prišla do { $value }, { $other }.
+       *[corner] Kontura se vrne v točko { $value }; { $other }, ki je že njeno oglišče.
+    }
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } je bila že določena.
@@ -178,6 +182,7 @@ diag-early-cycle-wrong =
         [feed] Pomik cikla je 0.
         [narrow] Orodje s premerom { $other } ne gre v utor ali žep mere { $value }.
         [pitch] Navoj ima korak { $value }, navojni sveder pa { $other }.
+        [peck] Vrtina se vrta z enim primikom { $value }: več kot osemkratni premer svedra { $other }.
        *[tapped] Pomik { $value } ne ustreza navojnemu svedru: korak krat število vrtljajev je { $other }.
     }
 diag-empty-word = Beseda { $word } tu nima vrednosti in ne naredi ničesar.

@@ -18,6 +18,8 @@ pub(super) const RULE: Rule = Rule { code: "early-cycle-wrong", severity: Severi
 /// So much of the pitch one may differ from the other, and so much a floating tap holder makes up for.
 const SAME: f64 = 0.02;
 const FLOATING: f64 = 0.1;
+/// No drill goes so many times its diameter deep at once.
+const AT_ONCE: f64 = 8.0;
 /// By how much a tool must be wider, mm or inch.
 const TOLERANCE: f64 = 1e-3;
 
@@ -75,6 +77,10 @@ fn misfit(own: &Early, tool: Tool) -> Option<(&'static str, Placed, f64)> {
             let (pitch, speed, placed) = (tool.pitch?, tool.speed.filter(|speed| *speed > 0.0)?, own.feeds.first()?);
             differs(placed.0 / speed, pitch, FLOATING).then_some(("tapped", *placed, pitch * speed))
         }
-        Work::Drilling => None,
+        Work::Drilling => {
+            let (placed, depth, diameter) = (own.infeed?, own.depth?.0.abs(), 2.0 * tool.radius);
+            let deep = placed.0.abs().min(depth) > AT_ONCE * diameter;
+            deep.then_some(("peck", placed, diameter))
+        }
     }
 }

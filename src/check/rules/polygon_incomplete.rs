@@ -9,10 +9,10 @@
 //! names both sides of the rectangle, a hole lies in the corner, or another contour goes round it.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::base::expr::atan2d;
-use crate::check::contours::{led, place_of_call};
+use crate::check::contours::{Contour, compensated, led, place_of_call};
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensation, Motion, Path};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "polygon-incomplete", severity: Severity::Warning, run };
 
@@ -123,20 +123,19 @@ fn judge(rule: &Rule, facts: &Facts<'_>, own: &Corners, after: Option<[f64; 2]>,
     }
 }
 
-/// The corners of a contour with radius compensation, each with its block.
-type Contour = Vec<([f64; 2], Span)>;
-
 /// A rectangle that lacks a corner.
 struct Rectangle {
     /// The ends of the line across, and the corner.
     across: [[f64; 2]; 2],
+    /// How long its sides are.
+    sides: [f64; 2],
     corner: [f64; 2],
     place: Span,
 }
 
 /// Rectangles along the axes that lack a corner.
 fn rectangles(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let contours = contours(facts);
+    let contours = compensated(facts);
     for own in contours.iter().filter_map(|contour| rectangle(contour)) {
         let passed = contours
             .iter()
@@ -148,35 +147,6 @@ fn rectangles(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             return found.push(finding.arg("value", Arg::Number(x)).arg("other", Arg::Number(y)));
         }
     }
-}
-
-/// The contours of straight lines with radius compensation.
-fn contours(facts: &Facts<'_>) -> Vec<Contour> {
-    let (mut all, mut own): (Vec<Contour>, Contour) = (Vec::new(), Vec::new());
-    let (mut at, mut on) = (None, false);
-    for block in facts.program.blocks() {
-        let motion = match &block.kind {
-            _ if is_silent(block) || block.is_blend() => continue,
-            BlockKind::Motion(motion) if !block.skip => motion.words(),
-            _ => {
-                all.push(std::mem::take(&mut own));
-                (at, on) = (None, false);
-                continue;
-            }
-        };
-        if motion.path.is_corner() {
-            continue;
-        }
-        let straight = matches!(motion.path, Path::L | Path::Appr(_));
-        on = motion.compensation.map_or(on, |own| own != Compensation::R0) && !matches!(motion.path, Path::Dep(_));
-        at = led(at, &motion).filter(|_| straight);
-        match at.filter(|_| on) {
-            Some(place) => own.push((place, facts.content(block))),
-            None => all.push(std::mem::take(&mut own)),
-        }
-    }
-    all.push(own);
-    all
 }
 
 /// The rectangle that a contour would be with one more corner.
@@ -191,35 +161,53 @@ fn rectangle(contour: &Contour) -> Option<Rectangle> {
     }
     let mut lines = sides.iter().enumerate().filter(|(_, ([from, to], _))| along(*from, *to) == [false; 2]);
     let (at, ([begin, end], place)) = lines.next().filter(|_| lines.next().is_none())?;
-    let before = sides.get(at.checked_sub(1)?)?.0;
-    let after = sides.get(at + 1)?.0;
     let way = |[from, to]: [[f64; 2]; 2]| [to[0] - from[0], to[1] - from[1]];
     let dot = |one: [f64; 2], other: [f64; 2]| one[0] * other[0] + one[1] * other[1];
+    let ([first, _], [_, last]) = (sides.first()?.0, sides.last()?.0);
     let across = way([*begin, *end]);
-    let square = dot(way(before), way(after)).abs() < NEAR;
-    if !square || dot(way(before), across) >= 0.0 || dot(across, way(after)) >= 0.0 {
+    // Both of its corners are acute: else it is a chamfer. One of them may lie within the side where the contour ends.
+    let acute = [at.checked_sub(1).and_then(|at| sides.get(at)), sides.get(at + 1)]
+        .map(|side| side.is_none_or(|(side, _)| dot(way(*side), across) < 0.0));
+    let open = at == 0 || at + 1 == sides.len();
+    let edge = if at == 0 { sides.last()?.0 } else { sides.first()?.0 };
+    let overlaps = dot(way([first, last]), way(edge)) > NEAR;
+    if acute != [true; 2] || sides.len() < 3 || open && !overlaps {
         return None;
     }
-    // The axis along which the side before does not go.
-    let axis = usize::from(along(before[0], before[1])[1]);
-    let on_sides = |[from, to]: [[f64; 2]; 2]| {
-        let lies = |place: [f64; 2]| {
-            [(place[axis] - begin[axis]).abs() < NEAR, (place[1 - axis] - end[1 - axis]).abs() < NEAR]
-        };
-        let (one, other) = (lies(from), lies(to));
-        one[0] && other[0] || one[1] && other[1]
+    let corners = [[begin[0], end[1]], [end[0], begin[1]]];
+    let corner = corners.into_iter().find(|corner| {
+        let through = [way([*begin, *corner]), way([*corner, *end])];
+        let (before, after) = (sides.get(..at).unwrap_or_default(), sides.get(at + 1..).unwrap_or_default());
+        let others = |all: &[([[f64; 2]; 2], Span)]| all.iter().map(|(side, _)| way(*side)).collect::<Vec<_>>();
+        is_round([others(before), through.to_vec(), others(after)].concat(), open)
+    })?;
+    // Where the contour begins within a side, nothing of it is drawn beyond the corners.
+    let span = |axis: usize| {
+        let places = contour.iter().map(|(place, _)| place[axis]).filter(|_| open);
+        let (low, high) = (begin[axis].min(end[axis]), begin[axis].max(end[axis]));
+        places.clone().fold(high, f64::max) - places.fold(low, f64::min)
     };
-    let others = sides.iter().enumerate().filter(|(index, _)| *index != at);
-    let mut corner = *end;
-    corner[1 - axis] = begin[1 - axis];
-    let whole = others.into_iter().all(|(_, (side, _))| on_sides(*side));
-    whole.then_some(Rectangle { across: [*begin, *end], corner, place: *place })
+    Some(Rectangle { across: [*begin, *end], sides: [span(0), span(1)], corner, place: *place })
+}
+
+/// Whether sides along the axes go round a rectangle; where the contour ends within a side, it goes on in the same direction.
+fn is_round(ways: Vec<[f64; 2]>, open: bool) -> bool {
+    let cross = |one: [f64; 2], other: [f64; 2]| one[0] * other[1] - one[1] * other[0];
+    let dot = |one: [f64; 2], other: [f64; 2]| one[0] * other[0] + one[1] * other[1];
+    let (mut turns, mut back) = (Vec::new(), false);
+    for pair in ways.windows(2) {
+        let [one, other] = pair else { continue };
+        let turn = cross(*one, *other);
+        back |= turn.abs() < NEAR && dot(*one, *other) < 0.0;
+        turns.extend(Some(turn).filter(|own| own.abs() >= NEAR));
+    }
+    let same = turns.iter().all(|own| *own > 0.0) || turns.iter().all(|own| *own < 0.0);
+    !back && same && if open { turns.len() == 4 } else { matches!(turns.len(), 3 | 4) }
 }
 
 /// Whether a remark of the program names both sides, as `80X50`.
 fn is_remarked(facts: &Facts<'_>, own: &Rectangle) -> bool {
-    let [begin, end] = own.across;
-    let sides = [(end[0] - begin[0]).abs(), (end[1] - begin[1]).abs()];
+    let sides = own.sides;
     let same = |one: f64, other: f64| (one - other).abs() < NEAR;
     let names = |text: &str| {
         let text = text.to_ascii_uppercase().replace(" X ", "X").replace(',', ".");

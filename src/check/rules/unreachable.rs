@@ -122,8 +122,8 @@ fn is_repeated(facts: &Facts<'_>) -> bool {
     let mut last = None;
     for (at, block) in facts.program.blocks().iter().enumerate() {
         match &block.kind {
-            _ if is_silent(block) => {}
             _ if facts.ends(block) => return false,
+            _ if is_silent(block) || retracts(block) => {}
             BlockKind::CallLbl(call) if call.repeat.is_none() && !block.skip => {
                 let label = facts.run.graph.called_from(at);
                 let again = |label: usize| facts.subprogram(label).is_some_and(is_same_again);
@@ -136,6 +136,13 @@ fn is_repeated(facts: &Facts<'_>) -> bool {
         }
     }
     false
+}
+
+/// Whether a block only moves the tool along its axis at rapid.
+fn retracts(block: &Block) -> bool {
+    let BlockKind::Motion(motion) = &block.kind else { return false };
+    let straight = motion.path() == Path::L && motion.outline().is_rapid() && motion.outline().has_coords();
+    straight && motion.words().coords.iter().all(|own| own.axis == Axis::Z && !own.incremental)
 }
 
 /// Whether a subprogram does the same each time, whatever was before: every axis has its place first, and nothing is
