@@ -9,7 +9,9 @@ use super::program::is_silent;
 use super::{Defined, Facts};
 use crate::base::diag::Span;
 use crate::base::expr::{atan2d, cosd, sind};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, CallForm, Compensation, Motion, Path, StatementKind};
+use crate::program::syntax::{
+    Amount, Axis, Block, BlockKind, CallForm, Compensates, Compensation, Motion, Path, StatementKind,
+};
 use crate::spec::{ContourWanted, ParameterKind};
 
 /// A list of contours, the definition that holds it, and the cycles that machine them.
@@ -412,6 +414,14 @@ pub(super) type Contour = Vec<([f64; 2], Span)>;
 pub(super) fn compensated(facts: &Facts<'_>) -> Vec<Contour> {
     let (mut all, mut own): (Vec<Contour>, Contour) = (Vec::new(), Vec::new());
     let (mut at, mut on) = (None, false);
+    // Most long programs have none.
+    let beside = |block: &Block| match &block.kind {
+        BlockKind::Motion(motion) => motion.outline().compensates() == Compensates::Beside,
+        _ => false,
+    };
+    if !facts.program.blocks().iter().any(beside) {
+        return all;
+    }
     for block in facts.program.blocks() {
         let motion = match &block.kind {
             _ if is_silent(block) || block.is_blend() => continue,

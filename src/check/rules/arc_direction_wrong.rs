@@ -3,9 +3,10 @@
 //! Also a full circle within a contour that the tool does not leave tangentially: a sign of its end is wrong. Also an arc
 //! that goes beyond the blank, and does not with the other direction of rotation.
 //!
-//! The movements that switch radius compensation on and off are no neighbours. Only where the elements follow each other
-//! without roundings and chamfers, and all of them are numbers. Arcs with a right angle or less at their ends may be scoops
-//! on purpose: they are reported only if the contour has one such arc.
+//! Elements of free contours of which all is written are looked at like plain ones. The movements that switch radius
+//! compensation on and off are no neighbours. Only where the elements follow each other without roundings and chamfers, and
+//! all of them are numbers. Arcs with a right angle or less at their ends may be scoops on purpose: they are reported only
+//! if the contour has one such arc.
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::Line;

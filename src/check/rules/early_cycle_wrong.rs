@@ -1,7 +1,7 @@
 //! A machining cycle of the first controls, which no manual here describes, with a value that it cannot work with: a
 //! set-up clearance with another sign than the others, a depth above the surface, a plunging depth or a feed of 0, a slot
 //! or pocket that is narrower than the tool, corners with a smaller radius than it, a pitch or a feed that is not that of
-//! the tap.
+//! the tap, a deep hole that is drilled at once.
 //!
 //! What its words mean, their order says. Tools count as far as a tool table or a TOOL DEF gives their data, a pitch
 //! also where their name does.

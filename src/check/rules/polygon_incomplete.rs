@@ -136,7 +136,7 @@ struct Rectangle {
 /// Rectangles along the axes that lack a corner.
 fn rectangles(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let contours = compensated(facts);
-    for own in contours.iter().filter_map(|contour| rectangle(contour)) {
+    for own in contours.iter().filter_map(rectangle) {
         let passed = contours
             .iter()
             .flatten()

@@ -2,7 +2,7 @@
 //!
 //! Places are followed from label to label in programs with a box as their blank; what a contour with arcs or a cycle
 //! for more than holes has cut is not known, so nothing is said after it. Near places that were cut nothing is said
-//! either. Said once a program.
+//! either. An execution shows the same of round blanks, too. Said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::top;
 use crate::check::incident::Incident;
