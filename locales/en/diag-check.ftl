@@ -70,7 +70,11 @@ diag-contour-def-wrong =
        *[island] { $found }: the first contour of CONTOUR DEF must be a pocket, the deepest one.
     }
 diag-contour-depth-missing = { $contour } has no DEPTH, but other contours have one.
-diag-contour-returns = The contour comes back to { $value }, { $other }, a corner that it already has.
+diag-contour-returns =
+    { $what ->
+        [back] The contour goes back here along the line on which it has come to { $value }, { $other }.
+       *[corner] The contour comes back to { $value }, { $other }, a corner that it already has.
+    }
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } has already been declared.
@@ -179,6 +183,7 @@ diag-early-cycle-wrong =
         [feed] The feed rate of the cycle is 0.
         [narrow] The tool with the diameter { $other } does not fit into a slot or pocket of { $value }.
         [pitch] The thread has a pitch of { $value }, but the tap has { $other }.
+        [peck] The hole is drilled in one infeed of { $value }: more than eight times the diameter { $other } of the drill.
         [wide] The round pocket is { $value } wide, and the blank only { $other }: a diameter may have been entered for the radius.
        *[tapped] A feed rate of { $value } does not fit the tap: pitch times spindle speed is { $other }.
     }
@@ -229,7 +234,11 @@ diag-hole-outside-blank =
 diag-incremental-left-on = The coordinates of this contour are incremental; only as absolute ones do they lead back to its beginning.
 diag-pattern-not-called = The cycle is called at one position here, but not at the positions of the pattern of line { $line }.
 diag-plunge-beside-hole = The block has plunged into a hole before, but at { $value }, { $other } it plunges into solid material.
-diag-polygon-incomplete = A regular polygon with { $count } corners lacks the one at { $value }°.
+diag-polygon-incomplete =
+    { $what ->
+        [rectangle] A rectangle lacks its corner at { $value }, { $other }: this line cuts it off.
+       *[polar] A regular polygon with { $count } corners lacks the one at { $value }°.
+    }
 diag-position-without-call = The tool goes to { $value }, { $other } between two calls and does nothing there: a call (M99, CYCL CALL) may be missing.
 diag-result-of-other-axis =
     { $what ->

@@ -70,7 +70,11 @@ diag-contour-def-wrong =
        *[island] { $found }: CONTOUR DEF -lauseen ensimmäisen muodon on oltava tasku, niistä syvin.
     }
 diag-contour-depth-missing = Muodolla { $contour } ei ole DEPTH-arvoa, vaikka muilla muodoilla on.
-diag-contour-returns = Muoto palaa pisteeseen { $value }; { $other }, joka on jo sen kulma.
+diag-contour-returns =
+    { $what ->
+        [back] Muoto palaa tässä samaa viivaa, jota se on tullut kohtaan { $value }, { $other }.
+       *[corner] Muoto palaa pisteeseen { $value }; { $other }, joka on jo sen kulma.
+    }
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } on jo määritelty edellä.
@@ -179,6 +183,7 @@ diag-early-cycle-wrong =
         [feed] Työkierron syöttöarvo on 0.
         [narrow] Työkalu, jonka halkaisija on { $other }, ei mahdu uraan tai taskuun, jonka mitta on { $value }.
         [pitch] Kierteen nousu on { $value }, mutta kierretapin { $other }.
+        [peck] Reikä porataan yhdellä asetuksella { $value }: yli kahdeksan kertaa poran halkaisija { $other }.
         [wide] Ympyrätaskun halkaisija on { $value }, ja aihion leveys on vain { $other }: säteen tilalle on voitu antaa halkaisija.
        *[tapped] Syöttöarvo { $value } ei sovi kierretapille: nousu kertaa karan kierrosluku on { $other }.
     }
@@ -229,7 +234,11 @@ diag-hole-outside-blank =
 diag-incremental-left-on = Tämän muodon koordinaatit ovat inkrementaalisia; vain absoluuttisina ne johtavat takaisin sen alkuun.
 diag-pattern-not-called = Työkierto kutsutaan tässä yhdessä paikassa, ei rivin { $line } pistekuvion paikoissa.
 diag-plunge-beside-hole = Lause on aiemmin ajanut reikään, mutta kohdassa { $value }, { $other } se ajaa kiinteään materiaaliin.
-diag-polygon-incomplete = Säännöllisestä monikulmiosta, jossa on { $count } nurkkaa, puuttuu nurkka kulmasta { $value }°.
+diag-polygon-incomplete =
+    { $what ->
+        [rectangle] Suorakulmiosta puuttuu nurkka { $value }, { $other }: tämä viiva leikkaa sen pois.
+       *[polar] Säännöllisestä monikulmiosta, jossa on { $count } nurkkaa, puuttuu nurkka kulmasta { $value }°.
+    }
 diag-position-without-call = Työkalu käy kahden kutsun välissä paikassa { $value }, { $other } eikä tee siellä mitään: kutsu (M99, CYCL CALL) voi puuttua.
 diag-result-of-other-axis =
     { $what ->

@@ -70,7 +70,11 @@ diag-contour-def-wrong =
        *[island] { $found }: il primo profilo di CONTOUR DEF deve essere una tasca, la più profonda.
     }
 diag-contour-depth-missing = { $contour } non ha DEPTH, ma altri profili sì.
-diag-contour-returns = Il profilo torna in { $value }; { $other }, uno spigolo che ha già.
+diag-contour-returns =
+    { $what ->
+        [back] Qui il profilo torna indietro lungo la linea sulla quale è arrivato a { $value }, { $other }.
+       *[corner] Il profilo torna in { $value }; { $other }, uno spigolo che ha già.
+    }
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } è già stato dichiarato.
@@ -179,6 +183,7 @@ diag-early-cycle-wrong =
         [feed] L’avanzamento del ciclo è 0.
         [narrow] L’utensile con il diametro di { $other } non entra in una scanalatura o tasca di { $value }.
         [pitch] La filettatura ha un passo di { $value }, ma il maschio ha { $other }.
+        [peck] Il foro viene eseguito in un solo incremento di { $value }: più di otto volte il diametro { $other } della punta.
         [wide] La tasca circolare è larga { $value } e il pezzo grezzo solo { $other }: al posto del raggio potrebbe essere stato inserito il diametro.
        *[tapped] Un avanzamento di { $value } non è adatto al maschio: passo per numero di giri dà { $other }.
     }
@@ -229,7 +234,11 @@ diag-hole-outside-blank =
 diag-incremental-left-on = Le coordinate di questo profilo sono incrementali; solo come assolute riportano al suo inizio.
 diag-pattern-not-called = Qui il ciclo è richiamato in una sola posizione non nelle posizioni della sagoma della riga { $line }.
 diag-plunge-beside-hole = Prima il blocco è sceso in un foro, ma a { $value }, { $other } penetra nel materiale pieno.
-diag-polygon-incomplete = A un poligono regolare con { $count } vertici manca quello a { $value }°.
+diag-polygon-incomplete =
+    { $what ->
+        [rectangle] A un rettangolo manca il vertice a { $value }, { $other }: questa linea lo taglia via.
+       *[polar] A un poligono regolare con { $count } vertici manca quello a { $value }°.
+    }
 diag-position-without-call = Tra due chiamate l’utensile va a { $value }, { $other } e lì non fa nulla: potrebbe mancare una chiamata (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->

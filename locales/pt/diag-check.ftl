@@ -70,7 +70,11 @@ diag-contour-def-wrong =
        *[island] { $found }: o primeiro contorno de CONTOUR DEF tem de ser uma caixa, a mais profunda.
     }
 diag-contour-depth-missing = { $contour } não tem DEPTH, mas outros contornos têm.
-diag-contour-returns = O contorno volta a { $value }; { $other }, um canto que já tem.
+diag-contour-returns =
+    { $what ->
+        [back] Aqui o contorno volta para trás pela linha por que chegou a { $value }, { $other }.
+       *[corner] O contorno volta a { $value }; { $other }, um canto que já tem.
+    }
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } já foi declarado.
@@ -179,6 +183,7 @@ diag-early-cycle-wrong =
         [feed] O avanço do ciclo é 0.
         [narrow] A ferramenta com o diâmetro { $other } não cabe numa ranhura ou caixa de { $value }.
         [pitch] A rosca tem um passo de { $value }, mas o macho tem { $other }.
+        [peck] O furo é feito num só passo de { $value }: mais de oito vezes o diâmetro { $other } da broca.
         [wide] A caixa circular tem { $value } de largura e o bloco apenas { $other }: pode ter sido introduzido o diâmetro em vez do raio.
        *[tapped] Um avanço de { $value } não serve para o macho: passo vezes rotações dá { $other }.
     }
@@ -229,7 +234,11 @@ diag-hole-outside-blank =
 diag-incremental-left-on = As coordenadas deste contorno são incrementais; só como absolutas levam de volta ao seu início.
 diag-pattern-not-called = Aqui o ciclo é chamado numa só posição, e não nas posições da figura da linha { $line }.
 diag-plunge-beside-hole = Antes a frase desceu num furo, mas em { $value }, { $other } penetra em material maciço.
-diag-polygon-incomplete = A um polígono regular com { $count } vértices falta o que está a { $value }°.
+diag-polygon-incomplete =
+    { $what ->
+        [rectangle] A um retângulo falta o vértice em { $value }, { $other }: esta linha corta-o.
+       *[polar] A um polígono regular com { $count } vértices falta o que está a { $value }°.
+    }
 diag-position-without-call = Entre duas chamadas a ferramenta vai a { $value }, { $other } e não faz lá nada: pode faltar uma chamada (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->

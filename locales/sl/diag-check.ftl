@@ -70,7 +70,11 @@ diag-contour-def-wrong =
        *[island] { $found }: prva kontura v CONTOUR DEF mora biti žep, in sicer najgloblji.
     }
 diag-contour-depth-missing = { $contour } nima DEPTH, druge konture pa ga imajo.
-diag-contour-returns = Kontura se vrne v točko { $value }; { $other }, ki je že njeno oglišče.
+diag-contour-returns =
+    { $what ->
+        [back] Kontura se tu vrača po isti črti, po kateri je prišla do { $value }, { $other }.
+       *[corner] Kontura se vrne v točko { $value }; { $other }, ki je že njeno oglišče.
+    }
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } je bila že določena.
@@ -179,6 +183,7 @@ diag-early-cycle-wrong =
         [feed] Pomik cikla je 0.
         [narrow] Orodje s premerom { $other } ne gre v utor ali žep mere { $value }.
         [pitch] Navoj ima korak { $value }, navojni sveder pa { $other }.
+        [peck] Vrtina se vrta z enim primikom { $value }: več kot osemkratni premer svedra { $other }.
         [wide] Krožni žep je širok { $value }, surovec pa le { $other }: namesto polmera je morda vpisan premer.
        *[tapped] Pomik { $value } ne ustreza navojnemu svedru: korak krat število vrtljajev je { $other }.
     }
@@ -229,7 +234,11 @@ diag-hole-outside-blank =
 diag-incremental-left-on = Koordinate te konture so inkrementalne; samo kot absolutne vodijo nazaj na njen začetek.
 diag-pattern-not-called = Cikel se tu prikliče na enem položaju, ne pa na položajih vzorca v vrstici { $line }.
 diag-plunge-beside-hole = Stavek je prej zapeljal v vrtino, na { $value }, { $other } pa gre v poln material.
-diag-polygon-incomplete = Pravilnemu mnogokotniku s { $count } oglišči manjka tisto pri { $value }°.
+diag-polygon-incomplete =
+    { $what ->
+        [rectangle] Pravokotniku manjka oglišče pri { $value }, { $other }: ta črta ga odreže.
+       *[polar] Pravilnemu mnogokotniku s { $count } oglišči manjka tisto pri { $value }°.
+    }
 diag-position-without-call = Orodje gre med dvema priklicema na { $value }, { $other } in tam ne naredi ničesar: morda manjka priklic (M99, CYCL CALL).
 diag-result-of-other-axis =
     { $what ->

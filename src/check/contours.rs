@@ -7,8 +7,11 @@ use std::collections::{HashMap, HashSet};
 use super::flow::{Pending, Way};
 use super::program::is_silent;
 use super::{Defined, Facts};
+use crate::base::diag::Span;
 use crate::base::expr::{atan2d, cosd, sind};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, CallForm, Compensation, Motion, Path, StatementKind};
+use crate::program::syntax::{
+    Amount, Axis, Block, BlockKind, CallForm, Compensates, Compensation, Motion, Path, StatementKind,
+};
 use crate::spec::{ContourWanted, ParameterKind};
 
 /// A list of contours, the definition that holds it, and the cycles that machine them.
@@ -402,6 +405,46 @@ pub(super) fn place_of_call(facts: &Facts<'_>, call: usize) -> Option<[f64; 2]> 
         }
     }
     None
+}
+
+/// The corners of a contour with radius compensation, each with its block.
+pub(super) type Contour = Vec<([f64; 2], Span)>;
+
+/// The contours of straight lines with radius compensation.
+pub(super) fn compensated(facts: &Facts<'_>) -> Vec<Contour> {
+    let (mut all, mut own): (Vec<Contour>, Contour) = (Vec::new(), Vec::new());
+    let (mut at, mut on) = (None, false);
+    // Most long programs have none.
+    let beside = |block: &Block| match &block.kind {
+        BlockKind::Motion(motion) => motion.outline().compensates() == Compensates::Beside,
+        _ => false,
+    };
+    if !facts.program.blocks().iter().any(beside) {
+        return all;
+    }
+    for block in facts.program.blocks() {
+        let motion = match &block.kind {
+            _ if is_silent(block) || block.is_blend() => continue,
+            BlockKind::Motion(motion) if !block.skip => motion.words(),
+            _ => {
+                all.push(std::mem::take(&mut own));
+                (at, on) = (None, false);
+                continue;
+            }
+        };
+        if motion.path.is_corner() {
+            continue;
+        }
+        let straight = matches!(motion.path, Path::L | Path::Appr(_));
+        on = motion.compensation.map_or(on, |own| own != Compensation::R0) && !matches!(motion.path, Path::Dep(_));
+        at = led(at, &motion).filter(|_| straight);
+        match at.filter(|_| on) {
+            Some(place) => own.push((place, facts.content(block))),
+            None => all.push(std::mem::take(&mut own)),
+        }
+    }
+    all.push(own);
+    all
 }
 
 /// Where a movement leads from a place in X and Y; nothing if that is not certain.

@@ -34,8 +34,6 @@ pub(super) struct Loop<'p> {
     /// What they write.
     pub(super) written: Vec<QRef>,
     steps: Vec<Step>,
-    /// Assignments that set a parameter to another one.
-    set: Vec<(QRef, QRef)>,
     /// The jumps out of it that wait for a value.
     pub(super) exits: Vec<&'p FnJump>,
     /// Something may end it, or change anything.
@@ -121,33 +119,13 @@ fn step(formula: &Formula) -> Option<Step> {
 
 impl<'p> Loop<'p> {
     pub(super) fn new(patience: &'p mut usize) -> Self {
-        Self { written: Vec::new(), steps: Vec::new(), set: Vec::new(), exits: Vec::new(), open: false, patience }
+        Self { written: Vec::new(), steps: Vec::new(), exits: Vec::new(), open: false, patience }
     }
 
     /// By how much a parameter grows each time, if a step is the only thing that writes it.
     pub(super) fn step_of(&self, facts: &Facts<'_>, q: QRef, blocks: &RangeInclusive<usize>) -> Option<f64> {
-        self.step_beside(facts, q, 0, blocks)
-    }
-
-    /// The same where the parameter may also be set to the limit that it is compared with, if it is a parameter: the last
-    /// pass goes no further than that.
-    pub(super) fn step_towards(
-        &self,
-        facts: &Facts<'_>,
-        q: QRef,
-        limit: Amount,
-        blocks: &RangeInclusive<usize>,
-    ) -> Option<f64> {
-        let to_limit = |(target, from): &&(QRef, QRef)| {
-            *target == q && matches!(limit, Amount::Q { q, negative: false } if q == *from)
-        };
-        self.step_beside(facts, q, self.set.iter().filter(to_limit).count(), blocks)
-    }
-
-    /// The step of a parameter that so many other blocks write.
-    fn step_beside(&self, facts: &Facts<'_>, q: QRef, others: usize, blocks: &RangeInclusive<usize>) -> Option<f64> {
         let step = self.steps.iter().find(|own| own.target == q)?;
-        if self.written.iter().filter(|own| **own == q).count() != 1 + others {
+        if self.written.iter().filter(|own| **own == q).count() != 1 {
             return None;
         }
         match step.by {
@@ -247,16 +225,10 @@ impl<'p> Loop<'p> {
                     _ => None,
                 };
                 self.steps.extend(by.map(|by| Step { target: assign.target, by }));
-                if let (FnOp::Set, Amount::Q { q, negative: false }) = (assign.op, assign.a.amount) {
-                    self.set.push((assign.target, q));
-                }
             }
             BlockKind::Formula(formula) => {
                 self.written.push(formula.target);
                 self.steps.extend(step(formula));
-                if let Node::Q(q) = formula.expr.node {
-                    self.set.push((formula.target, q));
-                }
             }
             BlockKind::TextFormula(formula) => self.written.push(formula.target),
             BlockKind::Statement(statement) => {

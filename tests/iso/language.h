@@ -74,51 +74,53 @@
     Q206=FAUTO ;PLUNGING FEED
 63 CYCL CALL M3
 64 CYCL CALL POS X+10 Y+20 Z+5 F400
-65 CYCL CALL PAT F500 M3
-66 CYCL DEF 7.0
-67 CYCL DEF 7.1 X+25
-68 CYCL DEF 7.2 Y-12.5
-69 CYCL DEF 7.3 Z+100
-70 CYCL DEF 7.0
-71 CYCL DEF 7.1 #12
-72 CYCL DEF 8.0
-73 CYCL DEF 8.1 X Y
-74 CYCL DEF 10.0
-75 CYCL DEF 10.1 IROT+25
-76 CYCL DEF 11.0
-77 CYCL DEF 11.1 VALUE: 0.98
-78 CYCL DEF 19.0
-79 CYCL DEF 19.1 A+0 B+45 C+0
-80 CYCL DEF 9.0
-81 CYCL DEF 9.1 VALUE: 1.5
-82 CYCL DEF 13.0
-83 CYCL DEF 13.1 VALUE: 90
-84 CYCL DEF 12.0
-85 CYCL DEF 12.1 VALUE: "TNC:\KLAR35\FK1\50.H"
-86 CYCL DEF 14.0
-87 CYCL DEF 14.1 VALUE: 1/2
-88 CYCL DEF 32.0
-89 CYCL DEF 32.1 T0.05
-90 CYCL DEF 32.2 HSC-MODE:0 TA5
-91 TCH PROBE 0.0 Q10 X-
-92 TCH PROBE 0.1 X+25 Y+10 Z-20
-93 ; G83 P01 2 P02 -20 P03 -5 P04 0 P05 500
-94 TCH PROBE 410 ~
+65 L X+30 Y+20 FMAX M8
+66 CYCL CALL
+67 CYCL CALL PAT F500 M3
+68 CYCL DEF 7.0
+69 CYCL DEF 7.1 X+25
+70 CYCL DEF 7.2 Y-12.5
+71 CYCL DEF 7.3 Z+100
+72 CYCL DEF 7.0
+73 CYCL DEF 7.1 #12
+74 CYCL DEF 8.0
+75 CYCL DEF 8.1 X Y
+76 CYCL DEF 10.0
+77 CYCL DEF 10.1 IROT+25
+78 CYCL DEF 11.0
+79 CYCL DEF 11.1 VALUE: 0.98
+80 CYCL DEF 19.0
+81 CYCL DEF 19.1 A+0 B+45 C+0
+82 CYCL DEF 9.0
+83 CYCL DEF 9.1 VALUE: 1.5
+84 CYCL DEF 13.0
+85 CYCL DEF 13.1 VALUE: 90
+86 CYCL DEF 12.0
+87 CYCL DEF 12.1 VALUE: "TNC:\KLAR35\FK1\50.H"
+88 CYCL DEF 14.0
+89 CYCL DEF 14.1 VALUE: 1/2
+90 CYCL DEF 32.0
+91 CYCL DEF 32.1 T0.05
+92 CYCL DEF 32.2 HSC-MODE:0 TA5
+93 TCH PROBE 0.0 Q10 X-
+94 TCH PROBE 0.1 X+25 Y+10 Z-20
+95 ; G83 P01 2 P02 -20 P03 -5 P04 0 P05 500
+96 TCH PROBE 410 ~
     Q321=+50 ;CENTRE OF AXIS 1 ~
     Q322=+50 ;CENTRE OF AXIS 2 ~
     Q323=60
-95 PLANE SPATIAL SPA+0 SPB+45 SPC+0 STAY
-96 * - a heading
-97 ; G01 X+10 +
-98 ; X+
-99 ; G1000
-100 ; (nothing)
-101 CYCL DEF 200 ~
+97 PLANE SPATIAL SPA+0 SPB+45 SPC+0 STAY
+98 * - a heading
+99 ; G01 X+10 +
+100 ; X+
+101 ; G1000
+102 ; (nothing)
+103 CYCL DEF 200 ~
     Q200=2 ~
     Q206=150 ~
     Q201== 
-102 L X5 Y-3 FMAX M3
-103 END PGM PART MM
+104 L X5 Y-3 FMAX M3
+105 END PGM PART MM
 ; 8:14 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
 ; 9:25 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
 ; 11:5 klartext-no-equivalent [("found", Text("G26 R2"))]
@@ -126,12 +128,12 @@
 ; 23:6 klartext-no-equivalent [("found", Text("G01 G43 X+1"))]
 ; 31:6 klartext-no-equivalent [("found", Text("G27 R2"))]
 ; 65:26 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
-; 81:6 klartext-no-equivalent [("found", Text("G83 P01 2 P02 -20 P03 -5 P04 0 P05 500"))]
-; 90:15 syntax-unexpected [("found", Text("+")), ("expected", Text("word"))]
-; 90:16 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
-; 91:6 iso-word-not-allowed [("found", Text("X+"))]
-; 92:11 syntax-incomplete [("found", Text("")), ("expected", Text("number"))]
-; 93:6 syntax-bracket-comment [("found", Text("(nothing)")), ("expected", Text("block"))]
-; 95:6 syntax-unexpected [("found", Text("=")), ("expected", Text("parameter"))]
-; 96:9 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
-; 97:14 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
+; 82:6 klartext-no-equivalent [("found", Text("G83 P01 2 P02 -20 P03 -5 P04 0 P05 500"))]
+; 91:15 syntax-unexpected [("found", Text("+")), ("expected", Text("word"))]
+; 91:16 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
+; 92:6 iso-word-not-allowed [("found", Text("X+"))]
+; 93:11 syntax-incomplete [("found", Text("")), ("expected", Text("number"))]
+; 94:6 syntax-bracket-comment [("found", Text("(nothing)")), ("expected", Text("block"))]
+; 96:6 syntax-unexpected [("found", Text("=")), ("expected", Text("parameter"))]
+; 97:9 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
+; 98:14 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]

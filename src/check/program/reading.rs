@@ -196,7 +196,7 @@ impl<'a> Reading<'a> {
                 | BlockKind::CycleDef(_)
                 | BlockKind::OldCycleLine(_) => continue,
                 BlockKind::Motion(motion) => {
-                    self.turns |= matches!(motion.path(), Path::C | Path::Cr | Path::Cp);
+                    self.turns |= matches!(motion.path(), Path::C | Path::Cr | Path::Cp | Path::Fc | Path::Fct);
                     let outline = motion.outline();
                     let formed = matches!(
                         motion.path(),

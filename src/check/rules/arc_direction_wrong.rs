@@ -3,15 +3,16 @@
 //! Also a full circle within a contour that the tool does not leave tangentially: a sign of its end is wrong. Also an arc
 //! that goes beyond the blank, and does not with the other direction of rotation.
 //!
-//! The movements that switch radius compensation on and off are no neighbours. Only where the elements follow each other
-//! without roundings and chamfers, and all of them are numbers. Arcs with a right angle or less at their ends may be scoops
-//! on purpose: they are reported only if the contour has one such arc.
+//! Elements of free contours of which all is written are looked at like plain ones. The movements that switch radius
+//! compensation on and off are no neighbours. Only where the elements follow each other without roundings and chamfers, and
+//! all of them are numbers. Arcs with a right angle or less at their ends may be scoops on purpose: they are reported only
+//! if the contour has one such arc.
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::Line;
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, BlockKind, Compensation, Motion, Operand, Path};
+use crate::program::syntax::{Amount, Axis, BlockKind, Compensation, Coord, Motion, Operand, Path, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "arc-direction-wrong", severity: Severity::Warning, run };
 
@@ -68,6 +69,19 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         };
         let words = motion.words();
+        let words = match words.path {
+            Path::Fpol => continue,
+            Path::Fl | Path::Flt | Path::Fc | Path::Fct => match determined(facts, &words) {
+                Some((own, centre)) => {
+                    if let Some(centre) = centre {
+                        line.go_on(&centre, PLANE);
+                    }
+                    own
+                }
+                None => words,
+            },
+            _ => words,
+        };
         if words.path == Path::Cc {
             if line.go_on(&words, PLANE).is_none() {
                 line.lose();
@@ -130,6 +144,27 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if let Some(place) = beyond.filter(|place| !known(place)) {
         found.push(rule.at(facts, place).arg("what", "beyond"));
     }
+}
+
+/// An element of a free contour of which all is written, as a plain one with its centre: of a line its end, of an arc its
+/// end, its centre and its direction.
+fn determined(facts: &Facts<'_>, words: &Motion) -> Option<(Motion, Option<Motion>)> {
+    let axes: Vec<_> = words.coords.iter().map(|own| (own.axis, own.incremental)).collect();
+    if axes != [(Axis::X, false), (Axis::Y, false)] {
+        return None;
+    }
+    let plain = |path: Path| Motion { path, radius: None, words: Vec::new(), ..words.clone() };
+    if matches!(words.path, Path::Fl | Path::Flt) {
+        return Some((plain(Path::L), None));
+    }
+    let part = |name: &str, axis: Axis| {
+        let own = words.words.iter().find(|own| facts.text(own.name).trim().eq_ignore_ascii_case(name))?;
+        let ValueKind::Number(number) = own.value.kind else { return None };
+        let value = Operand { span: own.value.span, amount: Amount::Number(number) };
+        Some(Coord { span: own.span, axis, incremental: false, value })
+    };
+    let coords = vec![part("CCX", Axis::X)?, part("CCY", Axis::Y)?];
+    words.counter_clockwise.map(|_| (plain(Path::C), Some(Motion { coords, ..Motion::new(Path::Cc) })))
 }
 
 /// Whether an arc goes beyond the blank although its ends are inside of it, and would not with the other direction of

@@ -54,7 +54,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let alone = is_remark(block);
         let end = match alone {
             true if index < header => blocks.len(),
-            true => index + 1 + blocks.iter().skip(index + 1).position(ends_part).unwrap_or(blocks.len()),
+            true => {
+                // The tool call below a comment belongs to it.
+                let called = blocks.get(index + 1).is_some_and(|own| matches!(own.kind, BlockKind::ToolCall(_)));
+                let from = index + 1 + usize::from(called);
+                from + blocks.iter().skip(from).position(ends_part).unwrap_or(blocks.len())
+            }
             false => index + 1,
         };
         let part = blocks.get(if alone { index + 1 } else { index }..end.min(blocks.len())).unwrap_or_default();

@@ -1,7 +1,7 @@
 //! A machining cycle of the first controls, which no manual here describes, with a value that it cannot work with: a
 //! set-up clearance with another sign than the others, a depth above the surface, a plunging depth or a feed of 0, a slot
-//! or pocket that is narrower than the tool, a round one that is wider than the blank, corners with a smaller radius than it, a pitch or a feed that is not that of
-//! the tap.
+//! or pocket that is narrower than the tool, a round one that is wider than the blank, corners with a smaller radius than it,
+//! a pitch or a feed that is not that of the tap, a deep hole that is drilled at once.
 //!
 //! What its words mean, their order says. Tools count as far as a tool table or a TOOL DEF gives their data, a pitch
 //! also where their name does.
@@ -19,6 +19,8 @@ pub(super) const RULE: Rule = Rule { code: "early-cycle-wrong", severity: Severi
 /// So much of the pitch one may differ from the other, and so much a floating tap holder makes up for.
 const SAME: f64 = 0.02;
 const FLOATING: f64 = 0.1;
+/// No drill goes so many times its diameter deep at once.
+const AT_ONCE: f64 = 8.0;
 /// By how much a tool must be wider, mm or inch.
 const TOLERANCE: f64 = 1e-3;
 
@@ -87,6 +89,10 @@ fn misfit(own: &Early, tool: Tool) -> Option<(&'static str, Placed, f64)> {
             let (pitch, speed, placed) = (tool.pitch?, tool.speed.filter(|speed| *speed > 0.0)?, own.feeds.first()?);
             differs(placed.0 / speed, pitch, FLOATING).then_some(("tapped", *placed, pitch * speed))
         }
-        Work::Drilling => None,
+        Work::Drilling => {
+            let (placed, depth, diameter) = (own.infeed?, own.depth?.0.abs(), 2.0 * tool.radius);
+            let deep = placed.0.abs().min(depth) > AT_ONCE * diameter;
+            deep.then_some(("peck", placed, diameter))
+        }
     }
 }

@@ -5,11 +5,12 @@
 //!
 //! Only where the counter has a number before the loop, is changed by a known step, and is compared with a number that is
 //! written in the jump, or with a parameter that it moves towards: what a parameter limits may be one pass by intention. Silent where anything else may lead into the
-//! loop or write the counter.
+//! loop or write the counter, but for a block that sets the counter to the limit where it has passed it: a jump back that waits
+//! for a counter beyond that limit is never taken.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::base::expr::{Node, Op, QKind, QRef};
 use crate::check::loops::{Loop, set_once};
-use crate::check::program::reads;
+use crate::check::program::{is_silent, reads};
 use crate::check::{Facts, Rule, Use, Way};
 use crate::program::syntax::{Amount, Block, BlockKind, FnJump, FnOp, Operand, Relation};
 
@@ -64,6 +65,9 @@ fn once<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut usize
     if body.open || !body.exits.is_empty() {
         return false;
     }
+    if is_clamped(facts, from, own.block, jump, &body.written) {
+        return true;
+    }
     let of = |q: QRef, operand: &Operand| {
         let kept = is_free(q) && !body.written.contains(&q);
         set_once(facts, q, &blocks).or_else(|| facts.known(operand)).filter(|_| kept)
@@ -83,8 +87,8 @@ fn once<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut usize
     if !is_free(q) {
         return false;
     }
-    let (counter, limit) = if left { (&jump.a, &jump.b) } else { (&jump.b, &jump.a) };
-    let Some(by) = body.step_towards(facts, q, limit.amount, &blocks) else { return false };
+    let counter = if left { &jump.a } else { &jump.b };
+    let Some(by) = body.step_of(facts, q, &blocks) else { return false };
     // Where other blocks write the counter too, the one way of the run says what it is after the only pass.
     let first = set_once(facts, q, &blocks).map(|start| start + by).or_else(|| facts.known(counter));
     let Some(first) = first else { return false };
@@ -129,19 +133,74 @@ fn is_calculated(facts: &Facts<'_>, own: &Use, jump: &FnJump) -> bool {
         },
         _ => None,
     };
-    let writes = |block: &Block| match &block.kind {
-        BlockKind::FnAssign(own) => Some(own.target),
-        BlockKind::Formula(own) => Some(own.target),
-        _ => None,
-    };
-    let mut written = body.iter().filter(|block| writes(block) == Some(q));
+    let mut written = body.iter().filter(|block| assigns(block) == Some(q));
     let (Some(other), None) = (written.next().and_then(steps), written.next()) else { return false };
     let mut read = Vec::new();
     body.iter().for_each(|block| reads(block, &mut read));
     let range = target.unwrap_or_default()..=own.block;
     let begins = set_once(facts, q, &range).is_some();
-    let changes = body.iter().any(|block| writes(block) == Some(other));
+    let changes = body.iter().any(|block| assigns(block) == Some(other));
     is_free(q) && other != q && changes && begins && !read.iter().any(|(own, _)| *own == q)
+}
+
+/// Whether the loop sets its counter to the limit as soon as it has passed it, and jumps back only beyond the limit.
+fn is_clamped(facts: &Facts<'_>, from: usize, to: usize, jump: &FnJump, written: &[QRef]) -> bool {
+    let blocks = facts.program.blocks().get(from..=to).unwrap_or_default();
+    blocks.iter().enumerate().any(|(at, block)| {
+        let BlockKind::FnJump(inner) = &block.kind else { return false };
+        let sides = sides(inner).into_iter().flat_map(|one| sides(jump).into_iter().map(move |other| (one, other)));
+        sides.into_iter().any(|((q, keeps, limit), (other, goes_on, same))| {
+            let turned =
+                matches!((keeps, goes_on), (Relation::Greater, Relation::Less) | (Relation::Less, Relation::Greater));
+            let fixed = !matches!(limit, Amount::Q { q, .. } if written.contains(&q));
+            let twice = written.iter().filter(|own| **own == q).count() == 2;
+            let steps = blocks.iter().take(at).any(|block| assigns(block) == Some(q));
+            q == other && limit == same && turned && fixed && twice && steps && sets(facts, from + at, q, limit)
+        })
+    })
+}
+
+/// A comparison seen from each of its operands that is a parameter: the parameter, the relation, and what it is compared with.
+fn sides(jump: &FnJump) -> Vec<(QRef, Relation, Amount)> {
+    let turned = match jump.relation {
+        Relation::Less => Relation::Greater,
+        Relation::Greater => Relation::Less,
+        own => own,
+    };
+    let q = |own: Amount| match own {
+        Amount::Q { q, negative: false } => Some(q),
+        _ => None,
+    };
+    let (a, b) = (jump.a.amount, jump.b.amount);
+    let all = [q(a).map(|own| (own, jump.relation, b)), q(b).map(|own| (own, turned, a))];
+    all.into_iter().flatten().collect()
+}
+
+/// The parameter that a block calculates.
+fn assigns(block: &Block) -> Option<QRef> {
+    match &block.kind {
+        BlockKind::FnAssign(own) => Some(own.target),
+        BlockKind::Formula(own) => Some(own.target),
+        _ => None,
+    }
+}
+
+/// Whether a jump only passes over a block that gives a parameter this value.
+fn sets(facts: &Facts<'_>, jump: usize, q: QRef, limit: Amount) -> bool {
+    let target = facts.run.graph.uses_in(jump).iter().find(|own| own.way == Way::Jump);
+    let target = target.and_then(|own| facts.run.graph.block_of(own.mark.as_ref()?));
+    let Some(passed) = target.and_then(|to| facts.program.blocks().get(jump + 1..to)) else { return false };
+    let mut passed = passed.iter().filter(|block| !is_silent(block));
+    let only = passed.next().filter(|_| passed.next().is_none());
+    only.is_some_and(|block| match &block.kind {
+        BlockKind::FnAssign(own) => own.target == q && own.op == FnOp::Set && own.a.amount == limit,
+        BlockKind::Formula(own) => match (&own.expr.node, limit) {
+            (Node::Q(value), Amount::Q { q: limit, negative: false }) => own.target == q && *value == limit,
+            (Node::Number(value), Amount::Number(limit)) => own.target == q && *value == limit,
+            _ => false,
+        },
+        _ => false,
+    })
 }
 
 /// Whether the counter of a loop goes on from where it was when a loop around it, or its subprogram, is executed again.

@@ -1,7 +1,7 @@
 //! A pocket, a stud, a slot or a place of a contour that is so far from the blank that nothing of it is machined there,
 //! a round pocket that the edge of the blank cuts, a rectangular one that leaves nothing of it or goes far beyond it at
-//! both ends; a cycle that stays above the blank, and a movement that cuts far below it, where an execution shows them;
-//! a cycle of the old form that no manual describes and that is called far above the blank: it works from where the
+//! both ends, or would lie inside of it with its sides exchanged; a cycle that stays above the blank, and a movement that
+//! cuts far below it, where an execution shows them; a cycle of the old form that no manual describes and that is called far above the blank: it works from where the
 //! tool is; a contour that is called above the blank, and elsewhere inside of it; a pocket or slot that lies across the face
 //! milled in a tilted plane, and goes beyond it at both ends; a whole circle, or a curve that a loop draws, which begins in
 //! the blank and is outside of it for a part.

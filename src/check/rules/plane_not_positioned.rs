@@ -146,8 +146,11 @@ fn after_cycle(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut forgotten = None;
     for (at, own) in tilting.iter().enumerate() {
         let end = tilting.get(at + 1).map_or(facts.program.blocks().len(), |next| next.view.first);
-        let part = facts.program.blocks().get(own.view.last + 1..end).unwrap_or_default();
         let first = own.view.last + 1;
+        let part = facts.program.blocks().get(first..end).unwrap_or_default();
+        // What is after the end of the main part is looked at where it is called.
+        let end = part.iter().position(|block| facts.ends(block)).map_or(end, |at| first + at + 1);
+        let part = part.get(..end - first).unwrap_or_default();
         let positions = |at: usize, block: &Block| match &block.kind {
             BlockKind::CallLbl(_) => subprogram(facts, first + at).is_none_or(|body| body.iter().any(moves_axes)),
             BlockKind::Lbl(_) => true,
@@ -163,7 +166,8 @@ fn after_cycle(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         };
         let cuts = part.iter().any(across)
             || facts.run.calls.iter().any(|call| (own.view.last..end).contains(&call.block))
-            || (first..end).any(|at| subprogram(facts, at).is_some_and(|body| body.iter().any(across)));
+            || (first..end).any(|at| subprogram(facts, at).is_some_and(|body| body.iter().any(across)))
+            || (first..end).any(|at| calls_cycle(facts, at));
         if !moved && cuts && !feeds(facts, own) {
             forgotten = forgotten.or(Some(own.view.head));
         }
@@ -171,6 +175,13 @@ fn after_cycle(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if let Some(span) = forgotten {
         found.push(rule.at(facts, span).arg("what", "cycle"));
     }
+}
+
+/// Whether a block calls a subprogram in which a cycle is called.
+fn calls_cycle(facts: &Facts<'_>, at: usize) -> bool {
+    let label = || facts.run.graph.called_from(at);
+    let Some((label, body)) = subprogram(facts, at).and_then(|body| Some((label()?, body))) else { return false };
+    facts.run.calls.iter().any(|call| (label..=label + body.len()).contains(&call.block))
 }
 
 /// The blocks of the subprogram that a block calls.

@@ -3,12 +3,16 @@
 //!
 //! Only corners that are written as straight lines with numbers, one after the other, about a pole with numbers, of polygons
 //! with five corners or more.
+//!
+//! Also a rectangle along the axes that lacks a corner: a contour with radius compensation has one line across, with acute
+//! corners at both ends, and all its other lines lie on two sides. A triangle may be meant: it is reported where a remark
+//! names both sides of the rectangle, a hole lies in the corner, or another contour goes round it.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::base::expr::atan2d;
-use crate::check::contours::led;
+use crate::check::contours::{Contour, compensated, led, place_of_call};
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, BlockKind, Motion, Path};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "polygon-incomplete", severity: Severity::Warning, run };
 
@@ -30,6 +34,7 @@ struct Corners {
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    rectangles(rule, facts, found);
     let mut corners = Corners::default();
     let (mut pole, mut at) = (None, None);
     for block in facts.program.blocks() {
@@ -113,7 +118,123 @@ fn judge(rule: &Rule, facts: &Facts<'_>, own: &Corners, after: Option<[f64; 2]>,
     let [(from, _)] = double.as_slice() else { return };
     if equal.iter().all(|(_, own)| (own - step).abs() < EQUAL) {
         let angle = libm::round((from + step).rem_euclid(360.0) * 1e3) / 1e3;
-        let finding = rule.at(facts, place).arg("value", Arg::Number(angle));
+        let finding = rule.at(facts, place).arg("what", "polar").arg("value", Arg::Number(angle));
         found.push(finding.arg("count", count + 1));
     }
+}
+
+/// A rectangle that lacks a corner.
+struct Rectangle {
+    /// The ends of the line across, and the corner.
+    across: [[f64; 2]; 2],
+    /// How long its sides are.
+    sides: [f64; 2],
+    corner: [f64; 2],
+    place: Span,
+}
+
+/// Rectangles along the axes that lack a corner.
+fn rectangles(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let contours = compensated(facts);
+    for own in contours.iter().filter_map(rectangle) {
+        let passed = contours
+            .iter()
+            .flatten()
+            .any(|(place, _)| libm::hypot(place[0] - own.corner[0], place[1] - own.corner[1]) < NEAR);
+        if passed || is_remarked(facts, &own) || is_drilled(facts, &own) {
+            let finding = rule.at(facts, own.place).arg("what", "rectangle");
+            let [x, y] = own.corner;
+            return found.push(finding.arg("value", Arg::Number(x)).arg("other", Arg::Number(y)));
+        }
+    }
+}
+
+/// The rectangle that a contour would be with one more corner.
+fn rectangle(contour: &Contour) -> Option<Rectangle> {
+    let along = |one: [f64; 2], other: [f64; 2]| [(one[0] - other[0]).abs() < NEAR, (one[1] - other[1]).abs() < NEAR];
+    let mut sides: Vec<([[f64; 2]; 2], Span)> = Vec::new();
+    for pair in contour.windows(2) {
+        let [(from, _), (to, place)] = pair else { continue };
+        if along(*from, *to) != [true; 2] {
+            sides.push(([*from, *to], *place));
+        }
+    }
+    let mut lines = sides.iter().enumerate().filter(|(_, ([from, to], _))| along(*from, *to) == [false; 2]);
+    let (at, ([begin, end], place)) = lines.next().filter(|_| lines.next().is_none())?;
+    let way = |[from, to]: [[f64; 2]; 2]| [to[0] - from[0], to[1] - from[1]];
+    let dot = |one: [f64; 2], other: [f64; 2]| one[0] * other[0] + one[1] * other[1];
+    let ([first, _], [_, last]) = (sides.first()?.0, sides.last()?.0);
+    let across = way([*begin, *end]);
+    // Both of its corners are acute: else it is a chamfer. One of them may lie within the side where the contour ends.
+    let acute = [at.checked_sub(1).and_then(|at| sides.get(at)), sides.get(at + 1)]
+        .map(|side| side.is_none_or(|(side, _)| dot(way(*side), across) < 0.0));
+    let open = at == 0 || at + 1 == sides.len();
+    let edge = if at == 0 { sides.last()?.0 } else { sides.first()?.0 };
+    let overlaps = dot(way([first, last]), way(edge)) > NEAR;
+    if acute != [true; 2] || sides.len() < 3 || open && !overlaps {
+        return None;
+    }
+    let corners = [[begin[0], end[1]], [end[0], begin[1]]];
+    let corner = corners.into_iter().find(|corner| {
+        let through = [way([*begin, *corner]), way([*corner, *end])];
+        let (before, after) = (sides.get(..at).unwrap_or_default(), sides.get(at + 1..).unwrap_or_default());
+        let others = |all: &[([[f64; 2]; 2], Span)]| all.iter().map(|(side, _)| way(*side)).collect::<Vec<_>>();
+        is_round([others(before), through.to_vec(), others(after)].concat(), open)
+    })?;
+    // Where the contour begins within a side, nothing of it is drawn beyond the corners.
+    let span = |axis: usize| {
+        let places = contour.iter().map(|(place, _)| place[axis]).filter(|_| open);
+        let (low, high) = (begin[axis].min(end[axis]), begin[axis].max(end[axis]));
+        places.clone().fold(high, f64::max) - places.fold(low, f64::min)
+    };
+    Some(Rectangle { across: [*begin, *end], sides: [span(0), span(1)], corner, place: *place })
+}
+
+/// Whether sides along the axes go round a rectangle; where the contour ends within a side, it goes on in the same direction.
+fn is_round(ways: Vec<[f64; 2]>, open: bool) -> bool {
+    let cross = |one: [f64; 2], other: [f64; 2]| one[0] * other[1] - one[1] * other[0];
+    let dot = |one: [f64; 2], other: [f64; 2]| one[0] * other[0] + one[1] * other[1];
+    let (mut turns, mut back) = (Vec::new(), false);
+    for pair in ways.windows(2) {
+        let [one, other] = pair else { continue };
+        let turn = cross(*one, *other);
+        back |= turn.abs() < NEAR && dot(*one, *other) < 0.0;
+        turns.extend(Some(turn).filter(|own| own.abs() >= NEAR));
+    }
+    let same = turns.iter().all(|own| *own > 0.0) || turns.iter().all(|own| *own < 0.0);
+    !back && same && if open { turns.len() == 4 } else { matches!(turns.len(), 3 | 4) }
+}
+
+/// Whether a remark of the program names both sides, as `80X50`.
+fn is_remarked(facts: &Facts<'_>, own: &Rectangle) -> bool {
+    let sides = own.sides;
+    let same = |one: f64, other: f64| (one - other).abs() < NEAR;
+    let names = |text: &str| {
+        let text = text.to_ascii_uppercase().replace(" X ", "X").replace(',', ".");
+        let parts = text.split(|sign: char| !(sign.is_ascii_digit() || matches!(sign, '.' | 'X')));
+        parts.into_iter().any(|part| {
+            let numbers: Vec<f64> = part.split('X').filter_map(|own| own.parse().ok()).collect();
+            numbers.windows(2).any(|pair| {
+                let [one, other] = pair else { return false };
+                same(*one, sides[0]) && same(*other, sides[1]) || same(*one, sides[1]) && same(*other, sides[0])
+            })
+        })
+    };
+    let mut remarks = facts.program.blocks().iter().filter_map(Block::comment);
+    remarks.any(|remark| names(facts.text(remark)))
+}
+
+/// Whether a cycle is called in the corner, beyond the line across.
+fn is_drilled(facts: &Facts<'_>, own: &Rectangle) -> bool {
+    let [begin, end] = own.across;
+    let side =
+        |place: [f64; 2]| (end[0] - begin[0]) * (place[1] - begin[1]) - (end[1] - begin[1]) * (place[0] - begin[0]);
+    let inside = |place: [f64; 2]| {
+        let between = |axis: usize| {
+            let (low, high) = (begin[axis].min(end[axis]), begin[axis].max(end[axis]));
+            low < place[axis] && place[axis] < high
+        };
+        between(0) && between(1) && side(place) * side(own.corner) > 0.0
+    };
+    facts.run.calls.iter().filter_map(|call| place_of_call(facts, call.block)).any(inside)
 }

@@ -2,9 +2,9 @@
 //!
 //! Places are followed from label to label in programs with a box as their blank; what a contour with arcs or a cycle
 //! for more than holes has cut is not known, so nothing is said after it. Near places that were cut nothing is said
-//! either. Said once a program.
+//! either. An execution shows the same of round blanks, too. Said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::blank::Blank;
+use crate::check::blank::top;
 use crate::check::incident::Incident;
 use crate::check::travel::first_incident;
 use crate::check::{Facts, Rule};
@@ -12,13 +12,13 @@ use crate::check::{Facts, Rule};
 pub(super) const RULE: Rule = Rule { code: "rapid-into-blank", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let Some(blank) = Blank::of(facts.program) else { return };
+    let Some(top) = top(facts.program) else { return };
     let first = first_incident(facts, |own| match own {
         Incident::RapidInMaterial(height) => Some(height),
         _ => None,
     });
     if let Some((span, height)) = first {
         let finding = rule.at(facts, span).arg("value", Arg::Number(height));
-        found.push(finding.arg("top", Arg::Number(blank.high[2])));
+        found.push(finding.arg("top", Arg::Number(top)));
     }
 }

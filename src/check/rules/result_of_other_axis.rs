@@ -1,7 +1,8 @@
 //! A coordinate that is the result of another axis: cycles and functions write the angles of A, B and C, and the places in X,
 //! Y and Z that a probe has touched, into parameters of their own, one for each axis.
 //!
-//! Also a measured value less the nominal value that the same measurement has for another one: the centre less the diameter.
+//! Also a measured value less the nominal value that the same measurement has for another one, or compared with it: the
+//! centre less the diameter, or a jump if the centre is less than the diameter.
 //!
 //! Only movements that name the parameter alone, in programs that do not write these parameters themselves.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
@@ -9,7 +10,7 @@ use crate::base::expr::{Node, Op, QKind, QRef};
 use crate::check::cycle::probes;
 use crate::check::program::number;
 use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, FnOp};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, FnOp, Operand, Relation};
 
 pub(super) const RULE: Rule = Rule { code: "result-of-other-axis", severity: Severity::Warning, run };
 
@@ -17,6 +18,8 @@ pub(super) const RULE: Rule = Rule { code: "result-of-other-axis", severity: Sev
 const ACTUAL: &str = "-actual";
 /// Nominal values that differ by less are the same.
 const SAME: f64 = 1e-6;
+/// A limit is so near to the nominal value, as a part of it, and so far from that of the result that is compared.
+const LIMITS: [f64; 2] = [0.01, 0.2];
 /// The parameters with the results of axes: the touched place, then the angles that tilt the working plane.
 const RESULTS: [(u16, Axis); 6] =
     [(115, Axis::X), (116, Axis::Y), (117, Axis::Z), (120, Axis::A), (121, Axis::B), (122, Axis::C)];
@@ -74,14 +77,34 @@ fn sizes(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let known = actual.filter_map(|own| Some((own.q?, value(own.of?).and_then(number)?)));
             nominal = known.collect();
         }
-        let Some((q, value, span)) = difference(block) else { continue };
+        let near = |one: f64, other: f64, part: f64| (one - other).abs() <= (part * one.abs()).max(SAME);
+        let (difference, jump) = (difference(block), comparison(facts, block));
+        // What is compared with a limit need not be the nominal value itself.
+        let ([close, apart], Some((q, value, span))) =
+            (if jump.is_some() { LIMITS } else { [0.0; 2] }, difference.or(jump))
+        else {
+            continue;
+        };
         let Some((_, own)) = nominal.iter().find(|(known, _)| *known == q) else { continue };
-        let other = nominal.iter().find(|(known, own)| *known != q && (own - value).abs() < SAME);
-        if let Some((other, _)) = other.filter(|_| (own - value).abs() > SAME) {
+        let other = nominal.iter().find(|(known, own)| *known != q && near(*own, value, close));
+        if let Some((other, _)) = other.filter(|_| !near(value, *own, apart)) {
             let finding = rule.at(facts, span).arg("what", "size").arg("parameter", q.to_string());
             found.push(finding.arg("value", Arg::Number(value)).arg("other", other.to_string()));
         }
     }
+}
+
+/// A measured value and the number with which a jump compares it.
+fn comparison(facts: &Facts<'_>, block: &Block) -> Option<(QRef, f64, Span)> {
+    let BlockKind::FnJump(jump) = &block.kind else { return None };
+    let q = |own: Amount| match own {
+        Amount::Q { q, negative: false } => Some(q),
+        _ => None,
+    };
+    let known = |one: &Operand, other: &Operand| Some((q(one.amount)?, facts.number(other)?));
+    let (q, value) = known(&jump.a, &jump.b).or_else(|| known(&jump.b, &jump.a))?;
+    let sized = matches!(jump.relation, Relation::Less | Relation::Greater) && value != 0.0;
+    sized.then(|| (q, value, facts.content(block)))
 }
 
 /// A parameter and a number of which the difference is calculated.

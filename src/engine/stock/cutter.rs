@@ -30,21 +30,22 @@ pub struct Cutter {
 }
 
 impl Cutter {
-    /// The body of a tool of the tool table: `R2` makes it round, `T-ANGLE` gives it a point. Nothing if the
-    /// tool has no radius, or is a touch probe.
+    /// The body of a tool of the tool table: `R2` makes it round, `T-ANGLE` gives it a point. The oversize of a tool
+    /// call moves the tool and does not make it wider. Nothing if the tool has no radius, or is a touch probe.
     pub fn of_tool(tool: &Tool, neck: Option<Neck>) -> Option<Self> {
-        if tool.radius <= 0.0 || tool.probe.is_some() || !tool.radius.is_finite() {
+        let radius = tool.radius - tool.deltas.0;
+        if radius <= 0.0 || tool.probe.is_some() || !radius.is_finite() {
             return None;
         }
         let tip = if tool.point > 0.0 && tool.point < 180.0 {
             Tip::Point(1.0 / tand(tool.point / 2.0))
         } else if tool.corner > 0.0 {
-            Tip::Round(tool.corner.min(tool.radius))
+            Tip::Round(tool.corner.min(radius))
         } else {
             Tip::Flat
         };
-        let neck = neck.filter(|neck| neck.radius < tool.radius);
-        Some(Self { radius: tool.radius, tip, neck, edges: tool.lcuts.max(0.0) })
+        let neck = neck.filter(|neck| neck.radius < radius);
+        Some(Self { radius, tip, neck, edges: tool.lcuts.max(0.0) })
     }
 
     /// Whether its end is half a ball.

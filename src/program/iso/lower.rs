@@ -500,6 +500,7 @@ impl Lowering<'_, '_> {
         self.end();
         words.take_codes(|code| syntax::is_path(code) || matches!(code, 40..=44));
         self.modal(words);
+        self.call_at_end(block, words);
         // A function with words of its own, such as a retraction, goes at rapid traverse.
         let goes = rapid && own.functions.iter().any(|function| function.with.is_some());
         if !(moves || compensation.is_some() || said || goes) {
@@ -509,6 +510,16 @@ impl Lowering<'_, '_> {
             self.functions_alone(block, &own.functions);
         }
         words.finish()
+    }
+
+    /// A movement that ends with `G79` calls the cycle where it ends.
+    fn call_at_end(&mut self, block: &Block, words: &mut Words<'_>) {
+        if words.codes().iter().any(|(_, code)| *code == 79) {
+            words.take_codes(|code| code == 79);
+            self.begin(block);
+            self.out.put("CYCL CALL");
+            self.end();
+        }
     }
 
     /// Writes the feed of a motion; whether there is something to say even without coordinates.

@@ -352,6 +352,20 @@ impl<'t> Reader<'t> {
         if rest.start == rest.end { Err(cursor.expected("name")) } else { Ok(BlockKind::CallPgm(rest)) }
     }
 
+    /// Whether coordinates come before `G79`: the block is a movement, and the cycle is called at its end.
+    fn comes_after_coordinates(&self, block: &IsoBlock) -> bool {
+        let slice = |span: Span| self.text.get(span.start..span.end).unwrap_or_default();
+        let calls =
+            |word: &NamedWord| word.value.kind == ValueKind::Number(79.0) && slice(word.name).eq_ignore_ascii_case("G");
+        let Some(at) = block.words.iter().position(calls) else { return false };
+        let position = block.words.get(at).and_then(|word| self.text.as_bytes().get(word.span.end)) == Some(&b':');
+        let is_axis = |word: &NamedWord| {
+            let name = slice(word.name).to_ascii_uppercase();
+            Axis::by_name(name.as_bytes()).is_some() || name == "H"
+        };
+        !position && block.words.iter().take(at).any(is_axis)
+    }
+
     /// What the words make of a block; keeps the code of a motion.
     fn kind(&mut self, block: &IsoBlock, content: Span) -> Read<IsoKind> {
         let text = self.text;
@@ -384,6 +398,7 @@ impl<'t> Reader<'t> {
                 99 | 51 => IsoKind::ToolDef,
                 30 => IsoKind::Blank(1),
                 31 => IsoKind::Blank(2),
+                79 if self.comes_after_coordinates(block) => continue,
                 79 => IsoKind::Call,
                 24 => IsoKind::Chamfer,
                 25 => IsoKind::Rounding,

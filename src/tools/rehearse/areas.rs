@@ -67,7 +67,7 @@ pub(super) fn pieces(places: &[DVec2]) -> Vec<Piece> {
     places.windows(2).filter_map(|pair| pair.try_into().ok()).collect()
 }
 
-fn from_place([one, other]: Piece, place: DVec2) -> f64 {
+pub(super) fn from_place([one, other]: Piece, place: DVec2) -> f64 {
     let way = other - one;
     let long = way.length_squared();
     let share = if long > 0.0 { ((place - one).dot(way) / long).clamp(0.0, 1.0) } else { 0.0 };

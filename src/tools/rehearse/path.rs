@@ -77,9 +77,6 @@ impl Ways {
     pub(super) fn note(&mut self, line: usize, (from, to): (DVec3, DVec3), body: &Body, (meets, cuts): (bool, bool)) {
         self.meets |= meets;
         let flat = (to - from).truncate().length() > SAME;
-        if flat {
-            self.lowest = Some(self.lowest.map_or(to.z, |lowest| lowest.min(to.z)).min(from.z));
-        }
         if flat && meets {
             self.along.get_or_insert(line);
         }
@@ -94,6 +91,14 @@ impl Ways {
             self.strokes.push((line, [ends[0][0], ends[0][1], ends[0][2], ends[1][0], ends[1][1], ends[1][2]]));
             self.first.get_or_insert(line);
             self.cuts |= cuts;
+        }
+    }
+
+    /// Notes how low a movement along the plane goes; a helix may end above where it begins.
+    pub(super) fn note_lowest(&mut self, from: DVec3, places: &[DVec3]) {
+        if places.iter().any(|place| (*place - from).truncate().length() > SAME) {
+            let low = places.iter().map(|place| place.z).fold(from.z, f64::min);
+            self.lowest = Some(self.lowest.map_or(low, |lowest| lowest.min(low)));
         }
     }
 

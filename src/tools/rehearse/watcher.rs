@@ -434,6 +434,19 @@ impl<'w> Watcher<'w> {
         self.width().map_or(RADIUS, |width| width / 2.0)
     }
 
+    /// How much wider the tool is above its tip, mm for each mm: the flank of a cone is not in its radius.
+    fn slope(&self) -> f64 {
+        /// Half the angle of a cone that is not known, degrees: hardly any is wider.
+        const HALF: f64 = 60.0;
+        let tan = |angle: f64| libm::tan(angle.to_radians());
+        let angle = self.points.iter().find(|(number, _)| Some(*number) == self.tool).map(|(_, angle)| angle / 2.0);
+        match self.kind() {
+            Some(ToolKind::Chamfer | ToolKind::Spot | ToolKind::Engraver) => tan(angle.unwrap_or(HALF)),
+            Some(_) => 0.0,
+            None => angle.map_or(0.0, tan),
+        }
+    }
+
     /// What the tool is called.
     pub(super) fn kind(&self) -> Option<ToolKind> {
         self.kinds.iter().find(|(number, _)| Some(*number) == self.tool).map(|(_, kind)| *kind)
@@ -571,8 +584,11 @@ impl<'w> Watcher<'w> {
             }
             if plain {
                 let reach = self.radius() + SAME;
-                let meets = places.iter().any(|place| body.distance(*place) <= reach && place.z >= body.low.z - reach);
+                let flank = |place: &DVec3| reach + self.slope() * (body.high.z - place.z).max(0.0);
+                let meets =
+                    places.iter().any(|own| body.distance(*own) <= flank(own) && own.z >= body.low.z - flank(own));
                 let cuts = self.width().is_none_or(|width| self.remains.may_cut(places, width / 2.0));
+                self.ways.note_lowest(from, places);
                 self.ways.note(self.line, (from, self.at), body, (meets, cuts));
             }
         }

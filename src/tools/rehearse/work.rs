@@ -1,8 +1,8 @@
 //! What cycles have done at a place: holes beside the blank, one over the other, too narrow or too wide for what
 //! follows, pockets and texts outside.
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec2Swizzles};
 
-use super::areas::{MOST_PIECES, Piece, pieces};
+use super::areas::{MOST_PIECES, Piece, from_place, pieces};
 use super::body::{Body, SAME, SKIN};
 use super::watcher::Watcher;
 use crate::check::{Incident, ToolKind, is_milling, is_reaming};
@@ -16,6 +16,13 @@ const DISENGAGES: &str = "disengaging-direction";
 const ASIDE: &str = "off-centre-distance";
 /// The meaning of the circle on which slots lie.
 const ON_CIRCLE: &str = "pitch-circle-diameter";
+/// The meaning of the rounding of corners, which only rectangular pockets and studs have.
+const CORNER: &str = "corner-radius";
+/// A pocket may be so far beyond an edge of the blank, and its corners are rounder than its tool by so much, mm.
+const OVER: f64 = 0.5;
+const ROUND: f64 = 0.1;
+/// No allowance on a side is greater, mm.
+const SIDE: f64 = 1.0;
 /// A bar takes no more off the diameter than this, and this part of the diameter, mm.
 const BORED: (f64, f64) = (4.0, 0.15);
 /// Two holes of one tool are no nearer to each other than so much of its diameter.
@@ -312,9 +319,40 @@ impl Watcher<'_> {
             Group::Surfaces => nothing || over > 2.0 * radius + BEYOND,
             _ => nothing,
         };
+        let place = [middle.x * self.unit, middle.y * self.unit];
         if outside {
-            self.report(work.line, Incident::OutsideBlank([middle.x * self.unit, middle.y * self.unit]));
+            self.report(work.line, Incident::OutsideBlank(place));
+        } else if work.group == Group::Pockets && !stud && self.is_across(body, work) {
+            self.report(work.line, Incident::CoversBlank(place));
         }
+    }
+
+    /// Whether a rectangular pocket with round corners goes beyond the blank at both ends, and would lie inside of it if its
+    /// sides were exchanged: a groove that is open at both ends needs no corners.
+    fn is_across(&self, body: &Body, work: &Work) -> bool {
+        let cornered = |own: &Cycle| own.params.iter().any(|param| param.is.as_str() == CORNER);
+        let Some(radius) = self.width().map(|width| width / 2.0) else { return false };
+        if body.is_round() || !self.cycle(work.key).is_some_and(cornered) {
+            return false;
+        }
+        let long = |own: &&Piece| (own[1] - own[0]).length();
+        let longest = work.way.iter().max_by(|one, other| long(one).total_cmp(&long(other)));
+        let straight = longest.is_some_and(|[from, to]| (*to - *from).abs().min_element() <= SAME);
+        let places = || work.way.iter().flatten();
+        let low = places().fold(DVec2::INFINITY, |low, own| low.min(*own)) - radius;
+        let high = places().fold(DVec2::NEG_INFINITY, |high, own| high.max(*own)) + radius;
+        // Only the first levels of a deep one may be remembered, with an allowance on the sides.
+        let [least, most] = [work.low.truncate() - radius, work.high.truncate() + radius];
+        let whole = (low - least).max(most - high).max_element() <= SIDE;
+        let edges = [body.low.truncate(), body.high.truncate()];
+        let (middle, turned) = ((low + high) / 2.0, (high - low).yx() / 2.0);
+        let both = (low + OVER).cmplt(edges[0]) & (high - OVER).cmpgt(edges[1]);
+        let fits = (middle - turned).cmpge(edges[0]).all() && (middle + turned).cmple(edges[1]).all();
+        let corners = [low, DVec2::new(low.x, high.y), high, DVec2::new(high.x, low.y)];
+        // Where the tool makes the corners itself, it has been within so much of each of them.
+        let sharp = radius * std::f64::consts::SQRT_2 + ROUND;
+        let round = |corner: &DVec2| work.way.iter().all(|piece| from_place(*piece, *corner) > sharp);
+        whole && straight && both.any() && fits && corners.iter().all(round)
     }
 
     /// Whether everything was gone where it has cut, although it goes below the top of the blank.
