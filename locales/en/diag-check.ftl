@@ -185,6 +185,7 @@ diag-early-cycle-wrong =
         [pitch] The thread has a pitch of { $value }, but the tap has { $other }.
         [peck] The hole is drilled in one infeed of { $value }: more than eight times the diameter { $other } of the drill.
         [wide] The round pocket is { $value } wide, and the blank only { $other }: a diameter may have been entered for the radius.
+        [sides] With the sides { $value } and { $other } the pocket goes over the edge of the blank; exchanged, it would lie inside.
        *[tapped] A feed rate of { $value } does not fit the tap: pitch times spindle speed is { $other }.
     }
 diag-empty-word = This { $word } has no value and does nothing.

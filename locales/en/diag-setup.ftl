@@ -29,6 +29,7 @@ diag-machining-outside-blank =
         [over] What is machined at { $value }, { $other } goes over the edge of the blank.
         [contour] The contour is called at { $value }, above the blank, and elsewhere inside of it: it removes nothing here.
         [curve] The curve begins and ends in the blank, but leaves it on the way, at { $value }, { $other }.
+        [corner] The position of the pocket counts from a corner here, so from { $value }, { $other }, the middle of the blank, it goes over the edge.
        *[outside] What is machined at { $value }, { $other } is far from the blank.
     }
 diag-milling-deeper-than-edges = The tool mills { $value } deep here, which is more than its cutting edges are long (LCUTS).

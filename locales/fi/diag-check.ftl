@@ -185,6 +185,7 @@ diag-early-cycle-wrong =
         [pitch] Kierteen nousu on { $value }, mutta kierretapin { $other }.
         [peck] Reikä porataan yhdellä asetuksella { $value }: yli kahdeksan kertaa poran halkaisija { $other }.
         [wide] Ympyrätaskun halkaisija on { $value }, ja aihion leveys on vain { $other }: säteen tilalle on voitu antaa halkaisija.
+        [sides] Sivuilla { $value } ja { $other } tasku ulottuu aihion reunan yli; vaihdettuina se mahtuisi sen sisään.
        *[tapped] Syöttöarvo { $value } ei sovi kierretapille: nousu kertaa karan kierrosluku on { $other }.
     }
 diag-empty-word = Tässä sanassa { $word } ei ole arvoa, eikä se tee mitään.

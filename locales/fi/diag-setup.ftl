@@ -29,6 +29,7 @@ diag-machining-outside-blank =
         [over] Kohdassa { $value }; { $other } koneistus ulottuu aihion reunan yli.
         [contour] Muoto kutsutaan korkeudella { $value }, aihion yläpuolella, ja muualla aihion sisällä: tässä se ei poista mitään.
         [curve] Käyrä alkaa ja päättyy aihion sisällä, mutta ulottuu välillä sen ulkopuolelle kohdassa { $value }; { $other }.
+        [corner] Taskun asema lasketaan tässä kulmasta, joten aihion keskeltä { $value }; { $other } se ulottuu reunan yli.
        *[outside] Koneistettava kohta { $value }; { $other } on kaukana aihiosta.
     }
 diag-milling-deeper-than-edges = Työkalu jyrsii tässä syvyyteen { $value }, mikä on enemmän kuin sen terien pituus (LCUTS).

@@ -185,6 +185,7 @@ diag-early-cycle-wrong =
         [pitch] La filettatura ha un passo di { $value }, ma il maschio ha { $other }.
         [peck] Il foro viene eseguito in un solo incremento di { $value }: più di otto volte il diametro { $other } della punta.
         [wide] La tasca circolare è larga { $value } e il pezzo grezzo solo { $other }: al posto del raggio potrebbe essere stato inserito il diametro.
+        [sides] Con i lati { $value } e { $other } la tasca oltrepassa il bordo del pezzo grezzo; scambiati, starebbe all’interno.
        *[tapped] Un avanzamento di { $value } non è adatto al maschio: passo per numero di giri dà { $other }.
     }
 diag-empty-word = Questa { $word } è senza valore e non fa nulla.

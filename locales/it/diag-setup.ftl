@@ -29,6 +29,7 @@ diag-machining-outside-blank =
         [over] Ciò che viene lavorato in { $value }; { $other } oltrepassa il bordo del pezzo grezzo.
         [contour] Il profilo viene chiamato a { $value }, sopra il pezzo grezzo, e altrove dentro di esso: qui non asporta nulla.
         [curve] La curva inizia e termina nel pezzo grezzo, ma lungo il percorso ne esce in { $value }; { $other }.
+        [corner] Qui la posizione della tasca conta da uno spigolo, quindi da { $value }; { $other }, il centro del pezzo grezzo, oltrepassa il bordo.
        *[outside] Ciò che viene lavorato in { $value }; { $other } è lontano dal pezzo grezzo.
     }
 diag-milling-deeper-than-edges = Qui l’utensile fresa a una profondità di { $value }, maggiore della lunghezza dei suoi taglienti (LCUTS).

@@ -185,6 +185,7 @@ diag-early-cycle-wrong =
         [pitch] A rosca tem um passo de { $value }, mas o macho tem { $other }.
         [peck] O furo é feito num só passo de { $value }: mais de oito vezes o diâmetro { $other } da broca.
         [wide] A caixa circular tem { $value } de largura e o bloco apenas { $other }: pode ter sido introduzido o diâmetro em vez do raio.
+        [sides] Com os lados { $value } e { $other } a caixa ultrapassa o bordo do bloco; trocados, ficaria dentro.
        *[tapped] Um avanço de { $value } não serve para o macho: passo vezes rotações dá { $other }.
     }
 diag-empty-word = Este { $word } não tem valor e não faz nada.

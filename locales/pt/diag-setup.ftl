@@ -29,6 +29,7 @@ diag-machining-outside-blank =
         [over] O que é maquinado em { $value }; { $other } ultrapassa o bordo do bloco.
         [contour] O contorno é chamado em { $value }, acima do bloco, e noutro lugar dentro dele: aqui não remove nada.
         [curve] A curva começa e termina no bloco, mas pelo caminho sai dele em { $value }; { $other }.
+        [corner] A posição da caixa conta aqui a partir de um canto, pelo que a partir de { $value }; { $other }, o meio do bloco, ultrapassa o bordo.
        *[outside] O que é maquinado em { $value }; { $other } está longe do bloco.
     }
 diag-milling-deeper-than-edges = Aqui a ferramenta fresa a uma profundidade de { $value }, maior do que a longitude das suas navalhas (LCUTS).

@@ -185,6 +185,7 @@ diag-early-cycle-wrong =
         [pitch] Navoj ima korak { $value }, navojni sveder pa { $other }.
         [peck] Vrtina se vrta z enim primikom { $value }: več kot osemkratni premer svedra { $other }.
         [wide] Krožni žep je širok { $value }, surovec pa le { $other }: namesto polmera je morda vpisan premer.
+        [sides] S stranicama { $value } in { $other } žep sega čez rob surovca; zamenjani bi bili v njem.
        *[tapped] Pomik { $value } ne ustreza navojnemu svedru: korak krat število vrtljajev je { $other }.
     }
 diag-empty-word = Beseda { $word } tu nima vrednosti in ne naredi ničesar.

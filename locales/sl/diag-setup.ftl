@@ -31,6 +31,7 @@ diag-machining-outside-blank =
         [over] Kar se obdeluje na { $value }; { $other }, sega čez rob surovca.
         [contour] Kontura je priklicana pri { $value }, nad surovcem, drugje pa v njem: tu ničesar ne odstrani.
         [curve] Krivulja se začne in konča v surovcu, vmes pa ga zapusti pri { $value }; { $other }.
+        [corner] Položaj žepa se tu šteje od vogala, zato od sredine surovca { $value }; { $other } sega čez rob.
        *[outside] Kar se obdeluje na { $value }; { $other }, je daleč od surovca.
     }
 diag-milling-deeper-than-edges = Orodje tukaj rezka { $value } globoko, kar je več od dolžine njegovih rezil (LCUTS).

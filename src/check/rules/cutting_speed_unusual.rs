@@ -5,7 +5,7 @@
 //! tool is, its name or a comment beside its call says. Silent of tools with which a cycle works that has its own
 //! speed. Also a mill that cuts many times as fast as the fastest of the others, and a fast tap that turns faster than
 //! the drill of its core hole. Also a reamer that takes so little per revolution that a digit of its speed or of its
-//! feed is wrong.
+//! feed is wrong. Where a comment names steel, no mill cuts with more than 1000 m/min.
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
@@ -35,14 +35,36 @@ const REAMED: f64 = 0.004;
 /// The meaning of the feed of a reamer.
 const FEED: &str = "plunging-feed";
 
+/// No mill cuts steel so fast, m/min.
+const IN_STEEL: f64 = 1000.0;
+/// What steel is called, by the beginning of the word.
+const STEEL: [&str; 8] = ["STEEL", "STAHL", "TERÄS", "TERAS", "JEKL", "ACCIA", "AÇO", "ACIER"];
+
+/// Whether the comments name steel and no other material that is cut faster.
+fn is_steel(facts: &Facts<'_>) -> bool {
+    const FASTER: [&str; 4] = ["AL", "ALU", "BRASS", "GRAPHIT"];
+    let mut steel = false;
+    for text in facts.program.blocks().iter().filter_map(|block| block.comment().map(|span| facts.text(span))) {
+        let text = text.to_uppercase();
+        for word in text.split(|sign: char| !sign.is_alphanumeric()) {
+            steel |= STEEL.iter().any(|own| word.starts_with(own));
+            if FASTER.iter().any(|own| word.starts_with(own)) {
+                return false;
+            }
+        }
+    }
+    steel
+}
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(tools) = Tools::of(facts) else { return };
     // The mills: their speeds, and what a finding says.
-    let mut mills: Vec<(f64, f64, Span)> = Vec::new();
+    let mut speeds: Vec<(f64, f64, Span)> = Vec::new();
     // The taps also with their turns, and the drills by diameter.
     let mut taps: Vec<(f64, f64, f64, Span)> = Vec::new();
     let mut drills: Vec<(f64, f64)> = Vec::new();
     let own_speeds = own_speeds(facts);
+    let steel = is_steel(facts);
     for (index, block) in facts.marked() {
         let BlockKind::ToolCall(call) = &block.kind else { continue };
         if own_speeds.contains(&index) {
@@ -57,7 +79,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         let metres = PI * diameter * turns / 1000.0;
-        let (least, most) = match kind_of_call(facts, index) {
+        let (least, most): (f64, f64) = match kind_of_call(facts, index) {
             Some(ToolKind::Tap) => (0.8, 80.0),
             Some(ToolKind::Reamer) => (0.8, 120.0),
             Some(ToolKind::Drill | ToolKind::Spot) => (2.5, 400.0),
@@ -65,9 +87,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             Some(ToolKind::Probe | ToolKind::Boring | ToolKind::BackBoring) => continue,
             _ => (0.3, 2500.0),
         };
+        let mills = matches!(kind_of_call(facts, index), Some(ToolKind::EndMill | ToolKind::FaceMill | ToolKind::Ball));
+        let most = if mills && steel { most.min(IN_STEEL) } else { most };
         let mills_kind = matches!(kind_of_call(facts, index), Some(ToolKind::EndMill | ToolKind::FaceMill));
         if mills_kind && metres >= least && metres <= most {
-            mills.push((metres, diameter, speed.span));
+            speeds.push((metres, diameter, speed.span));
         }
         match kind_of_call(facts, index) {
             Some(ToolKind::Tap) if metres <= most && taps.len() < SEVERAL => {
@@ -95,8 +119,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = rule.at(facts, span).arg("side", "reamed").arg("value", Arg::Number(turn));
         found.push(finding.arg("other", Arg::Number(diameter)));
     }
-    mills.sort_by(|one, other| other.0.total_cmp(&one.0));
-    if let [(fastest, diameter, span), (second, ..), ..] = mills.as_slice()
+    speeds.sort_by(|one, other| other.0.total_cmp(&one.0));
+    if let [(fastest, diameter, span), (second, ..), ..] = speeds.as_slice()
         && *fastest > FAST
         && *fastest > MANY * second
     {

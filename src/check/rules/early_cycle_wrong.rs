@@ -50,12 +50,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     if let Some(blank) = Blank::of(facts.program) {
         let room = (blank.high[0] - blank.low[0]).min(blank.high[1] - blank.low[1]);
-        for (_, own) in way.called() {
-            // The pocket of a radius has one size.
-            if let ([only], Work::Milling) = (own.sides.as_slice(), own.work)
-                && only.0.abs() > room
-            {
-                return tell("wide", *only, room);
+        for (call, own) in way.called().filter(|(_, own)| own.work == Work::Milling) {
+            match own.sides.as_slice() {
+                // The pocket of a radius has one size.
+                [only] if only.0.abs() > room => return tell("wide", *only, room),
+                [x, y] if are_exchanged(&blank, call.place, [x.0, y.0]) => return tell("sides", *x, y.0),
+                _ => {}
             }
         }
     }
@@ -68,6 +68,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             tell(what, placed, other);
         }
     }
+}
+
+/// Whether a pocket about a place goes over an edge of the blank, and would lie inside of it with its sides exchanged.
+fn are_exchanged(blank: &Blank, place: [Option<f64>; 3], sides: [f64; 2]) -> bool {
+    let [Some(x), Some(y), _] = place else { return false };
+    let inside = |sides: [f64; 2]| {
+        (0..2).all(|axis| {
+            let (at, half) = ([x, y][axis], sides[axis].abs() / 2.0);
+            blank.low[axis] <= at - half && at + half <= blank.high[axis]
+        })
+    };
+    blank.holds(x, y) && !inside(sides) && inside([sides[1], sides[0]])
 }
 
 /// What does not fit the tool, and what it has.

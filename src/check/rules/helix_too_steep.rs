@@ -44,7 +44,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let tool = tools.as_ref().and_then(|tools| tools.get(modal.loaded));
         let width = tool.map(|tool| 2.0 * tool.radius);
         let most = width.map_or(MOST * unit, |width| STEEPEST * width).min(MOST * unit);
-        if depth > 0.0 && angle.abs() >= TURNS && is_floor(facts, facts.program.blocks().get(index + 1..)) {
+        let (again, after) = repeats(facts, index);
+        let turned = angle.abs() * (again + 1.0);
+        if depth > 0.0 && turned >= TURNS && is_floor(facts, facts.program.blocks().get(after..)) {
             found.push(rule.comparison(facts, facts.content(block), "up", depth, most));
         }
         let each = -depth * 360.0 / angle.abs();
@@ -84,6 +86,22 @@ fn is_left_handed(facts: &Facts<'_>, loaded: Loaded) -> bool {
     let listed = name.and_then(|name| facts.project?.tool_word(name, "NAME"));
     let mut comments = facts.program.blocks().iter().filter_map(|block| block.comment().map(|span| facts.text(span)));
     listed.is_some_and(is_left) || comments.any(is_left)
+}
+
+/// How often the next block repeats a part that consists of one element alone, and where the program goes on.
+fn repeats(facts: &Facts<'_>, index: usize) -> (f64, usize) {
+    let blocks = facts.program.blocks();
+    let next = blocks.iter().enumerate().skip(index + 1).find(|(_, block)| !is_silent(block));
+    let before = blocks.get(..index).and_then(|own| own.iter().rposition(|block| !is_silent(block)));
+    match next.map(|(at, block)| (at, &block.kind)) {
+        Some((at, BlockKind::CallLbl(call)))
+            if facts.run.graph.called_from(at).is_some_and(|to| Some(to) == before) =>
+        {
+            let times = call.repeat.as_ref().and_then(|times| facts.number(times));
+            (times.unwrap_or_default(), if times.is_some() { at + 1 } else { index + 1 })
+        }
+        _ => (0.0, index + 1),
+    }
 }
 
 /// Whether blocks begin with a full circle at the height that was reached.

@@ -11,7 +11,7 @@
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Diagnostic, Severity, Span};
-use crate::check::blank::Blank;
+use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::place_of_call;
 use crate::check::incident::Incident;
 use crate::check::program::{is_silent, number};
@@ -55,6 +55,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if let Some((span, height)) = pass.filter(|_| !above && contour.is_none()) {
         found.push(rule.comparison(facts, span, "above", height, 0.0));
     }
+    if let Some((span, [x, y])) = from_corner(facts).filter(|_| !over && !outside) {
+        found.push(rule.comparison(facts, span, "corner", x, y));
+    }
     if let Some((span, long, room)) = across(facts) {
         found.push(rule.comparison(facts, span, "across", long, room));
     }
@@ -64,6 +67,33 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if let Some((span, height)) = old_cycle(facts).filter(|_| !above) {
         found.push(rule.comparison(facts, span, "above", height, 0.0));
     }
+}
+
+/// A pocket whose position counts from a corner, and which goes over the edge of the blank, though it is called at the middle
+/// of the blank and would fit there about its centre: where the choice is, and the place.
+fn from_corner(facts: &Facts<'_>) -> Option<(Span, [f64; 2])> {
+    /// What is so near to the middle is in it, mm or inch.
+    const NEAR: f64 = 1e-3;
+    let blank = Blank::of(facts.program)?;
+    facts.run.calls.iter().filter(|call| is_unmoved(&call.modal)).find_map(|call| {
+        let Pending::Definition(index) = call.modal.pending else { return None };
+        let own = facts.definitions.get(index as usize)?;
+        own.related_cycle().filter(|cycle| cycle.file.group == Group::Pockets)?;
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let choice = read.item("pocket-position")?;
+        let corner = number(choice).filter(|own| *own != 0.0)?;
+        let sides = ["first-side-length", "second-side-length"].map(|meaning| read.item(meaning).and_then(number));
+        let [Some(long), Some(wide)] = sides else { return None };
+        let place = place_of_call(facts, call.block)?;
+        let middle = |axis: usize| (place[axis] - (blank.low[axis] + blank.high[axis]) / 2.0).abs() <= NEAR;
+        let room = [0, 1].map(|axis| (blank.high[axis] - blank.low[axis]) / 2.0);
+        let fits = long / 2.0 < room[0] && wide / 2.0 < room[1];
+        let over = long > room[0] || wide > room[1];
+        let turned = read.item("angle-of-rotation").and_then(number) != Some(0.0);
+        let wrong = middle(0) && middle(1) && fits && over && !turned && (1.0..=4.0).contains(&corner);
+        wrong.then_some((choice.value_span, place))
+    })
 }
 
 /// A pocket or slot in the only tilted plane of a program that goes beyond the face milled there, at its surface, at both ends,

@@ -182,11 +182,13 @@ impl Watcher<'_> {
         }
     }
 
-    /// Notes a movement of a block: one that goes through material, and then twice more the same way, does nothing.
+    /// Notes a movement of a block: one that goes through material, and then twice more the same way, does nothing. One that has
+    /// found nothing the first time, along most of the blank and below its top, does nothing either.
     pub(super) fn note_pass(&mut self, from: DVec3, line: usize, places: &[DVec3]) {
         /// So many ways are remembered, and so often one is gone.
         const MOST_PASSES: usize = 1 << 14;
         const OFTEN: u8 = 3;
+        const IN_AIR: u8 = 5;
         let ends = [from, self.at].map(|place| (place / SAME).to_array().map(|own| own.round() as i64));
         let [[a, b, c], [d, e, f]] = ends;
         let key = (self.calls, line, [a, b, c, d, e, f]);
@@ -194,13 +196,17 @@ impl Watcher<'_> {
         if (self.at - from).truncate().length() <= SAME {
             return;
         }
-        if let Some(count) = self.passes.get_mut(&key) {
+        let along = self.body.is_some_and(|body| {
+            let plan = (body.high - body.low).truncate().max_element();
+            (self.at - from).truncate().length() >= plan / 2.0 && self.at.z.max(from.z) < body.high.z - SKIN
+        });
+        if let Some((count, often)) = self.passes.get_mut(&key) {
             *count = count.saturating_add(1);
-            if *count == OFTEN {
+            if *count == *often {
                 self.report(self.line, Incident::PathRepeated);
             }
-        } else if cuts && self.passes.len() < MOST_PASSES {
-            self.passes.insert(key, 1);
+        } else if (cuts || along) && self.passes.len() < MOST_PASSES {
+            self.passes.insert(key, (1, if cuts { OFTEN } else { IN_AIR }));
         }
     }
 

@@ -141,8 +141,8 @@ pub(super) struct Watcher<'w> {
     pub(super) dips: BTreeMap<usize, [bool; 2]>,
     /// The lines of plain movements with radius compensation: whether one has cut along them below the top of the blank.
     pub(super) lines_cut: BTreeSet<(u32, usize)>,
-    /// How often plain movements through material have come back to the same way: tool call, line, beginning and end.
-    pub(super) passes: HashMap<(u32, usize, [i64; 6]), u8>,
+    /// How often plain movements have come back to the same way, and how often is too often: tool call, line, beginning and end.
+    pub(super) passes: HashMap<(u32, usize, [i64; 6]), (u8, u8)>,
     /// The places of holes, by what was done there.
     pub(super) series: Rows,
     /// The cycles with which tools have cut, each once.
