@@ -14,7 +14,7 @@ use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::program::number;
 use crate::check::tools::{Tools, kind_of_call};
 use crate::check::{Aspect, CycleCall, Facts, Loaded, Pending, Rule, ToolKind, Tri};
-use crate::program::syntax::BlockKind;
+use crate::program::syntax::{Block, BlockKind};
 use crate::spec::MM_PER_INCH;
 
 pub(super) const RULE: Rule = Rule { code: "cutting-speed-unusual", severity: Severity::Warning, run };
@@ -44,7 +44,11 @@ const STEEL: [&str; 8] = ["STEEL", "STAHL", "TERÄS", "TERAS", "JEKL", "ACCIA", 
 fn is_steel(facts: &Facts<'_>) -> bool {
     const FASTER: [&str; 4] = ["AL", "ALU", "BRASS", "GRAPHIT"];
     let mut steel = false;
-    for text in facts.program.blocks().iter().filter_map(|block| block.comment().map(|span| facts.text(span))) {
+    let remark = |block: &Block| match block.kind {
+        BlockKind::Comment | BlockKind::Structure(_) => Some(block.comment().unwrap_or(block.span)),
+        _ => block.comment(),
+    };
+    for text in facts.program.blocks().iter().filter_map(remark).map(|span| facts.text(span)) {
         let text = text.to_uppercase();
         for word in text.split(|sign: char| !sign.is_alphanumeric()) {
             steel |= STEEL.iter().any(|own| word.starts_with(own));
