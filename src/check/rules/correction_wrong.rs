@@ -4,12 +4,14 @@
 //! A deviation is the actual size less the nominal one: what is too large is made smaller by taking it away from the size
 //! with which it is machined again, be it a pocket or a stud. Only of parameters that are corrected by themselves, or
 //! are a number and the deviation, and are a size of a pocket, a stud or a slot; or where the deviation of the other side of
-//! the same rectangle is taken away.
+//! the same rectangle is taken away. Also a deviation of a diameter or a width that is the oversize of a radius at a tool
+//! call without being halved, or with the wrong sign.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{Node, Op, QRef};
-use crate::check::cycle::{probes, removes_material};
+use crate::check::cycle::{probes, probes_around, removes_material};
+use crate::check::program::assigned;
 use crate::check::{Defined, Facts, Rule};
 use crate::program::syntax::{Amount, Block, BlockKind, FnOp, ValueKind};
 use crate::spec::Keyword;
@@ -52,6 +54,7 @@ struct Correction {
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    radius(rule, facts, found);
     let (results, corrections) = corrections(facts);
     if corrections.is_empty() {
         return;
@@ -210,4 +213,161 @@ fn sizes(facts: &Facts<'_>) -> BTreeMap<QRef, BTreeSet<&'static str>> {
         }
     }
     sizes
+}
+
+/// A multiple of a deviation that a parameter has.
+#[derive(Clone, Copy)]
+struct Share {
+    deviation: QRef,
+    factor: f64,
+    /// What is measured gets smaller by machining.
+    around: bool,
+    span: Span,
+}
+
+/// Deviations of diameters and widths that correct a radius by all of them and not by half, or the wrong way round: a
+/// tool that is called with a positive oversize stays away from the contour.
+fn radius(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let oversized = |block: &Block| match &block.kind {
+        BlockKind::ToolCall(call) => match call.dr?.amount {
+            Amount::Q { q, negative } => Some((q, negative, call.dr?.span)),
+            _ => None,
+        },
+        _ => None,
+    };
+    if !facts.marked().any(|(_, block)| oversized(block).is_some()) {
+        return;
+    }
+    // The deviations that a measurement gives, and the parameters with a share of one; nothing of those that are unsure.
+    let mut deviations: BTreeMap<QRef, bool> = BTreeMap::new();
+    let mut shares: BTreeMap<QRef, Option<Share>> = BTreeMap::new();
+    let mut definitions = facts.definitions.iter().peekable();
+    let mut direct = Vec::new();
+    for (index, block) in facts.marked() {
+        while let Some(own) = definitions.next_if(|own| own.view.first < index) {
+            let Some(cycle) = own.related_cycle().filter(|cycle| probes(cycle)) else { continue };
+            let around = probes_around(cycle) || cycle.file.name.as_str().contains("ridge");
+            for result in &cycle.file.results {
+                if let (Some(q), true) = (result.q, DEVIATIONS.contains(&result.is.as_str())) {
+                    deviations.insert(q, around);
+                }
+            }
+        }
+        if let Some((q, negative, span)) = oversized(block)
+            && let Some(around) = deviations.get(&q)
+        {
+            let factor = if negative { -1.0 } else { 1.0 };
+            direct.push(Share { deviation: q, factor, around: *around, span });
+        }
+        let Some((target, span)) = assigned(block) else { continue };
+        let linear = linear(block);
+        let of = |q: QRef| match deviations.get(&q) {
+            Some(around) => Some(Share { deviation: q, factor: 1.0, around: *around, span }),
+            None => shares.get(&q).copied().flatten(),
+        };
+        let others = linear.iter().flatten().filter(|(q, _)| *q != target);
+        let parts: Vec<Option<Share>> =
+            others.map(|(q, factor)| of(*q).map(|own| Share { factor: own.factor * factor, ..own })).collect();
+        let keeps = linear.as_ref().is_some_and(|all| all.iter().all(|(q, own)| *q != target || *own == 1.0));
+        match (parts.as_slice(), keeps) {
+            // A number, as before the first measurement.
+            ([], true) => {}
+            ([Some(only)], true) => {
+                let only = Share { span, ..*only };
+                let same = |before: &Share| before.factor == only.factor && before.around == only.around;
+                let before = shares.entry(target).or_insert(Some(only));
+                *before = before.filter(same);
+            }
+            _ => {
+                shares.insert(target, None);
+            }
+        }
+    }
+    let mut reported: BTreeSet<usize> = BTreeSet::new();
+    let called = facts.marked().filter_map(|(_, block)| oversized(block)).filter_map(|(q, negative, _)| {
+        let share = shares.get(&q).copied().flatten()?;
+        Some(Share { factor: if negative { -share.factor } else { share.factor }, ..share })
+    });
+    for own in direct.into_iter().chain(called) {
+        // What is too large is machined further with a stud by less oversize, with a pocket by more.
+        let turned = (own.factor > 0.0) == own.around;
+        let what = match own.factor.abs() {
+            1.0 => "radius",
+            0.5 if turned => "turned",
+            _ => continue,
+        };
+        if reported.insert(own.span.start) {
+            let finding = rule.at(facts, own.span).arg("what", what).arg("parameter", own.deviation.to_string());
+            found.push(finding.arg("other", ""));
+        }
+    }
+}
+
+/// The parameters in what a block calculates, with their factors; nothing if it is no sum of multiples of them.
+fn linear(block: &Block) -> Option<Vec<(QRef, f64)>> {
+    let of = |amount: Amount| match amount {
+        Amount::Q { q, negative } => Some((vec![(q, if negative { -1.0 } else { 1.0 })], 0.0)),
+        Amount::Number(number) => Some((Vec::new(), number)),
+        Amount::Text(_) => None,
+    };
+    let sum = match &block.kind {
+        BlockKind::FnAssign(own) => {
+            let b = || own.b.as_ref().and_then(|own| of(own.amount));
+            match own.op {
+                FnOp::Set => of(own.a.amount)?,
+                FnOp::Add => add(of(own.a.amount)?, b()?, 1.0),
+                FnOp::Sub => add(of(own.a.amount)?, b()?, -1.0),
+                FnOp::Mul => times(of(own.a.amount)?, b()?)?,
+                FnOp::Div => over(of(own.a.amount)?, b()?)?,
+                _ => return None,
+            }
+        }
+        BlockKind::Formula(own) => sum_of(&own.expr.node)?,
+        _ => return None,
+    };
+    Some(sum.0)
+}
+
+/// Multiples of parameters, and a number.
+type Sum = (Vec<(QRef, f64)>, f64);
+
+fn add(mut one: Sum, other: Sum, sign: f64) -> Sum {
+    one.0.extend(other.0.into_iter().map(|(q, factor)| (q, sign * factor)));
+    (one.0, one.1 + sign * other.1)
+}
+
+fn scaled(sum: Sum, by: f64) -> Sum {
+    (sum.0.into_iter().map(|(q, factor)| (q, factor * by)).collect(), sum.1 * by)
+}
+
+fn times(one: Sum, other: Sum) -> Option<Sum> {
+    match (one.0.is_empty(), other.0.is_empty()) {
+        (true, _) => Some(scaled(other, one.1)),
+        (_, true) => Some(scaled(one, other.1)),
+        _ => None,
+    }
+}
+
+fn over(one: Sum, other: Sum) -> Option<Sum> {
+    (other.0.is_empty() && other.1 != 0.0).then(|| scaled(one, 1.0 / other.1))
+}
+
+fn sum_of(node: &Node) -> Option<Sum> {
+    Some(match node {
+        Node::Number(number) => (Vec::new(), *number),
+        Node::Q(q) => (vec![(*q, 1.0)], 0.0),
+        Node::Unary(Op::Sub, inner) => scaled(sum_of(&inner.node)?, -1.0),
+        Node::Unary(Op::Add, inner) => sum_of(&inner.node)?,
+        Node::Binary(op, left, right) => {
+            let (left, right) = (sum_of(&left.node)?, sum_of(&right.node)?);
+            match op {
+                Op::Add => add(left, right, 1.0),
+                Op::Sub => add(left, right, -1.0),
+                Op::Mul => times(left, right)?,
+                Op::Div => over(left, right)?,
+                _ => return None,
+            }
+        }
+        _ => return None,
+    })
 }
