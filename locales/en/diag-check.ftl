@@ -737,6 +737,6 @@ diag-correction-wrong =
     }
 diag-monitored-tool-idle =
     { $what ->
-        [elsewhere] { $cycle } monitors or corrects tool { $tool }, which has machined only elsewhere: here it was tool { $other }.
+        [elsewhere] { $cycle } monitors or corrects tool { $tool }, which has not milled what is measured: that was tool { $other }.
        *[idle] { $cycle } monitors or corrects tool { $tool }, which has not been called before.
     }

@@ -736,6 +736,6 @@ diag-correction-wrong =
     }
 diag-monitored-tool-idle =
     { $what ->
-        [elsewhere] { $cycle } valvoo tai korjaa työkalua { $tool }, joka on koneistanut vain muualla: tässä on koneistanut työkalu { $other }.
+        [elsewhere] { $cycle } valvoo tai korjaa työkalua { $tool }, joka ei ole jyrsinyt sitä, mikä mitataan: sen on tehnyt työkalu { $other }.
        *[idle] { $cycle } valvoo tai korjaa työkalua { $tool }, jota ei ole kutsuttu aiemmin.
     }

@@ -736,6 +736,6 @@ diag-correction-wrong =
     }
 diag-monitored-tool-idle =
     { $what ->
-        [elsewhere] { $cycle } controlla o corregge l’utensile { $tool }, che ha lavorato solo altrove: qui ha lavorato l’utensile { $other }.
+        [elsewhere] { $cycle } controlla o corregge l’utensile { $tool }, che non ha fresato ciò che viene misurato: è stato l’utensile { $other }.
        *[idle] { $cycle } controlla o corregge l’utensile { $tool }, che prima non è stato chiamato.
     }

@@ -737,6 +737,6 @@ diag-correction-wrong =
     }
 diag-monitored-tool-idle =
     { $what ->
-        [elsewhere] { $cycle } vigia ou corrige a ferramenta { $tool }, que só maquinou noutro sítio: aqui foi a ferramenta { $other }.
+        [elsewhere] { $cycle } vigia ou corrige a ferramenta { $tool }, que não fresou o que é medido: foi a ferramenta { $other }.
        *[idle] { $cycle } vigia ou corrige a ferramenta { $tool }, que antes não foi chamada.
     }

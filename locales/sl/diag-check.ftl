@@ -740,6 +740,6 @@ diag-correction-wrong =
     }
 diag-monitored-tool-idle =
     { $what ->
-        [elsewhere] { $cycle } nadzoruje ali popravlja orodje { $tool }, ki je obdelovalo le drugje: tu je obdelovalo orodje { $other }.
+        [elsewhere] { $cycle } nadzoruje ali popravlja orodje { $tool }, ki merjenega ni rezkalo: to je naredilo orodje { $other }.
        *[idle] { $cycle } nadzoruje ali popravlja orodje { $tool }, ki prej ni bilo priklicano.
     }

@@ -162,10 +162,15 @@ fn of_words(words: &str) -> Option<Purpose> {
     const LOST: [&str; 10] =
         ["SCRAP", "REJECT", "AUSSCHUSS", "SCARTO", "SUCATA", "IZMET", "HYLKY", "BROKEN", "BREAKAGE", "BRUCH"];
     const FAULT: [&str; 9] = ["ERROR", "FAULT", "FEHLER", "ALARM", "NOK", "BAD", "ERRORE", "VIRHE", "NAPAKA"];
+    // What comes when something is over, or to find it out, is none of it.
     const NOT: [&str; 8] = ["NOT", "NO", "NON", "NICHT", "KEIN", "EI", "NE", "WITHOUT"];
+    const BESIDE: [&str; 16] = [
+        "END", "ENDE", "SKIP", "AFTER", "DONE", "FINE", "DOPO", "LOPPU", "KONEC", "FIM", "CONTINUE", "WEITER", "NEXT",
+        "CHECK", "TEST", "OR",
+    ];
     let words = words.to_ascii_uppercase();
     let parts = || words.split(|sign: char| !sign.is_alphanumeric()).filter(|part| !part.is_empty());
-    if parts().any(|part| NOT.contains(&part)) {
+    if parts().any(|part| NOT.contains(&part) || BESIDE.contains(&part)) {
         return None;
     }
     let begins = |all: &[&str]| parts().any(|part| all.iter().any(|own| part.starts_with(own)));

@@ -89,12 +89,10 @@ fn elsewhere(rule: &Rule, facts: &Facts<'_>, called: &BTreeSet<u64>, found: &mut
             let [x, y] = own.from([x, y]);
             libm::hypot(x, y) < AWAY && own.blank.is_none() == inside
         };
-        let last = milled.iter().filter(|other| other.block < own.view.first && here(other)).next_back();
-        let Some(other) = last.and_then(|own| number_of(facts, own.loaded)).filter(|other| *other != tool) else {
-            continue;
-        };
-        let size = last.map_or(0.0, |own| own.shape.outer());
-        if is_elsewhere(facts, tool, [x, y], size) {
+        let Some(last) = milled.iter().rfind(|other| other.block < own.view.first && here(other)) else { continue };
+        let Some(other) = number_of(facts, last.loaded).filter(|other| *other != tool) else { continue };
+        let mills = milled.iter().filter(here).any(|own| number_of(facts, own.loaded).is_none_or(|own| own == tool));
+        if !mills && is_elsewhere(facts, tool, last) {
             let finding = rule.at(facts, item.value_span).arg("what", "elsewhere").arg("tool", Arg::Number(tool));
             found.push(finding.arg("cycle", own.key.to_string()).arg("other", Arg::Number(other)));
         }
@@ -113,8 +111,9 @@ fn number_of(facts: &Facts<'_>, loaded: Loaded) -> Option<f64> {
     }
 }
 
-/// Whether all that a tool does is to call cycles at places which are known and away from a centre.
-fn is_elsewhere(facts: &Facts<'_>, tool: f64, centre: [f64; 2], size: f64) -> bool {
+/// Whether all that a tool does is to call cycles at places which are known and away from what another one has milled, or
+/// before that, as a drill does.
+fn is_elsewhere(facts: &Facts<'_>, tool: f64, last: &Milled) -> bool {
     let its = |loaded: Loaded| match loaded {
         Loaded::None => false,
         Loaded::By(_) => number_of(facts, loaded).is_none_or(|own| own == tool),
@@ -124,7 +123,8 @@ fn is_elsewhere(facts: &Facts<'_>, tool: f64, centre: [f64; 2], size: f64) -> bo
     for call in facts.run.calls.iter().filter(|call| its(call.modal.loaded)) {
         let place = place_of_call(facts, call.block).filter(|_| is_unmoved(&call.modal));
         let Some([x, y]) = place else { return false };
-        if libm::hypot(x - centre[0], y - centre[1]) <= size {
+        let [x, y] = last.from([x, y]);
+        if call.block > last.block && libm::hypot(x, y) <= last.shape.outer() {
             return false;
         }
         any = true;
