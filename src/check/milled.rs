@@ -16,10 +16,8 @@ use crate::spec::{Cycle, Group};
 const INSIDE_ROUND: [&str; 2] = ["circle-diameter", "nominal-diameter"];
 const INSIDE: [[&str; 2]; 2] = [["first-side-length", "second-side-length"], ["slot-length", "milled-slot-width"]];
 const AROUND_ROUND: [&str; 2] = ["finished-part-diameter", "blank-diameter"];
-const AROUND: [[&str; 2]; 2] = [
-    ["stud-first-side-length", "blank-first-side-length"],
-    ["stud-second-side-length", "blank-second-side-length"],
-];
+const AROUND: [[&str; 2]; 2] =
+    [["stud-first-side-length", "blank-first-side-length"], ["stud-second-side-length", "blank-second-side-length"]];
 /// The meanings of the angle about which it is turned, and of the place that the call names in it.
 const ANGLE: &str = "angle-of-rotation";
 const POSITIONS: [&str; 3] = ["pocket-position", "slot-position", "stud-position"];
@@ -162,8 +160,8 @@ impl Kind {
             None => 0.0,
         };
         let inside = INSIDE_ROUND.iter().find_map(|own| value(own)).map(Shape::Round);
-        let inside =
-            inside.or_else(|| INSIDE.iter().find_map(|[one, two]| Some(Shape::Sides([value(one)?, value(two)?], angle))));
+        let inside = inside
+            .or_else(|| INSIDE.iter().find_map(|[one, two]| Some(Shape::Sides([value(one)?, value(two)?], angle))));
         if let Some(shape) = inside {
             return Some(Self { shape, blank: None, heights });
         }

@@ -147,11 +147,9 @@ pub(super) fn purpose(facts: &Facts<'_>, label: usize) -> Option<Purpose> {
         let branch = blocks.iter().skip(1).take(FIRST).take_while(begins);
         // What comes after a comment and something else belongs to something else.
         let end = |block: &&Block| is_silent(block) || matches!(block.kind, BlockKind::Motion(_)) || halts(block);
-        branch.take_while(end).find_map(|block| of_words(facts.text(if is_silent(block) {
-            facts.content(block)
-        } else {
-            block.comment()?
-        })))
+        branch.take_while(end).find_map(|block| {
+            of_words(facts.text(if is_silent(block) { facts.content(block) } else { block.comment()? }))
+        })
     })
 }
 

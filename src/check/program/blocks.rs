@@ -2,8 +2,8 @@
 use crate::base::diag::Span;
 use crate::base::expr::{Node, QRef};
 use crate::program::syntax::{
-    Amount, Block, BlockKind, CallForm, CycleKeyword, Feed, FeedKind, FnOp, Label, MFunction, Motion, Operand, Path, Program,
-    Relation, StatementKind, ToolRef, ValueKind,
+    Amount, Block, BlockKind, CallForm, CycleKeyword, Feed, FeedKind, FnOp, Label, MFunction, Motion, Operand, Path,
+    Program, Relation, StatementKind, ToolRef, ValueKind,
 };
 
 /// What the first line of a block says, without its number and the blanks around it.

@@ -40,9 +40,8 @@ const ANGLES: [&str; 3] = ["first-hole-angle", "second-hole-angle", "third-hole-
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let of_holes = |own: &&Defined<'_>| {
         let has = |cycle: &Cycle, meaning: &str| with_meaning(cycle, meaning).is_some();
-        own.related_cycle().is_some_and(|cycle| {
-            has(cycle, CLEARANCE_HEIGHT) && (has(cycle, CENTRES[1][0]) || has(cycle, ANGLES[0]))
-        })
+        own.related_cycle()
+            .is_some_and(|cycle| has(cycle, CLEARANCE_HEIGHT) && (has(cycle, CENTRES[1][0]) || has(cycle, ANGLES[0])))
     };
     let mut cycles = facts.definitions.iter().filter(of_holes).peekable();
     if cycles.peek().is_none() {
@@ -63,7 +62,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let studs = milled.iter().filter(before).filter(|stud| stud.same_datum(facts, own.view.first));
         let on_the_way = studs.filter_map(|stud| {
             let top = stud.heights[0].filter(|top| *top > height)?;
-            let near = |ends: &[[f64; 2]]| matches!(ends, [from, to] if apart(stud.at, *from, *to) < stud.shape.inner());
+            let near =
+                |ends: &[[f64; 2]]| matches!(ends, [from, to] if apart(stud.at, *from, *to) < stud.shape.inner());
             holes.windows(2).any(near).then_some(top)
         });
         if let Some(top) = on_the_way.reduce(f64::max) {

@@ -228,77 +228,106 @@ struct Share {
 /// Deviations of diameters and widths that correct a radius by all of them and not by half, or the wrong way round: a
 /// tool that is called with a positive oversize stays away from the contour.
 fn radius(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let oversized = |block: &Block| match &block.kind {
-        BlockKind::ToolCall(call) => match call.dr?.amount {
-            Amount::Q { q, negative } => Some((q, negative, call.dr?.span)),
-            _ => None,
-        },
-        _ => None,
-    };
-    if !facts.marked().any(|(_, block)| oversized(block).is_some()) {
+    if !facts.marked().any(|(_, block)| oversize(block).is_some()) {
         return;
     }
-    // The deviations that a measurement gives, and the parameters with a share of one; nothing of those that are unsure.
-    let mut deviations: BTreeMap<QRef, bool> = BTreeMap::new();
-    let mut shares: BTreeMap<QRef, Option<Share>> = BTreeMap::new();
+    let mut shares = Shares::default();
     let mut definitions = facts.definitions.iter().peekable();
-    let mut direct = Vec::new();
+    let mut used = Vec::new();
     for (index, block) in facts.marked() {
         while let Some(own) = definitions.next_if(|own| own.view.first < index) {
-            let Some(cycle) = own.related_cycle().filter(|cycle| probes(cycle)) else { continue };
-            let around = probes_around(cycle) || cycle.file.name.as_str().contains("ridge");
-            for result in &cycle.file.results {
-                if let (Some(q), true) = (result.q, DEVIATIONS.contains(&result.is.as_str())) {
-                    deviations.insert(q, around);
-                }
-            }
+            shares.measure(own);
         }
-        if let Some((q, negative, span)) = oversized(block)
-            && let Some(around) = deviations.get(&q)
+        if let Some((q, sign, span)) = oversize(block)
+            && let Some(around) = shares.deviations.get(&q)
         {
-            let factor = if negative { -1.0 } else { 1.0 };
-            direct.push(Share { deviation: q, factor, around: *around, span });
+            used.push(Share { deviation: q, factor: sign, around: *around, span });
         }
-        let Some((target, span)) = assigned(block) else { continue };
-        let linear = linear(block);
-        let of = |q: QRef| match deviations.get(&q) {
+        shares.assign(block);
+    }
+    // A tool call may come before the measurement, in a loop.
+    let called = facts.marked().filter_map(|(_, block)| oversize(block));
+    used.extend(called.filter_map(|(q, sign, _)| {
+        let share = shares.own.get(&q).copied().flatten()?;
+        Some(Share { factor: sign * share.factor, ..share })
+    }));
+    let mut reported: BTreeSet<usize> = BTreeSet::new();
+    for (own, what) in used.iter().filter_map(|own| Some((own, own.fault()?))) {
+        if reported.insert(own.span.start) {
+            let finding = rule.at(facts, own.span).arg("what", what).arg("parameter", own.deviation.to_string());
+            found.push(finding.arg("other", ""));
+        }
+    }
+}
+
+/// The parameter that is the oversize of a radius at a tool call, its sign and its place.
+fn oversize(block: &Block) -> Option<(QRef, f64, Span)> {
+    let BlockKind::ToolCall(call) = &block.kind else { return None };
+    match call.dr?.amount {
+        Amount::Q { q, negative } => Some((q, if negative { -1.0 } else { 1.0 }, call.dr?.span)),
+        _ => None,
+    }
+}
+
+impl Share {
+    /// What is wrong with it as the oversize of a radius.
+    fn fault(&self) -> Option<&'static str> {
+        // What is too large is machined further with a stud by less oversize, with a pocket by more.
+        let turned = (self.factor > 0.0) == self.around;
+        match self.factor.abs() {
+            1.0 => Some("radius"),
+            0.5 if turned => Some("turned"),
+            _ => None,
+        }
+    }
+}
+
+/// What is known of deviations on the way through the text.
+#[derive(Default)]
+struct Shares {
+    /// Those that measurements give, and whether what is measured gets smaller by machining.
+    deviations: BTreeMap<QRef, bool>,
+    /// The parameters with a share of one; nothing of those that are unsure.
+    own: BTreeMap<QRef, Option<Share>>,
+}
+
+impl Shares {
+    fn measure(&mut self, own: &Defined<'_>) {
+        let Some(cycle) = own.related_cycle().filter(|cycle| probes(cycle)) else { return };
+        let around = probes_around(cycle) || cycle.file.name.as_str().contains("ridge");
+        let deviations = cycle.file.results.iter().filter(|own| DEVIATIONS.contains(&own.is.as_str()));
+        self.deviations.extend(deviations.filter_map(|own| Some((own.q?, around))));
+    }
+
+    /// The share that a parameter is.
+    fn of(&self, q: QRef, span: Span) -> Option<Share> {
+        match self.deviations.get(&q) {
             Some(around) => Some(Share { deviation: q, factor: 1.0, around: *around, span }),
-            None => shares.get(&q).copied().flatten(),
-        };
+            None => self.own.get(&q).copied().flatten(),
+        }
+    }
+
+    fn assign(&mut self, block: &Block) {
+        let Some((target, span)) = assigned(block) else { return };
+        let linear = linear(block);
         let others = linear.iter().flatten().filter(|(q, _)| *q != target);
-        let parts: Vec<Option<Share>> =
-            others.map(|(q, factor)| of(*q).map(|own| Share { factor: own.factor * factor, ..own })).collect();
+        let part = |(q, factor): &(QRef, f64)| {
+            let share = self.of(*q, span)?;
+            Some(Share { factor: share.factor * factor, span, ..share })
+        };
+        let parts: Vec<Option<Share>> = others.map(part).collect();
         let keeps = linear.as_ref().is_some_and(|all| all.iter().all(|(q, own)| *q != target || *own == 1.0));
         match (parts.as_slice(), keeps) {
             // A number, as before the first measurement.
             ([], true) => {}
             ([Some(only)], true) => {
-                let only = Share { span, ..*only };
                 let same = |before: &Share| before.factor == only.factor && before.around == only.around;
-                let before = shares.entry(target).or_insert(Some(only));
+                let before = self.own.entry(target).or_insert(Some(*only));
                 *before = before.filter(same);
             }
             _ => {
-                shares.insert(target, None);
+                self.own.insert(target, None);
             }
-        }
-    }
-    let mut reported: BTreeSet<usize> = BTreeSet::new();
-    let called = facts.marked().filter_map(|(_, block)| oversized(block)).filter_map(|(q, negative, _)| {
-        let share = shares.get(&q).copied().flatten()?;
-        Some(Share { factor: if negative { -share.factor } else { share.factor }, ..share })
-    });
-    for own in direct.into_iter().chain(called) {
-        // What is too large is machined further with a stud by less oversize, with a pocket by more.
-        let turned = (own.factor > 0.0) == own.around;
-        let what = match own.factor.abs() {
-            1.0 => "radius",
-            0.5 if turned => "turned",
-            _ => continue,
-        };
-        if reported.insert(own.span.start) {
-            let finding = rule.at(facts, own.span).arg("what", what).arg("parameter", own.deviation.to_string());
-            found.push(finding.arg("other", ""));
         }
     }
 }

@@ -75,7 +75,9 @@ fn elsewhere(rule: &Rule, facts: &Facts<'_>, called: &BTreeSet<u64>, found: &mut
         return;
     }
     for own in &facts.definitions {
-        let Some(cycle) = own.related_cycle().filter(|cycle| with_meaning(cycle, MONITORED).is_some()) else { continue };
+        let Some(cycle) = own.related_cycle().filter(|cycle| with_meaning(cycle, MONITORED).is_some()) else {
+            continue;
+        };
         let inside = !probes_around(cycle);
         let related = own.as_related_cycle();
         let read = facts.read(&related);

@@ -284,7 +284,8 @@ fn across(facts: &Facts<'_>, read: &Definition<'_>, milled: &[Milled]) -> Option
     let block = read.view.first;
     let value = |meaning: &str| read.item(meaning).and_then(number);
     let place = [PLACES[0], PLACES[4]].iter().find_map(|[main, minor]| Some([value(main)?, value(minor)?]))?;
-    let here = |own: &&Milled| own.block < block && own.same_datum(facts, block) && own.shape.holds(own.from(place), 0.0);
+    let here =
+        |own: &&Milled| own.block < block && own.same_datum(facts, block) && own.shape.holds(own.from(place), 0.0);
     let widths = milled.iter().rfind(here)?.shape.widths()?;
     if let Some(item) = read.item(AXIS) {
         let axis = [1.0, 2.0].iter().position(|own| number(item) == Some(*own))?;
