@@ -53,7 +53,11 @@ diag-called-program-missing = The called program { $name } is not in the folder 
 diag-centre-in-other-plane = The arc and its centre are not in the same plane.
 diag-chamfer-wrong-side = The tip of the chamfering tool goes { $value } deep through solid material, { $other } inside the edge of the blank: outside the edge it would chamfer it.
 diag-choice-not-offered = { $parameter }={ $value } is not one of the choices: { $offered }.
-diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearance height { $parameter }={ $value } must be above { $least }.
+diag-clearance-height-too-low =
+    { $what ->
+        [stud] { $cycle } moves from hole to hole at { $parameter }={ $value }, and a stud in between reaches up to { $least }.
+       *[touched] { $cycle } touches at { $touched }: the clearance height { $parameter }={ $value } must be above { $least }.
+    }
 diag-compensation-at-cycle =
     { $cycle } is executed here while radius compensation is active.
 diag-compensation-left-on = Radius compensation is still active here.
@@ -546,6 +550,7 @@ diag-wrong-tool-type =
         [measured] { $cycle } measures the tool that has just probed here.
         [contour] The tool that has just probed moves along a contour here.
         [named] { $cycle } measures a touch probe here, if the name of the tool is right.
+        [calibrates] { $cycle } calibrates the tool touch probe here with a tool that cuts.
        *[mill] { $cycle } machines here with the tool that has just probed.
     }
 diag-tool-unused = Tool { $tool } is called here, and the next block calls another one.
@@ -555,6 +560,7 @@ diag-transfer-parameter-overwritten =
         [passed] { $cycle } read { $parameter } when it was defined: the value written here does not affect its call.
         [filled] { $cycle } fills four parameters, starting with the one named here, and overwrites { $parameter }, which the program has written before and reads later.
         [lost] { $cycle } overwrites { $parameter } before the program reads the value written here.
+        [result] { $parameter } is copied twice after one measurement: the result of the measurement before it was overwritten unread.
        *[call] { $parameter } belongs to { $cycle }, which is called later: the call uses the value written here.
     }
 diag-transformation-forbidden =
@@ -700,6 +706,8 @@ diag-probing-place-wrong =
         [size] A size of { $value } is probed here, and the blank is only { $other } wide there.
         [axis] Measured is the axis in which the place is at { $value }, but the greatest dimension is { $other }: the limits are those of another axis.
         [later] A diameter of { $value } is probed here, and later one of { $other } at the same centre: the probe goes down beside the hole.
+        [removed] The surface at { $value } that is probed here has been milled away before, down to { $other }.
+        [across] A width of { $value } is probed in this axis, but what was milled here is { $other } wide along it: it lies the other way.
        *[outside] The place { $value }, { $other } is beside the blank: there is nothing to probe.
     }
 diag-rough-out-tool-other =
@@ -745,6 +753,12 @@ diag-correction-wrong =
     { $what ->
         [side] { $parameter } is corrected by { $other }, which is the deviation of the other side.
         [actual] { $other } is the measured size itself, not its deviation: next to nothing is left of the size { $parameter }.
+        [radius] { $parameter } is the deviation of a diameter or a width, and corrects the radius of the tool without being halved.
+        [turned] The deviation { $parameter } corrects the radius of the tool with the wrong sign: the error is doubled.
        *[added] The deviation { $other } is added to the size { $parameter }: it must be taken away.
     }
-diag-monitored-tool-idle = { $cycle } monitors or corrects tool { $tool }, which has not been called before.
+diag-monitored-tool-idle =
+    { $what ->
+        [elsewhere] { $cycle } monitors or corrects tool { $tool }, which has not milled what is measured: that was tool { $other }.
+       *[idle] { $cycle } monitors or corrects tool { $tool }, which has not been called before.
+    }

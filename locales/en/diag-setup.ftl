@@ -44,6 +44,7 @@ diag-preset-row-wrong =
         [other] Preset { $other } is activated here, but the probed one is preset { $row }, which is never activated.
         [datum] Row { $row } of the datum table is written here and never activated: machining goes on with another datum.
         [same] Preset { $row } is active already; here it is activated again, after the program has stopped for the operator.
+        [table] Row { $row } of the datum table is written here, but then preset { $row } is activated, which nothing has written.
        *[unused] Preset { $row } is written here and never activated: machining goes on with another preset.
     }
 diag-repeat-without-effect =
@@ -113,6 +114,9 @@ diag-error-branch-entered =
     { $what ->
         [turned] The jump over the stop is taken where { $parameter } reports a fault.
         [implied] This jump and the one before it go to the same label and compare { $parameter } in the same direction: one of the two limits says nothing.
+        [branch] The condition of this jump does not fit its branch: with this value { $parameter } means something else than the label or the comment there.
+        [good] This jump to a branch for faults is also taken when all is well: { $parameter } reports no fault with this value.
+        [unchecked] The cycle measures the tool anew here and compares it with nothing: { $parameter }, which is asked for afterwards, reports no fault.
        *[entered] The run comes to this branch without its jump, and stops: neither M2 nor M30 ends the program before it.
     }
 diag-finishing-before-roughing =

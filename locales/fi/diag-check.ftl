@@ -53,7 +53,11 @@ diag-called-program-missing = Ohjelma { $name } ei ole tämän ohjelman kansioss
 diag-centre-in-other-plane = Kaari ja sen keskipiste eivät ole samassa tasossa.
 diag-chamfer-wrong-side = Viistetyökalun kärki kulkee { $value } syvällä umpinaisessa aineessa, { $other } aihion reunan sisäpuolella: reunan ulkopuolella se viistäisi reunan.
 diag-choice-not-offered = { $parameter }={ $value } ei ole mikään vaihtoehdoista: { $offered }.
-diag-clearance-height-too-low = { $cycle } koskettaa korkeudella { $touched }: varmuuskorkeuden { $parameter }={ $value } on oltava suurempi kuin { $least }.
+diag-clearance-height-too-low =
+    { $what ->
+        [stud] { $cycle } siirtyy reiältä reiälle korkeudella { $parameter }={ $value }, ja niiden välissä oleva kaula ulottuu korkeuteen { $least }.
+       *[touched] { $cycle } koskettaa korkeudella { $touched }: varmuuskorkeuden { $parameter }={ $value } on oltava suurempi kuin { $least }.
+    }
 diag-compensation-at-cycle =
     { $cycle } suoritetaan tässä sädekorjauksen ollessa voimassa.
 diag-compensation-left-on = Sädekorjaus on tässä vielä voimassa.
@@ -545,6 +549,7 @@ diag-wrong-tool-type =
         [measured] { $cycle } mittaa tässä työkalun, jolla on juuri kosketettu.
         [contour] Työkalu, jolla on juuri kosketettu, kulkee tässä muotoa pitkin.
         [named] { $cycle } mittaa tässä kosketusjärjestelmän, jos työkalun nimi pitää paikkansa.
+        [calibrates] { $cycle } kalibroi tässä pöytäkosketusjärjestelmän lastuavalla työkalulla.
        *[mill] { $cycle } koneistaa tässä työkalulla, jolla on juuri kosketettu.
     }
 diag-tool-unused = Työkalu { $tool } kutsutaan tässä, ja seuraava lause kutsuu toisen.
@@ -554,6 +559,7 @@ diag-transfer-parameter-overwritten =
         [passed] { $cycle } on lukenut parametrin { $parameter } määriteltäessä: tässä kirjoitettava arvo ei muuta sen kutsua.
         [filled] { $cycle } täyttää tässä nimetystä alkaen neljä parametria, myös parametrin { $parameter }, johon ohjelma on kirjoittanut aiemmin ja jonka se lukee myöhemmin.
         [lost] { $cycle } kirjoittaa parametrin { $parameter } päälle, ennen kuin ohjelma lukee tässä kirjoitetun arvon.
+        [result] { $parameter } kopioidaan kahdesti saman mittauksen jälkeen: sitä edeltävän mittauksen tulos on kirjoitettu yli lukematta.
        *[call] { $parameter } kuuluu työkiertoon { $cycle }, jota kutsutaan myöhemmin: kutsu käyttää tässä kirjoitettavaa arvoa.
     }
 diag-transformation-forbidden =
@@ -699,6 +705,8 @@ diag-probing-place-wrong =
         [size] Tässä kosketetaan mitta { $value }, mutta aihion leveys on siinä vain { $other }.
         [axis] Mitataan akseli, jolla paikka on { $value }, mutta suurin mitta on { $other }: rajat ovat toisen akselin.
         [later] Tässä kosketetaan halkaisija { $value }, ja myöhemmin samassa keskipisteessä { $other }: kosketuspää laskeutuu reiän viereen.
+        [removed] Tässä kosketettava pinta korkeudella { $value } on jyrsitty aiemmin pois korkeuteen { $other } asti.
+        [across] Tällä akselilla kosketetaan leveys { $value }, mutta tässä jyrsityn leveys on sen suunnassa { $other }: se on toisin päin.
        *[outside] Paikka { $value }; { $other } on aihion vieressä: siinä ei ole mitään kosketettavaa.
     }
 diag-rough-out-tool-other =
@@ -744,6 +752,12 @@ diag-correction-wrong =
     { $what ->
         [side] Parametria { $parameter } korjataan arvolla { $other }, joka on toisen sivun ero.
         [actual] { $other } on mitattu mitta itse eikä sen ero: mitasta { $parameter } ei jää juuri mitään.
+        [radius] { $parameter } on halkaisijan tai leveyden ero ja korjaa työkalun sädettä puolittamatta.
+        [turned] Ero { $parameter } korjaa työkalun sädettä väärällä etumerkillä: virhe kaksinkertaistuu.
        *[added] Ero { $other } lisätään mittaan { $parameter }: se on vähennettävä.
     }
-diag-monitored-tool-idle = { $cycle } valvoo tai korjaa työkalua { $tool }, jota ei ole kutsuttu aiemmin.
+diag-monitored-tool-idle =
+    { $what ->
+        [elsewhere] { $cycle } valvoo tai korjaa työkalua { $tool }, joka ei ole jyrsinyt sitä, mikä mitataan: sen on tehnyt työkalu { $other }.
+       *[idle] { $cycle } valvoo tai korjaa työkalua { $tool }, jota ei ole kutsuttu aiemmin.
+    }

@@ -44,6 +44,7 @@ diag-preset-row-wrong =
         [other] Tässä aktivoidaan esiasetus { $other }, mutta mitattu on esiasetus { $row }, jota ei koskaan aktivoida.
         [datum] Nollapistetaulukon rivi { $row } kirjoitetaan tässä, mutta sitä ei koskaan aktivoida: koneistus jatkuu toisella nollapisteellä.
         [same] Esiasetus { $row } on jo voimassa; tässä se aktivoidaan uudelleen sen jälkeen, kun ohjelma on pysähtynyt käyttäjää varten.
+        [table] Tässä kirjoitetaan nollapistetaulukon rivi { $row }, mutta sitten aktivoidaan esiasetus { $row }, jota mikään ei ole kirjoittanut.
        *[unused] Esiasetus { $row } kirjoitetaan tässä, mutta sitä ei koskaan aktivoida: koneistus jatkuu toisella esiasetuksella.
     }
 diag-repeat-without-effect =
@@ -113,6 +114,9 @@ diag-error-branch-entered =
     { $what ->
         [turned] Pysäytyksen yli hypätään silloin, kun { $parameter } ilmoittaa viasta.
         [implied] Tämä hyppy ja sitä edeltävä vievät samaan labeliin ja vertaavat arvoa { $parameter } samaan suuntaan: toinen rajoista ei vaikuta mihinkään.
+        [branch] Tämän hypyn ehto ei sovi haaraansa: tällä arvolla { $parameter } tarkoittaa muuta kuin siellä oleva label tai kommentti.
+        [good] Tämä hyppy vikahaaraan tehdään myös silloin, kun kaikki on kunnossa: tällä arvolla { $parameter } ei ilmoita viasta.
+        [unchecked] Työkierto mittaa tässä työkalun uudelleen eikä vertaa sitä mihinkään: { $parameter }, jota kysytään myöhemmin, ei ilmoita viasta.
        *[entered] Suoritus tulee tähän haaraan myös ilman hyppyä ja pysähtyy: M2 tai M30 ei päätä ohjelmaa ennen sitä.
     }
 diag-finishing-before-roughing =

@@ -53,7 +53,11 @@ diag-called-program-missing = Il programma { $name } non si trova accanto a ques
 diag-centre-in-other-plane = L’arco e il suo centro non si trovano nello stesso piano.
 diag-chamfer-wrong-side = La punta dell’utensile per smussi passa a una profondità di { $value } nel pieno, { $other } all’interno del bordo del grezzo: all’esterno lo smusserebbe.
 diag-choice-not-offered = { $parameter }={ $value } non è una delle scelte: { $offered }.
-diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di sicurezza { $parameter }={ $value } deve trovarsi sopra { $least }.
+diag-clearance-height-too-low =
+    { $what ->
+        [stud] { $cycle } si sposta da foro a foro a { $parameter }={ $value }, e un’isola tra essi arriva fino a { $least }.
+       *[touched] { $cycle } tasta a { $touched }: l’altezza di sicurezza { $parameter }={ $value } deve trovarsi sopra { $least }.
+    }
 diag-compensation-at-cycle =
     { $cycle } viene eseguito qui con la correzione del raggio attiva.
 diag-compensation-left-on = Qui la correzione del raggio è ancora attiva.
@@ -545,6 +549,7 @@ diag-wrong-tool-type =
         [measured] { $cycle } misura qui l’utensile che ha appena tastato.
         [contour] L’utensile che ha appena tastato si muove qui lungo un profilo.
         [named] { $cycle } misura qui un tastatore, se il nome dell’utensile è giusto.
+        [calibrates] { $cycle } calibra qui il tastatore per utensili con un utensile che taglia.
        *[mill] { $cycle } lavora qui con l’utensile che ha appena tastato.
     }
 diag-tool-unused = L’utensile { $tool } viene chiamato qui, e il blocco successivo ne chiama un altro.
@@ -554,6 +559,7 @@ diag-transfer-parameter-overwritten =
         [passed] { $cycle } ha letto { $parameter } alla definizione: il valore scritto qui non influisce sulla sua chiamata.
         [filled] { $cycle } riempie quattro parametri a partire da quello indicato qui, e sovrascrive { $parameter }, che il programma ha scritto prima e legge più avanti.
         [lost] { $cycle } sovrascrive { $parameter } prima che il programma legga il valore scritto qui.
+        [result] { $parameter } viene copiato due volte dopo una sola misurazione: il risultato della misurazione precedente è stato sovrascritto senza essere letto.
        *[call] { $parameter } appartiene a { $cycle }, che viene chiamato più avanti: la chiamata usa il valore scritto qui.
     }
 diag-transformation-forbidden =
@@ -699,6 +705,8 @@ diag-probing-place-wrong =
         [size] Qui si tasta una misura di { $value }, ma il pezzo grezzo è largo solo { $other }.
         [axis] Si misura l’asse in cui il punto è a { $value }, ma la quota massima è { $other }: i limiti sono quelli di un altro asse.
         [later] Qui si tasta un diametro di { $value }, e più avanti nello stesso centro uno di { $other }: il tastatore scende accanto al foro.
+        [removed] La superficie a { $value } che qui si tasta è già stata asportata fino a { $other }.
+        [across] In questo asse si tasta una larghezza di { $value }, ma ciò che qui è stato fresato è largo { $other } lungo l’asse: è disposto nell’altro verso.
        *[outside] Il punto { $value }; { $other } è fuori dal pezzo grezzo: lì non c’è nulla da tastare.
     }
 diag-rough-out-tool-other =
@@ -744,6 +752,12 @@ diag-correction-wrong =
     { $what ->
         [side] { $parameter } viene corretto di { $other }, che è lo scostamento dell’altro lato.
         [actual] { $other } è la misura rilevata, non il suo scostamento: della misura { $parameter } non resta quasi nulla.
+        [radius] { $parameter } è lo scostamento di un diametro o di una larghezza e corregge il raggio dell’utensile senza essere dimezzato.
+        [turned] Lo scostamento { $parameter } corregge il raggio dell’utensile con il segno sbagliato: l’errore raddoppia.
        *[added] Lo scostamento { $other } viene aggiunto alla misura { $parameter }: va sottratto.
     }
-diag-monitored-tool-idle = { $cycle } controlla o corregge l’utensile { $tool }, che prima non è stato chiamato.
+diag-monitored-tool-idle =
+    { $what ->
+        [elsewhere] { $cycle } controlla o corregge l’utensile { $tool }, che non ha fresato ciò che viene misurato: è stato l’utensile { $other }.
+       *[idle] { $cycle } controlla o corregge l’utensile { $tool }, che prima non è stato chiamato.
+    }

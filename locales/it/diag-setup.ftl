@@ -44,6 +44,7 @@ diag-preset-row-wrong =
         [other] Qui viene attivato il Preset { $other }, ma quello rilevato è il Preset { $row }, che non viene mai attivato.
         [datum] La riga { $row } della tabella origini viene scritta qui e mai attivata: la lavorazione prosegue con un’altra origine.
         [same] Il Preset { $row } è già attivo; qui viene attivato di nuovo, dopo che il programma si è fermato per l’operatore.
+        [table] Qui viene scritta la riga { $row } della tabella origini, ma poi viene attivato il Preset { $row }, che nulla ha scritto.
        *[unused] Il Preset { $row } viene scritto qui e mai attivato: la lavorazione prosegue con un altro Preset.
     }
 diag-repeat-without-effect =
@@ -113,6 +114,9 @@ diag-error-branch-entered =
     { $what ->
         [turned] Il salto oltre l’arresto viene eseguito quando { $parameter } segnala un difetto.
         [implied] Questo salto e quello precedente portano allo stesso label e confrontano { $parameter } nello stesso verso: uno dei due limiti non ha effetto.
+        [branch] La condizione di questo salto non è adatta al suo ramo: con questo valore { $parameter } significa altro rispetto al label o al commento di quel ramo.
+        [good] Questo salto a un ramo per difetti viene eseguito anche quando tutto è a posto: con questo valore { $parameter } non segnala alcun difetto.
+        [unchecked] Qui il ciclo misura l’utensile da capo e non lo confronta con nulla: { $parameter }, che viene interrogato dopo, non segnala difetti.
        *[entered] L’esecuzione arriva a questo ramo anche senza il salto e si arresta: né M2 né M30 terminano prima il programma.
     }
 diag-finishing-before-roughing =

@@ -53,7 +53,11 @@ diag-called-program-missing = O programa { $name } não está junto deste, onde 
 diag-centre-in-other-plane = O arco e o seu centro não estão no mesmo plano.
 diag-chamfer-wrong-side = A ponta da ferramenta de chanfrar passa a { $value } de profundidade por material maciço, { $other } para dentro da aresta do bloco: por fora, chanfraria a aresta.
 diag-choice-not-offered = { $parameter }={ $value } não é uma das opções: { $offered }.
-diag-clearance-height-too-low = { $cycle } apalpa em { $touched }: a altura segura { $parameter }={ $value } tem de estar acima de { $least }.
+diag-clearance-height-too-low =
+    { $what ->
+        [stud] { $cycle } desloca-se de furo para furo a { $parameter }={ $value }, e uma ilha entre eles chega a { $least }.
+       *[touched] { $cycle } apalpa em { $touched }: a altura segura { $parameter }={ $value } tem de estar acima de { $least }.
+    }
 diag-compensation-at-cycle =
     { $cycle } é executado aqui com a correção de raio ativa.
 diag-compensation-left-on = A correção de raio ainda está aqui ativa.
@@ -546,6 +550,7 @@ diag-wrong-tool-type =
         [measured] { $cycle } mede aqui a ferramenta que acabou de apalpar.
         [contour] A ferramenta que acabou de apalpar move-se aqui ao longo de um contorno.
         [named] { $cycle } mede aqui um apalpador, se o nome da ferramenta estiver certo.
+        [calibrates] { $cycle } calibra aqui o apalpador de ferramentas com uma ferramenta que corta.
        *[mill] { $cycle } maquina aqui com a ferramenta que acabou de apalpar.
     }
 diag-tool-unused = A ferramenta { $tool } é chamada aqui, e a frase seguinte chama outra.
@@ -555,6 +560,7 @@ diag-transfer-parameter-overwritten =
         [passed] { $cycle } leu { $parameter } ao ser definido: o valor escrito aqui não influi na sua chamada.
         [filled] { $cycle } preenche quatro parâmetros, a começar pelo que aqui se indica, e escreve por cima de { $parameter }, que o programa escreveu antes e lê mais adiante.
         [lost] { $cycle } escreve por cima de { $parameter } antes de o programa ler o valor escrito aqui.
+        [result] { $parameter } é copiado duas vezes depois de uma só medição: o resultado da medição anterior foi substituído sem ter sido lido.
        *[call] { $parameter } pertence a { $cycle }, que é chamado mais adiante: a chamada utiliza o valor escrito aqui.
     }
 diag-transformation-forbidden =
@@ -700,6 +706,8 @@ diag-probing-place-wrong =
         [size] Aqui apalpa-se uma medida de { $value }, mas o bloco só tem { $other } de largura.
         [axis] Mede-se o eixo em que o lugar está a { $value }, mas a medida máxima é { $other }: os limites são os de outro eixo.
         [later] Aqui apalpa-se um diâmetro de { $value }, e mais tarde no mesmo centro um de { $other }: o apalpador desce ao lado do furo.
+        [removed] A superfície a { $value } que aqui se apalpa já foi fresada até { $other }.
+        [across] Neste eixo apalpa-se uma largura de { $value }, mas o que aqui foi fresado tem { $other } ao longo dele: está disposto no outro sentido.
        *[outside] O lugar { $value }; { $other } fica ao lado do bloco: não há lá nada para apalpar.
     }
 diag-rough-out-tool-other =
@@ -745,6 +753,12 @@ diag-correction-wrong =
     { $what ->
         [side] { $parameter } é corrigido por { $other }, que é o desvio do outro lado.
         [actual] { $other } é o valor medido, não o seu desvio: da medida { $parameter } não fica quase nada.
+        [radius] { $parameter } é o desvio de um diâmetro ou de uma largura e corrige o raio da ferramenta sem ser dividido por dois.
+        [turned] O desvio { $parameter } corrige o raio da ferramenta com o sinal errado: o erro duplica.
        *[added] O desvio { $other } é somado à medida { $parameter }: tem de ser subtraído.
     }
-diag-monitored-tool-idle = { $cycle } vigia ou corrige a ferramenta { $tool }, que antes não foi chamada.
+diag-monitored-tool-idle =
+    { $what ->
+        [elsewhere] { $cycle } vigia ou corrige a ferramenta { $tool }, que não fresou o que é medido: foi a ferramenta { $other }.
+       *[idle] { $cycle } vigia ou corrige a ferramenta { $tool }, que antes não foi chamada.
+    }

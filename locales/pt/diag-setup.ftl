@@ -44,6 +44,7 @@ diag-preset-row-wrong =
         [other] Aqui é ativado o preset { $other }, mas o que foi apalpado é o preset { $row }, que nunca é ativado.
         [datum] A linha { $row } da tabela de pontos zero é escrita aqui e nunca é ativada: a maquinação prossegue com outro ponto zero.
         [same] O preset { $row } já está ativo; aqui é ativado de novo, depois de o programa ter parado para o operador.
+        [table] Aqui é escrita a linha { $row } da tabela de pontos zero, mas depois é ativado o preset { $row }, que nada escreveu.
        *[unused] O preset { $row } é escrito aqui e nunca é ativado: a maquinação prossegue com outro preset.
     }
 diag-repeat-without-effect =
@@ -113,6 +114,9 @@ diag-error-branch-entered =
     { $what ->
         [turned] O salto por cima da paragem é executado quando { $parameter } indica um defeito.
         [implied] Este salto e o anterior levam ao mesmo label e comparam { $parameter } no mesmo sentido: um dos dois limites não tem efeito.
+        [branch] A condição deste salto não se ajusta ao seu ramo: com este valor, { $parameter } significa algo diferente do label ou do comentário desse ramo.
+        [good] Este salto para um ramo de defeitos é executado também quando está tudo bem: com este valor, { $parameter } não indica nenhum defeito.
+        [unchecked] Aqui o ciclo mede a ferramenta de novo e não a compara com nada: { $parameter }, que é consultado depois, não indica defeitos.
        *[entered] A execução chega a este ramo mesmo sem o salto, e para: nem M2 nem M30 terminam o programa antes dele.
     }
 diag-finishing-before-roughing =

@@ -53,7 +53,11 @@ diag-called-program-missing = Programa { $name } ni ob tem programu, kjer ga krm
 diag-centre-in-other-plane = Lok in njegovo središče nista v isti ravnini.
 diag-chamfer-wrong-side = Konica orodja za posnemanje robov gre { $value } globoko skozi polni material, { $other } znotraj roba surovca: zunaj bi rob posnela.
 diag-choice-not-offered = { $parameter }={ $value } ni med možnostmi: { $offered }.
-diag-clearance-height-too-low = { $cycle } tipa pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
+diag-clearance-height-too-low =
+    { $what ->
+        [stud] { $cycle } se pomika od izvrtine do izvrtine pri { $parameter }={ $value }, čep med njima pa sega do { $least }.
+       *[touched] { $cycle } tipa pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
+    }
 diag-compensation-at-cycle =
     { $cycle } se tu izvede pri aktivnem popravku polmera.
 diag-compensation-left-on = Popravek polmera je tu še aktiven.
@@ -549,6 +553,7 @@ diag-wrong-tool-type =
         [measured] { $cycle } tu meri orodje, ki je pravkar tipalo.
         [contour] Orodje, ki je pravkar tipalo, se tu premika po konturi.
         [named] { $cycle } tu meri tipalni sistem, če ime orodja drži.
+        [calibrates] { $cycle } tu umeri namizni tipalni sistem z rezalnim orodjem.
        *[mill] { $cycle } tu obdeluje z orodjem, ki je pravkar tipalo.
     }
 diag-tool-unused = Tu se prikliče orodje { $tool }, naslednji stavek pa prikliče drugo.
@@ -558,6 +563,7 @@ diag-transfer-parameter-overwritten =
         [passed] { $cycle } je parameter { $parameter } prebral ob definiciji: tu zapisana vrednost na njegov priklic ne vpliva.
         [filled] { $cycle } zapolni štiri parametre od tu navedenega naprej in prepiše { $parameter }, v katerega je program že pisal in ga pozneje bere.
         [lost] { $cycle } prepiše parameter { $parameter }, preden program prebere tu zapisano vrednost.
+        [result] { $parameter } se po eni meritvi kopira dvakrat: rezultat meritve pred njo je bil prepisan neprebran.
        *[call] { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic uporabi tu zapisano vrednost.
     }
 diag-transformation-forbidden =
@@ -703,6 +709,8 @@ diag-probing-place-wrong =
         [size] Tu se tipa mera { $value }, surovec pa je tam širok le { $other }.
         [axis] Meri se os, na kateri je mesto pri { $value }, največja mera pa je { $other }: meji sta od druge osi.
         [later] Tu se tipa premer { $value }, pozneje pa v istem središču { $other }: tipalo se spusti ob izvrtini.
+        [removed] Površina pri { $value }, ki se tu tipa, je bila prej odrezkana do { $other }.
+        [across] Na tej osi se tipa širina { $value }, tu narezkano pa je v njeni smeri široko { $other }: leži v drugi smeri.
        *[outside] Mesto { $value }; { $other } je ob surovcu: tam ni česa otipati.
     }
 diag-rough-out-tool-other =
@@ -748,6 +756,12 @@ diag-correction-wrong =
     { $what ->
         [side] { $parameter } se popravi za { $other }, kar je odstopanje druge stranice.
         [actual] { $other } je izmerjena mera sama in ne njeno odstopanje: od mere { $parameter } ne ostane skoraj nič.
+        [radius] { $parameter } je odstopanje premera ali širine in popravi polmer orodja, ne da bi bilo razpolovljeno.
+        [turned] Odstopanje { $parameter } popravi polmer orodja z napačnim predznakom: napaka se podvoji.
        *[added] Odstopanje { $other } se prišteje meri { $parameter }: treba ga je odšteti.
     }
-diag-monitored-tool-idle = { $cycle } nadzoruje ali popravlja orodje { $tool }, ki prej ni bilo priklicano.
+diag-monitored-tool-idle =
+    { $what ->
+        [elsewhere] { $cycle } nadzoruje ali popravlja orodje { $tool }, ki merjenega ni rezkalo: to je naredilo orodje { $other }.
+       *[idle] { $cycle } nadzoruje ali popravlja orodje { $tool }, ki prej ni bilo priklicano.
+    }

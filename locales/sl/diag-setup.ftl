@@ -46,6 +46,7 @@ diag-preset-row-wrong =
         [other] Tukaj se aktivira prednastavitev { $other }, izmerjena pa je prednastavitev { $row }, ki se nikoli ne aktivira.
         [datum] Vrstica { $row } preglednice ničelnih točk se tukaj zapiše in se nikoli ne aktivira: obdelava se nadaljuje z drugo ničelno točko.
         [same] Prednastavitev { $row } je že aktivna; tukaj se aktivira še enkrat, potem ko se je program ustavil za upravljavca.
+        [table] Tu se zapiše vrstica { $row } preglednice ničelnih točk, nato pa se aktivira prednastavitev { $row }, ki je ni zapisalo nič.
        *[unused] Prednastavitev { $row } se tukaj zapiše in se nikoli ne aktivira: obdelava se nadaljuje z drugo prednastavitvijo.
     }
 diag-repeat-without-effect =
@@ -115,6 +116,9 @@ diag-error-branch-entered =
     { $what ->
         [turned] Skok čez zaustavitev se izvede, kadar { $parameter } javlja napako.
         [implied] Ta skok in skok pred njim vodita na isto oznako in primerjata { $parameter } v isto smer: ena od obeh mej ne učinkuje.
+        [branch] Pogoj tega skoka ne ustreza njegovi veji: pri tej vrednosti { $parameter } pomeni nekaj drugega kot tamkajšnja oznaka ali komentar.
+        [good] Ta skok v vejo za napake se izvede tudi, kadar je vse v redu: pri tej vrednosti { $parameter } ne javlja napake.
+        [unchecked] Cikel tu orodje izmeri na novo in ga z ničimer ne primerja: { $parameter }, po katerem se pozneje vpraša, ne javlja napake.
        *[entered] Izvajanje pride v to vejo tudi brez skoka in se ustavi: pred njo programa ne konča ne M2 ne M30.
     }
 diag-finishing-before-roughing =

@@ -18,6 +18,8 @@ mod guards;
 mod incident;
 mod loops;
 mod machine;
+mod milled;
+mod outcomes;
 mod program;
 mod rule;
 mod rules;

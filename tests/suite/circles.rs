@@ -66,6 +66,8 @@ const CHECKER: &[&str] = &[
     "contours",
     "spikes",
     "floors",
+    "milled",
+    "outcomes",
     "loops",
     "travel",
     "rule",

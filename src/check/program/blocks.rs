@@ -2,8 +2,8 @@
 use crate::base::diag::Span;
 use crate::base::expr::{Node, QRef};
 use crate::program::syntax::{
-    Amount, Block, BlockKind, CallForm, CycleKeyword, Feed, FeedKind, Label, MFunction, Motion, Operand, Path, Program,
-    Relation, StatementKind, ToolRef, ValueKind,
+    Amount, Block, BlockKind, CallForm, CycleKeyword, Feed, FeedKind, FnOp, Label, MFunction, Motion, Operand, Path,
+    Program, Relation, StatementKind, ToolRef, ValueKind,
 };
 
 /// What the first line of a block says, without its number and the blanks around it.
@@ -50,6 +50,30 @@ pub(in crate::check) fn needs_feed(block: &Block) -> bool {
     let BlockKind::Motion(motion) = &block.kind else { return false };
     let moves = !matches!(motion.path(), Path::Cc | Path::Fpol) && motion.outline().has_coords();
     moves && !motion.outline().has_feed() && !motion.outline().is_rapid()
+}
+
+/// The parameter that a block calculates, and its place.
+pub(in crate::check) fn assigned(block: &Block) -> Option<(QRef, Span)> {
+    match &block.kind {
+        BlockKind::FnAssign(own) => Some((own.target, own.target_span)),
+        BlockKind::Formula(own) => Some((own.target, own.target_span)),
+        _ => None,
+    }
+}
+
+/// The parameter that a block does nothing with but copy it.
+pub(in crate::check) fn copied(block: &Block) -> Option<QRef> {
+    match &block.kind {
+        BlockKind::FnAssign(own) if own.op == FnOp::Set => match own.a.amount {
+            Amount::Q { q, negative: false } => Some(q),
+            _ => None,
+        },
+        BlockKind::Formula(own) => match own.expr.node {
+            Node::Q(q) => Some(q),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// The parameters that a block reads, with their places.

@@ -4,12 +4,14 @@
 //! A deviation is the actual size less the nominal one: what is too large is made smaller by taking it away from the size
 //! with which it is machined again, be it a pocket or a stud. Only of parameters that are corrected by themselves, or
 //! are a number and the deviation, and are a size of a pocket, a stud or a slot; or where the deviation of the other side of
-//! the same rectangle is taken away.
+//! the same rectangle is taken away. Also a deviation of a diameter or a width that is the oversize of a radius at a tool
+//! call without being halved, or with the wrong sign.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{Node, Op, QRef};
-use crate::check::cycle::{probes, removes_material};
+use crate::check::cycle::{probes, probes_around, removes_material};
+use crate::check::program::assigned;
 use crate::check::{Defined, Facts, Rule};
 use crate::program::syntax::{Amount, Block, BlockKind, FnOp, ValueKind};
 use crate::spec::Keyword;
@@ -52,6 +54,7 @@ struct Correction {
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    radius(rule, facts, found);
     let (results, corrections) = corrections(facts);
     if corrections.is_empty() {
         return;
@@ -210,4 +213,190 @@ fn sizes(facts: &Facts<'_>) -> BTreeMap<QRef, BTreeSet<&'static str>> {
         }
     }
     sizes
+}
+
+/// A multiple of a deviation that a parameter has.
+#[derive(Clone, Copy)]
+struct Share {
+    deviation: QRef,
+    factor: f64,
+    /// What is measured gets smaller by machining.
+    around: bool,
+    span: Span,
+}
+
+/// Deviations of diameters and widths that correct a radius by all of them and not by half, or the wrong way round: a
+/// tool that is called with a positive oversize stays away from the contour.
+fn radius(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if !facts.marked().any(|(_, block)| oversize(block).is_some()) {
+        return;
+    }
+    let mut shares = Shares::default();
+    let mut definitions = facts.definitions.iter().peekable();
+    let mut used = Vec::new();
+    for (index, block) in facts.marked() {
+        while let Some(own) = definitions.next_if(|own| own.view.first < index) {
+            shares.measure(own);
+        }
+        if let Some((q, sign, span)) = oversize(block)
+            && let Some(around) = shares.deviations.get(&q)
+        {
+            used.push(Share { deviation: q, factor: sign, around: *around, span });
+        }
+        shares.assign(block);
+    }
+    // A tool call may come before the measurement, in a loop.
+    let called = facts.marked().filter_map(|(_, block)| oversize(block));
+    used.extend(called.filter_map(|(q, sign, _)| {
+        let share = shares.own.get(&q).copied().flatten()?;
+        Some(Share { factor: sign * share.factor, ..share })
+    }));
+    let mut reported: BTreeSet<usize> = BTreeSet::new();
+    for (own, what) in used.iter().filter_map(|own| Some((own, own.fault()?))) {
+        if reported.insert(own.span.start) {
+            let finding = rule.at(facts, own.span).arg("what", what).arg("parameter", own.deviation.to_string());
+            found.push(finding.arg("other", ""));
+        }
+    }
+}
+
+/// The parameter that is the oversize of a radius at a tool call, its sign and its place.
+fn oversize(block: &Block) -> Option<(QRef, f64, Span)> {
+    let BlockKind::ToolCall(call) = &block.kind else { return None };
+    match call.dr?.amount {
+        Amount::Q { q, negative } => Some((q, if negative { -1.0 } else { 1.0 }, call.dr?.span)),
+        _ => None,
+    }
+}
+
+impl Share {
+    /// What is wrong with it as the oversize of a radius.
+    fn fault(&self) -> Option<&'static str> {
+        // What is too large is machined further with a stud by less oversize, with a pocket by more.
+        let turned = (self.factor > 0.0) == self.around;
+        match self.factor.abs() {
+            1.0 => Some("radius"),
+            0.5 if turned => Some("turned"),
+            _ => None,
+        }
+    }
+}
+
+/// What is known of deviations on the way through the text.
+#[derive(Default)]
+struct Shares {
+    /// Those that measurements give, and whether what is measured gets smaller by machining.
+    deviations: BTreeMap<QRef, bool>,
+    /// The parameters with a share of one; nothing of those that are unsure.
+    own: BTreeMap<QRef, Option<Share>>,
+}
+
+impl Shares {
+    fn measure(&mut self, own: &Defined<'_>) {
+        let Some(cycle) = own.related_cycle().filter(|cycle| probes(cycle)) else { return };
+        let around = probes_around(cycle) || cycle.file.name.as_str().contains("ridge");
+        let deviations = cycle.file.results.iter().filter(|own| DEVIATIONS.contains(&own.is.as_str()));
+        self.deviations.extend(deviations.filter_map(|own| Some((own.q?, around))));
+    }
+
+    /// The share that a parameter is.
+    fn of(&self, q: QRef, span: Span) -> Option<Share> {
+        match self.deviations.get(&q) {
+            Some(around) => Some(Share { deviation: q, factor: 1.0, around: *around, span }),
+            None => self.own.get(&q).copied().flatten(),
+        }
+    }
+
+    fn assign(&mut self, block: &Block) {
+        let Some((target, span)) = assigned(block) else { return };
+        let linear = linear(block);
+        let others = linear.iter().flatten().filter(|(q, _)| *q != target);
+        let part = |(q, factor): &(QRef, f64)| {
+            let share = self.of(*q, span)?;
+            Some(Share { factor: share.factor * factor, span, ..share })
+        };
+        let parts: Vec<Option<Share>> = others.map(part).collect();
+        let keeps = linear.as_ref().is_some_and(|all| all.iter().all(|(q, own)| *q != target || *own == 1.0));
+        match (parts.as_slice(), keeps) {
+            // A number, as before the first measurement.
+            ([], true) => {}
+            ([Some(only)], true) => {
+                let same = |before: &Share| before.factor == only.factor && before.around == only.around;
+                let before = self.own.entry(target).or_insert(Some(*only));
+                *before = before.filter(same);
+            }
+            _ => {
+                self.own.insert(target, None);
+            }
+        }
+    }
+}
+
+/// The parameters in what a block calculates, with their factors; nothing if it is no sum of multiples of them.
+fn linear(block: &Block) -> Option<Vec<(QRef, f64)>> {
+    let of = |amount: Amount| match amount {
+        Amount::Q { q, negative } => Some((vec![(q, if negative { -1.0 } else { 1.0 })], 0.0)),
+        Amount::Number(number) => Some((Vec::new(), number)),
+        Amount::Text(_) => None,
+    };
+    let sum = match &block.kind {
+        BlockKind::FnAssign(own) => {
+            let b = || own.b.as_ref().and_then(|own| of(own.amount));
+            match own.op {
+                FnOp::Set => of(own.a.amount)?,
+                FnOp::Add => add(of(own.a.amount)?, b()?, 1.0),
+                FnOp::Sub => add(of(own.a.amount)?, b()?, -1.0),
+                FnOp::Mul => times(of(own.a.amount)?, b()?)?,
+                FnOp::Div => over(of(own.a.amount)?, b()?)?,
+                _ => return None,
+            }
+        }
+        BlockKind::Formula(own) => sum_of(&own.expr.node)?,
+        _ => return None,
+    };
+    Some(sum.0)
+}
+
+/// Multiples of parameters, and a number.
+type Sum = (Vec<(QRef, f64)>, f64);
+
+fn add(mut one: Sum, other: Sum, sign: f64) -> Sum {
+    one.0.extend(other.0.into_iter().map(|(q, factor)| (q, sign * factor)));
+    (one.0, one.1 + sign * other.1)
+}
+
+fn scaled(sum: Sum, by: f64) -> Sum {
+    (sum.0.into_iter().map(|(q, factor)| (q, factor * by)).collect(), sum.1 * by)
+}
+
+fn times(one: Sum, other: Sum) -> Option<Sum> {
+    match (one.0.is_empty(), other.0.is_empty()) {
+        (true, _) => Some(scaled(other, one.1)),
+        (_, true) => Some(scaled(one, other.1)),
+        _ => None,
+    }
+}
+
+fn over(one: Sum, other: Sum) -> Option<Sum> {
+    (other.0.is_empty() && other.1 != 0.0).then(|| scaled(one, 1.0 / other.1))
+}
+
+fn sum_of(node: &Node) -> Option<Sum> {
+    Some(match node {
+        Node::Number(number) => (Vec::new(), *number),
+        Node::Q(q) => (vec![(*q, 1.0)], 0.0),
+        Node::Unary(Op::Sub, inner) => scaled(sum_of(&inner.node)?, -1.0),
+        Node::Unary(Op::Add, inner) => sum_of(&inner.node)?,
+        Node::Binary(op, left, right) => {
+            let (left, right) = (sum_of(&left.node)?, sum_of(&right.node)?);
+            match op {
+                Op::Add => add(left, right, 1.0),
+                Op::Sub => add(left, right, -1.0),
+                Op::Mul => times(left, right)?,
+                Op::Div => over(left, right)?,
+                _ => return None,
+            }
+        }
+        _ => return None,
+    })
 }

@@ -1,23 +1,29 @@
 //! A branch for errors that good parts come to, too: the run falls into it because M30 before it is missing, or the jump
 //! over a stop is taken when a tool or a workpiece is bad. Also two jumps in a row to one label that compare the
-//! same parameter in the same direction with two limits: one of them says nothing.
+//! same parameter in the same direction with two limits: one of them says nothing. And a jump whose condition does not
+//! fit its branch: its label, a comment there or a stop says for which parts or tools that is. Also a jump that asks for
+//! the fault of a tool which the cycle measures anew and compares with nothing.
 //!
 //! Such a branch is the last part of a program that nowhere ends with M2 or M30, begins with a label to which only
 //! conditional jumps lead, and stops for the operator.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::base::expr::QRef;
-use crate::check::program::{each_function, is_silent, stops};
+use crate::check::outcomes::{Purpose, Taken, begins_with_stop, halts, measurement, purpose, taken};
+use crate::check::program::{is_silent, number, reads, stops};
 use crate::check::{Facts, Rule, Way};
-use crate::program::syntax::{Amount, Block, BlockKind, FnJump, Relation, StatementKind};
+use crate::program::syntax::{Amount, Block, BlockKind, FnJump, Relation};
 
 pub(super) const RULE: Rule = Rule { code: "error-branch-entered", severity: Severity::Warning, run };
 
-/// The meanings of results that are 0 where all is well.
-const FAULTS: [&str; 3] = ["tool-status", "status-rework", "status-scrap"];
+/// The meanings of whether a tool is checked, and of what that says.
+const CHECK: &str = "tool-check";
+const STATUS: &str = "tool-status";
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     turned(rule, facts, found);
     implied(rule, facts, found);
+    unfit(rule, facts, found);
+    unchecked(rule, facts, found);
     let graph = &facts.run.graph;
     let blocks = facts.program.blocks();
     let ends = |block: &Block| stops(block) && !matches!(block.kind, BlockKind::EndPgm(_));
@@ -59,13 +65,16 @@ fn turned(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(BlockKind::FnJump(jump)) = blocks.get(own.block).map(|block| &block.kind) else { continue };
         let target = own.mark.as_ref().and_then(|mark| graph.block_of(mark));
         let Some(target) = target.filter(|target| *target > own.block) else { continue };
-        let mut between =
-            blocks.get(own.block + 1..target).unwrap_or_default().iter().filter(|block| !is_silent(block));
+        let rest = |block: &&Block| !is_silent(block) && (halts(block) || !matches!(block.kind, BlockKind::Motion(_)));
+        let mut between = blocks.get(own.block + 1..target).unwrap_or_default().iter().filter(rest);
         let only_stop = between.next().is_some_and(halts) && between.next().is_none();
-        if let Some(name) = fault(facts, own.block, jump).filter(|_| only_stop)
+        let never_good = |own: &Taken| own.outcomes[0] == Some(false);
+        if only_stop
+            && let Some(result) = taken(facts, own.block, jump).filter(never_good)
             && let Some(block) = blocks.get(own.block)
         {
-            found.push(rule.at(facts, facts.content(block)).arg("what", "turned").arg("parameter", name));
+            let finding = rule.at(facts, facts.content(block)).arg("what", "turned");
+            found.push(finding.arg("parameter", result.q.to_string()));
         }
     }
 }
@@ -106,23 +115,73 @@ fn limit(jump: &FnJump) -> Option<(QRef, bool, f64)> {
     }
 }
 
-/// The result that says a fault where a jump is taken.
-fn fault(facts: &Facts<'_>, at: usize, jump: &FnJump) -> Option<String> {
-    let (Amount::Q { q, negative: false }, Amount::Number(value)) = (jump.a.amount, jump.b.amount) else { return None };
-    let bad = match jump.relation {
-        Relation::Equal => value != 0.0,
-        Relation::NotEqual | Relation::Greater => value == 0.0,
-        _ => false,
-    };
-    let cycle = facts.definition_before(at)?.related_cycle()?;
-    let result = cycle.file.results.iter().find(|result| result.q == Some(q))?;
-    (bad && FAULTS.contains(&result.is.as_str())).then(|| q.to_string())
+/// A jump that asks for the outcome of a measurement.
+struct Asks {
+    block: usize,
+    target: usize,
+    taken: Taken,
 }
 
-/// Whether a block stops for the operator.
-fn halts(block: &Block) -> bool {
-    let mut stops = matches!(&block.kind, BlockKind::Stop(_));
-    stops |= matches!(&block.kind, BlockKind::Statement(own) if own.kind == StatementKind::Fn(14));
-    each_function(block, |number| stops |= number == 0);
-    stops
+/// Jumps that are not taken with what their branch is for, or are taken with good parts though it is for others.
+fn unfit(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    /// So many jumps are compared.
+    const MOST: usize = 1 << 7;
+    let blocks = facts.program.blocks();
+    let graph = &facts.run.graph;
+    let asks = graph.uses.iter().filter(|own| own.way == Way::Jump).filter_map(|own| {
+        let BlockKind::FnJump(jump) = &blocks.get(own.block)?.kind else { return None };
+        let target = graph.block_of(own.mark.as_ref()?)?;
+        Some(Asks { block: own.block, target, taken: taken(facts, own.block, jump)? })
+    });
+    let asks: Vec<Asks> = asks.take(MOST).collect();
+    for own in &asks {
+        let same = || asks.iter().filter(|other| other.taken.measured == own.taken.measured);
+        // What other jumps to the same branch are taken with belongs to it, too.
+        let all = |outcome: usize, value: bool| {
+            let mut of = same().filter(|other| other.target == own.target).map(|other| other.taken.outcomes[outcome]);
+            if value { of.any(|taken| taken == Some(true)) } else { of.all(|taken| taken == Some(false)) }
+        };
+        // Good parts may have left before.
+        let left = same().any(|other| other.block < own.block && other.taken.outcomes[0] == Some(true));
+        let good = !left && own.taken.outcomes[0] == Some(true);
+        let named = purpose(facts, own.target);
+        let what = match named {
+            Some(Purpose::Good) => all(0, false).then_some("branch"),
+            Some(Purpose::Rework) if all(1, false) => Some("branch"),
+            Some(Purpose::Lost) if all(2, false) => Some("branch"),
+            Some(_) => good.then_some("good"),
+            None => (good && own.taken.tool && begins_with_stop(facts, own.target)).then_some("good"),
+        };
+        if let (Some(what), Some(block)) = (what, blocks.get(own.block)) {
+            let what = if good && named != Some(Purpose::Good) { "good" } else { what };
+            let finding = rule.at(facts, facts.content(block)).arg("what", what);
+            found.push(finding.arg("parameter", own.taken.q.to_string()));
+        }
+    }
+}
+
+/// Jumps that ask for the state of a tool which was measured anew: nothing was compared.
+fn unchecked(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let asked = |cycle: &crate::spec::Cycle| {
+        cycle.file.results.iter().find(|own| own.is.as_str() == STATUS).and_then(|own| own.q)
+    };
+    for own in &facts.definitions {
+        let Some(q) = own.related_cycle().and_then(asked) else { continue };
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let Some(item) = read.item(CHECK).filter(|item| number(item) == Some(0.0)) else { continue };
+        let mut used = Vec::new();
+        let asks = facts.marked().any(|(index, block)| {
+            used.clear();
+            if index > own.view.first && matches!(block.kind, BlockKind::FnJump(_)) {
+                reads(block, &mut used);
+            }
+            let here = || measurement(facts, index, q).is_some_and(|(last, _)| last.view.first == own.view.first);
+            used.iter().any(|(read, _)| *read == q) && here()
+        });
+        if asks {
+            let finding = rule.at(facts, item.value_span).arg("what", "unchecked");
+            found.push(finding.arg("parameter", q.to_string()));
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! A row of the preset table, or of a selected datum table, that probing cycles write and the program does not use as it was meant: written again at
 //! another place before anything has activated it, or never activated although the program goes on to machine. Also a preset that is
-//! activated again for another clamping.
+//! activated again for another clamping, and a row that is written to the datum table and activated as a preset.
 //!
 //! Only in programs that neither jump nor call others, and of rows that are certain. TNC 640, 001: 11216-11232: a preset
 //! that is written to a row other than 0 is activated by the cycle for presets.
@@ -25,6 +25,8 @@ const NEW: &str = "new-datum-main";
 const AXIS: &str = "measuring-axis";
 /// That value of the transfer is the preset table.
 const TO_PRESETS: f64 = 1.0;
+/// That one is the active datum table.
+const TO_DATUMS: f64 = 0.0;
 /// How far apart two places are that are not the same one, mm or inch.
 const APART: f64 = 1.0;
 
@@ -76,6 +78,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     if !facts.flow.jumps {
         datums(rule, facts, found);
+        other_table(rule, facts, &activated, found);
     }
     for (at, own) in written.iter().enumerate() {
         let active = |before: usize, row: f64| activated.iter().any(|other| other.row == row && other.block > before);
@@ -192,6 +195,37 @@ fn datums(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             .any(|own| own.view.first > block && own.related_cycle().is_some_and(removes_material));
         if !active && (mills || machines(facts, block)) {
             found.push(rule.at(facts, span).arg("what", "datum").arg("row", Arg::Number(row)).arg("other", 0));
+        }
+    }
+}
+
+/// A row that is written to the datum table, and activated as a row of the preset table though nothing has written that
+/// one: one of the two tables is wrong.
+fn other_table(rule: &Rule, facts: &Facts<'_>, activated: &[Activated], found: &mut Vec<Diagnostic>) {
+    let has = |own: &&Defined<'_>| own.related_cycle().is_some_and(|cycle| with_meaning(cycle, ROW).is_some());
+    let mut written: Vec<(usize, f64, f64, Span)> = Vec::new();
+    for own in facts.definitions.iter().filter(has) {
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let (Some(row), Some(transfer)) = (read.item(ROW), read.item(TRANSFER)) else { continue };
+        let (Some(row), Some(to)) = (number(row), number(transfer)) else { return };
+        written.push((own.view.first, row, to, transfer.value_span));
+    }
+    // A row of the datum table that the program names.
+    let datum = |row: f64| {
+        facts.definitions.iter().any(|own| {
+            let related = own.as_related_cycle();
+            own.related_cycle().is_some_and(|cycle| with_meaning(cycle, DATUM).is_some())
+                && facts.read(&related).item(DATUM).is_some_and(|item| number(item).is_none_or(|own| own == row))
+        })
+    };
+    for (block, row, _, span) in written.iter().filter(|(_, row, to, _)| *to == TO_DATUMS && *row > 0.0) {
+        let to_presets = written.iter().any(|(_, own, to, _)| own == row && *to == TO_PRESETS);
+        let known = activated.iter().any(|own| own.row == *row && own.block < *block);
+        let after = activated.iter().any(|own| own.row == *row && own.block > *block);
+        if after && !known && !to_presets && !datum(*row) {
+            let finding = rule.at(facts, *span).arg("what", "table").arg("row", Arg::Number(*row));
+            found.push(finding.arg("other", 0));
         }
     }
 }

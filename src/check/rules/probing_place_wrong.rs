@@ -3,13 +3,15 @@
 //! hole by a slip of the keyboard in one coordinate; a hole or pocket as large as the blank, or a stud larger than it; one
 //! side of the blank that is probed as if it were narrower; a second hole within the first one; an angle of a circle of holes
 //! at which the program makes none; a hole that is probed as wider than it is measured afterwards; a coordinate that is measured
-//! in one axis, with limits that are those of another.
+//! in one axis, with limits that are those of another; a surface that a pocket has removed; a width that is probed along the
+//! length of what was milled.
 //!
 //! All but the last only in programs with a box as their blank, without transformations, before another preset is set.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::blank::{Blank, is_unmoved};
 use crate::check::contours::place_of_call;
 use crate::check::cycle::{probes, probes_around, removes_material};
+use crate::check::milled::Milled;
 use crate::check::program::{number, with_meaning};
 use crate::check::slip::is_slip;
 use crate::check::{Defined, Definition, Facts, Pending, Rule};
@@ -53,6 +55,15 @@ const SIZES: [(&str, &[usize]); 5] = [
 ];
 /// The meanings of the sides of a rectangle, whether for the datum or measured.
 const SIDES: [[&str; 2]; 2] = [[SIZES[1].0, SIZES[3].0], [SIZES[2].0, SIZES[4].0]];
+/// The meanings of the points that are probed along the tool axis.
+const TOUCHED: [[&str; 3]; 4] = [
+    ["first-point-main", "first-point-minor", TOOL_POINT],
+    ["second-point-main", "second-point-minor", "second-point-tool"],
+    ["third-point-main", "third-point-minor", "third-point-tool"],
+    [ABOVE, "probe-axis-point-minor", "probe-axis-point-tool"],
+];
+/// The meanings of widths that are probed in one axis.
+const WIDTHS: [&str; 3] = ["slot-width", "ridge-width", "nominal-length"];
 /// The meanings of the angles at which three holes are measured, and those of a circle of holes.
 const HOLES: [&str; 3] = ["first-hole-angle", "second-hole-angle", "third-hole-angle"];
 const CIRCLE: [&str; 6] = [
@@ -79,7 +90,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins() && !facts.flow.unread.any()) else { return };
     let unit = facts.millimetre();
     let milled = milled(facts);
-    let (known, circles) = (holes(facts), circles(facts));
+    let (known, circles, shapes) = (holes(facts), circles(facts), Milled::all(facts));
     // How many are far outside: of several parts in a fixture the blank is only one.
     let mut far = Vec::new();
     let first = found.len();
@@ -110,6 +121,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.comparison(facts, span, "outside", x, y));
         } else if let Some((span, [x, y])) = missed(&read, &milled) {
             found.push(rule.comparison(facts, span, "centre", x, y));
+        } else if let Some((span, height, floor)) = removed(facts, &read, &shapes) {
+            found.push(rule.comparison(facts, span, "removed", height, floor));
+        } else if let Some((span, size, width)) = across(facts, &read, &shapes) {
+            found.push(rule.comparison(facts, span, "across", size, width));
         } else if let Some((span, size, room)) = too_large(&read, cycle, &blank) {
             found.push(rule.comparison(facts, span, "size", size, room));
         } else if let Some((span, size, room)) = narrower(facts, &read, cycle, &blank) {
@@ -235,6 +250,53 @@ fn other_axis(read: &Definition<'_>, unit: f64) -> Option<(Span, f64, f64)> {
     let from = |place: f64| (least - place).max(place - most).max(0.0);
     let other = (0..3).any(|own| own != axis && from(at[own]) <= CLOSE * unit);
     (most > least && other && from(at[axis]) > APART * unit).then_some((item.value_span, at[axis], most))
+}
+
+/// A point that is probed along the tool axis where a pocket or a stud has removed the surface: the height, and the floor
+/// there.
+fn removed(facts: &Facts<'_>, read: &Definition<'_>, milled: &[Milled]) -> Option<(Span, f64, f64)> {
+    /// So far from walls and floors, mm.
+    const CLEAR: f64 = 1.0;
+    let clear = CLEAR * facts.millimetre();
+    let block = read.view.first;
+    let value = |meaning: &str| read.item(meaning).and_then(number);
+    let along = value(AXIS) == Some(3.0);
+    TOUCHED.iter().find_map(|[main, minor, tool]| {
+        if *main == ABOVE && value(IN_AXIS) != Some(1.0) {
+            return None;
+        }
+        let (item, y) = (read.item(main)?, value(minor)?);
+        let place = [number(item)?, y];
+        let height = value(tool).or_else(|| value(HEIGHT).filter(|_| along))?;
+        let here = |own: &&Milled| own.block < block && own.removes(place, clear) && own.same_datum(facts, block);
+        let floors = milled.iter().filter(here).map(|own| own.heights[1]);
+        let lowest = floors.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::min)?;
+        (height > lowest + clear).then_some((item.value_span, height, lowest))
+    })
+}
+
+/// A width that is probed along the other axis than the one in which the program has milled it, or two sides that are
+/// exchanged: the size, and how wide it is there.
+fn across(facts: &Facts<'_>, read: &Definition<'_>, milled: &[Milled]) -> Option<(Span, f64, f64)> {
+    /// Sizes that are so near are the same, mm.
+    const SAME: f64 = 1.0;
+    let same = |one: f64, other: f64| (one - other).abs() <= SAME * facts.millimetre();
+    let block = read.view.first;
+    let value = |meaning: &str| read.item(meaning).and_then(number);
+    let place = [PLACES[0], PLACES[4]].iter().find_map(|[main, minor]| Some([value(main)?, value(minor)?]))?;
+    let here =
+        |own: &&Milled| own.block < block && own.same_datum(facts, block) && own.shape.holds(own.from(place), 0.0);
+    let widths = milled.iter().rfind(here)?.shape.widths()?;
+    if let Some(item) = read.item(AXIS) {
+        let axis = [1.0, 2.0].iter().position(|own| number(item) == Some(*own))?;
+        let nominal = WIDTHS.iter().find_map(|own| value(own))?;
+        let wrong = same(nominal, widths[1 - axis]) && !same(nominal, widths[axis]);
+        return wrong.then_some((item.value_span, nominal, widths[axis]));
+    }
+    let items = SIDES.map(|pair| pair.into_iter().find_map(|meaning| read.item(meaning)));
+    let sides = [number(items[0]?)?, number(items[1]?)?];
+    let exchanged = (0..2).all(|axis| same(sides[axis], widths[1 - axis])) && !same(sides[0], widths[0]);
+    exchanged.then_some((items[0]?.value_span, sides[0], widths[0]))
 }
 
 /// The holes that are probed at a place: centre and diameter.

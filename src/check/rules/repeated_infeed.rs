@@ -1,7 +1,8 @@
 //! A repeated part of a program that does the same in each pass although it goes into the blank, or that goes deeper in
 //! each pass and ends far below the blank; also one that calls cycles under a transformation which is absolute.
 //!
-//! A part that infeeds in each pass needs an incremental value or one that a parameter changes. Only parts are looked
+//! A part that infeeds in each pass needs an incremental value or one that a parameter changes: one that follows an
+//! absolute value in the same axis is neither. Only parts are looked
 //! at that consist of movements with numbers and of calls of subprograms that stay at their height, which are repeated
 //! several times, in programs with a box as their blank; once is enough where the tool was brought at a feed to the
 //! height from which they are to infeed, and where the part begins with an infeed and has no radius compensation.
@@ -35,6 +36,8 @@ const THROUGH: f64 = 2.0;
 struct Pass {
     /// Whether anything depends on what was before: incremental values, polar ones, parameters.
     changes: bool,
+    /// The axes that an absolute value has set: what is incremental after it is the same in each pass.
+    set: Vec<Axis>,
     /// The lowest absolute height.
     lowest: Option<f64>,
     /// What the incremental heights add up to.
@@ -264,7 +267,11 @@ fn note(facts: &Facts<'_>, words: &Motion, pass: &mut Pass) -> Option<()> {
         if own.axis == Axis::Pa && own.incremental && facts.number(&own.value).is_some_and(turn) {
             continue;
         }
-        pass.changes |= own.incremental || !number;
+        let from_absolute = matches!(own.axis, Axis::X | Axis::Y | Axis::Z) && pass.set.contains(&own.axis);
+        pass.changes |= own.incremental && !from_absolute || !number;
+        if number && !own.incremental && words.path != Path::Cc {
+            pass.set.push(own.axis);
+        }
         if own.axis == Axis::Z && words.path != Path::Cc {
             let value = facts.number(&own.value).filter(|_| number)?;
             if own.incremental {

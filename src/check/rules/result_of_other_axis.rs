@@ -4,13 +4,19 @@
 //! Also a measured value less the nominal value that the same measurement has for another one, or compared with it: the
 //! centre less the diameter, or a jump if the centre is less than the diameter.
 //!
+//! The spatial angles that a plane was measured with belong to SPA, SPB and SPC each.
+//!
 //! Only movements that name the parameter alone, in programs that do not write these parameters themselves.
+use std::collections::BTreeMap;
+
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::base::expr::{Node, Op, QKind, QRef};
 use crate::check::cycle::probes;
-use crate::check::program::number;
-use crate::check::{Facts, Rule};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, FnOp, Operand, Relation};
+use crate::check::program::{assigned, copied, number};
+use crate::check::{Defined, Facts, Rule};
+use crate::program::syntax::{
+    Amount, Axis, Block, BlockKind, CycleKeyword, FnOp, Operand, Relation, StatementKind, ValueKind,
+};
 
 pub(super) const RULE: Rule = Rule { code: "result-of-other-axis", severity: Severity::Warning, run };
 
@@ -24,8 +30,12 @@ const LIMITS: [f64; 2] = [0.01, 0.2];
 const RESULTS: [(u16, Axis); 6] =
     [(115, Axis::X), (116, Axis::Y), (117, Axis::Z), (120, Axis::A), (121, Axis::B), (122, Axis::C)];
 
+/// How the meanings of spatial angles that are measured begin.
+const SPATIAL: &str = "spatial-angle-";
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     sizes(rule, facts, found);
+    planes(rule, facts, found);
     // Most programs have none of them.
     let text = facts.program.source().text();
     if !RESULTS.iter().any(|(number, _)| text.contains(&format!("Q{number}"))) {
@@ -56,6 +66,51 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         }
     }
+}
+
+/// Planes that name the spatial angle of another axis, in the words for angles or in a cycle for the working plane.
+fn planes(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let spatial = |own: &&crate::spec::Cycle| own.file.results.iter().any(|own| own.is.as_str().starts_with(SPATIAL));
+    let Some(cycle) = facts.definitions.iter().filter_map(Defined::related_cycle).find(spatial) else { return };
+    let axis_of = |q: QRef| {
+        let result = cycle.file.results.iter().find(|own| own.q == Some(q))?;
+        result.is.as_str().strip_prefix(SPATIAL)?.chars().next().map(|axis| axis.to_ascii_uppercase())
+    };
+    let copies = copies(facts);
+    for block in facts.program.blocks() {
+        let words = match &block.kind {
+            BlockKind::Statement(own) if own.kind == StatementKind::Plane => &own.words,
+            BlockKind::OldCycleLine(own) if own.keyword == CycleKeyword::CyclDef => &own.words,
+            _ => continue,
+        };
+        for word in words {
+            let ValueKind::Q { q, negative: false } = word.value.kind else { continue };
+            let q = copies.get(&q).copied().unwrap_or(q);
+            let name = facts.text(word.name).trim().to_ascii_uppercase();
+            let named = name.strip_prefix("SP").unwrap_or(&name);
+            let other = match named {
+                "A" => 'A',
+                "B" => 'B',
+                "C" => 'C',
+                _ => continue,
+            };
+            if let Some(axis) = axis_of(q).filter(|axis| *axis != other) {
+                let finding = rule.at(facts, word.value.span).arg("what", "axis").arg("parameter", q.to_string());
+                found.push(finding.arg("axis", axis.to_string()).arg("other", other.to_string()));
+            }
+        }
+    }
+}
+
+/// The parameters that are copies of one other parameter, and are written once.
+fn copies(facts: &Facts<'_>) -> BTreeMap<QRef, QRef> {
+    let mut copies: BTreeMap<QRef, Option<QRef>> = BTreeMap::new();
+    for (_, block) in facts.marked() {
+        let Some((target, _)) = assigned(block) else { continue };
+        let of = copied(block);
+        copies.entry(target).and_modify(|own| *own = None).or_insert(of);
+    }
+    copies.into_iter().filter_map(|(target, of)| Some((target, of?))).collect()
 }
 
 const fn is_linear(axis: Axis) -> bool {

@@ -5,12 +5,14 @@
 //! definition of those data to the last call of such a cycle (TNC 640, 001: 4600).
 //!
 //! A parameter that the definition has passed on (`Q201=Q1`) does nothing any more when it is written between (001:
-//! 1065), and one that the definition writes over is lost for the program that reads it later.
+//! 1065), and one that the definition writes over is lost for the program that reads it later. So is the result of a
+//! measurement that the next one overwrites before anything reads it, where the next one's is copied twice.
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use crate::base::diag::{Diagnostic, Place, Severity, Span};
 use crate::base::expr::{QKind, QRef};
-use crate::check::program::reads;
+use crate::check::cycle::probes;
+use crate::check::program::{assigned, copied, reads};
 use crate::check::{Aspect, Defined, Definition, Facts, Item, Pending, Rule, Tri};
 use crate::program::syntax::{Amount, BlockKind, ValueKind};
 use crate::spec::{Group, ParameterKind};
@@ -24,6 +26,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::FnAssign(_) | BlockKind::Formula(_))) {
         return;
     }
+    results(rule, facts, found);
     // The last block that calls each definition, before the definition and after it.
     let mut calls: HashMap<u32, [usize; 2]> = HashMap::new();
     for call in &facts.run.calls {
@@ -146,6 +149,55 @@ fn overwritten(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if let Some((q, span, given)) = target {
             lost.remove(&q);
             owned.insert(q, (span, given));
+        }
+    }
+}
+
+/// The results that are copied twice after one measurement, though that of the one before was never read.
+fn results(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    /// What is known of a result: the definitions that gave it one after the other, and the copy of the last one.
+    #[derive(Default)]
+    struct Known {
+        unread: bool,
+        given: bool,
+        copy: Option<(QRef, Span)>,
+    }
+    if facts.flow.programs || facts.flow.unread.any() {
+        return;
+    }
+    let mut results: BTreeMap<QRef, Known> = BTreeMap::new();
+    let mut definitions = facts.definitions.iter().filter(|own| own.related_cycle().is_some_and(probes)).peekable();
+    let mut used = Vec::new();
+    for (index, block) in facts.program.blocks().iter().enumerate() {
+        if let Some(own) = definitions.next_if(|own| own.view.first == index) {
+            for q in own.related_cycle().iter().flat_map(|cycle| &cycle.file.results).filter_map(|own| own.q) {
+                let known = results.entry(q).or_default();
+                *known = Known { unread: known.given, given: true, copy: None };
+            }
+            continue;
+        }
+        if results.is_empty() {
+            continue;
+        }
+        // A program comes from elsewhere to a label, and reads out of sight in subprograms and reports.
+        if matches!(block.kind, BlockKind::Lbl(_) | BlockKind::CallLbl(_) | BlockKind::Statement(_)) {
+            results.clear();
+            continue;
+        }
+        used.clear();
+        reads(block, &mut used);
+        for (q, _) in &used {
+            let Some(known) = results.get_mut(q) else { continue };
+            let copy = copied(block).and(assigned(block));
+            match (copy, known.copy) {
+                (Some((target, _)), Some((other, span))) if known.unread && target != other => {
+                    let finding = rule.at(facts, span).arg("parameter", q.to_string()).arg("what", "result");
+                    found.push(finding.arg("cycle", ""));
+                    *known = Known::default();
+                }
+                (Some(copy), None) if known.unread => known.copy = Some(copy),
+                _ => *known = Known::default(),
+            }
         }
     }
 }

@@ -99,9 +99,16 @@ pub(super) fn cycle(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) 
     }
 }
 
-/// What doubts may ask besides parameters: whether the tool axis is another one than Z, and what the tool table says.
-const ASKED: [[&str; 2]; 5] =
-    [["active", "other_axis"], ["tool", "radius"], ["tool", "lcuts"], ["tool", "pitch"], ["tool", "speed"]];
+/// What doubts may ask besides parameters: whether the tool axis is another one than Z, whether the plane is tilted, and
+/// what the tool table says.
+const ASKED: [[&str; 2]; 6] = [
+    ["active", "other_axis"],
+    ["active", "tilting"],
+    ["tool", "radius"],
+    ["tool", "lcuts"],
+    ["tool", "pitch"],
+    ["tool", "speed"],
+];
 
 /// The first name in a formula of a doubt that it cannot read.
 fn expr_names(expr: &Expr) -> Option<String> {
