@@ -3,8 +3,6 @@
 //!
 //! Invariant: a curve is what one block draws, an arc or the movements of a loop; straight cuts from edge to edge
 //! leave the blank with every line.
-use std::collections::{BTreeSet, HashMap};
-
 use glam::{DVec2, DVec3};
 
 use super::body::{SAME, SKIN};
@@ -24,32 +22,6 @@ const MOST_HEIGHTS: usize = 1 << 11;
 const MOST_RIBS: usize = 1 << 8;
 /// Lines that are farther apart than so many diameters are meant to leave something between them.
 const FARTHEST: f64 = 2.0;
-
-/// The ends of a movement, hundredths of a millimetre.
-type Ends = [i64; 6];
-
-/// What is known of the curves.
-#[derive(Default)]
-pub(super) struct Curves {
-    /// The block that draws now, and its height, hundredths of a millimetre.
-    block: (usize, i64),
-    count: usize,
-    /// Whether it began in the blank, and where it was outside of it.
-    inside: bool,
-    left: Option<DVec3>,
-    /// Where the tool went down last.
-    entry: Option<DVec2>,
-    /// The movements along contours, with the tool call: the line of each and where the tool went down before it.
-    gone: HashMap<(u32, Ends), (usize, Option<DVec2>)>,
-    /// The heights at which contours are gone along, hundredths of a millimetre: line, tool call.
-    heights: BTreeSet<(usize, usize, i64)>,
-    /// The last level movements, one after the other, and the places that may be left between lines to and fro: line, place,
-    /// step and width of the tool.
-    lines: Vec<[DVec3; 2]>,
-    ribs: Vec<(usize, DVec3, [f64; 2])>,
-    /// So many of the last ones others have made before, of which the first line is this.
-    again: (usize, usize),
-}
 
 impl Watcher<'_> {
     /// Notes where the tool goes down.

@@ -9,7 +9,7 @@
 //!
 //! `mod.rs` sets up the run, `body.rs` is the blank, `remains.rs` what is left of it, `watcher.rs` follows the events (`known.rs` where the tool is),
 //! `cuts.rs` judges movements that cut, `work.rs` what a cycle has done, `path.rs` what plain movements have, `curves.rs` curves and
-//! contours of them,
+//! contours of them (`tracks.rs` keeps them),
 //! `tilted.rs` what is done in a tilted plane, `turned.rs` what is turned (`lathe.rs` keeps the workpiece meanwhile),
 //! `overlaps.rs` compares pockets and holes (`areas.rs`), `edges.rs` finds what open contours leave (`walls.rs`),
 //! `series.rs` the holes of the whole program together, `undescribed.rs` what cycles do that are passed over, `unsure.rs`
@@ -30,6 +30,7 @@ pub mod presets;
 mod remains;
 mod series;
 mod tilted;
+mod tracks;
 mod turned;
 mod undescribed;
 mod unsure;

@@ -5,12 +5,12 @@ use glam::DVec3;
 
 use super::areas::Area;
 use super::body::{Body, SAME, SKIN};
-use super::curves::Curves;
 use super::lathe::Turned;
 use super::path::Ways;
 use super::presets::UNNAMED_PRESET;
 use super::remains::Remains;
 use super::series::Rows;
+use super::tracks::Curves;
 use super::undescribed;
 use super::walls::Way;
 use super::work::{Hole, Thread, Work};
