@@ -48,6 +48,7 @@ diag-preset-row-wrong =
 diag-repeat-without-effect =
     { $what ->
         [same] The contour is repeated at the same depth { $value }: incremental steps of it would go through the blank.
+        [jump] This jump leads to the block that follows it anyway: what it was to pass over is missing.
        *[zero] A repeat of zero times does nothing.
     }
 diag-slot-too-narrow = The tool with the diameter { $tool } does not fit between the walls here: this line is only { $value } long.
@@ -105,6 +106,8 @@ diag-error-branch-entered =
     { $what ->
         [turned] The jump over the stop is taken where { $parameter } reports a fault.
         [implied] This jump and the one before it go to the same label and compare { $parameter } in the same direction: one of the two limits says nothing.
+        [greater] The jump to the error message is always taken here: { $value } is greater than { $other }.
+        [less] The jump to the error message is always taken here: { $value } is less than { $other }.
        *[entered] The run comes to this branch without its jump, and stops: neither M2 nor M30 ends the program before it.
     }
 diag-finishing-before-roughing =
@@ -116,10 +119,14 @@ diag-label-unused = Nothing calls, repeats or jumps to label { $label } in this 
 diag-loop-runs-once =
     { $what ->
         [again] From the second time on this loop is executed only once: nothing sets its counter back.
+        [inner] The loop inside of this one counts with { $parameter } as well, and sets it anew on each pass: this jump does not count its own passes.
        *[never] This jump back is never taken: its counter fulfils the condition on no pass.
     }
 diag-parameter-unused =
-    { $parameter } is given a value here, and nothing reads it.
+    { $what ->
+        [late] { $parameter } is given a value here that no call reads any more: each call has its own values, and the one for these stands before them.
+       *[never] { $parameter } is given a value here, and nothing reads it.
+    }
 diag-probing-direction-wrong =
     { $what ->
         [up] { $cycle } probes with { $value }, upwards along the tool axis: the probe would come from inside of the part.
@@ -129,6 +136,7 @@ diag-same-datum-twice =
     { $what ->
         [loop] The loop counts, but activates row { $row } on every pass: the same is machined again each time.
         [turned] The table was not turned on for row { $row }: it stands at the angle of another side.
+        [cycle] Row { $row } is activated again before the same cycle call at the same place: the same is machined twice.
        *[again] Row { $row } is activated again before the same subprogram: the same is machined twice.
     }
 diag-selected-table-missing = The table { $name } is not in the folder of the program.
@@ -147,5 +155,9 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } reads { $parameter }, and nothing has given it a value before this call.
-diag-branch-runs-on = The branch ends here without a jump: the next one gives { $parameter } other values before anything reads these.
+diag-branch-runs-on =
+    { $what ->
+        [variant] The branch ends here without a jump, and the run goes on into the other one: nothing leads to label { $parameter } behind it.
+       *[values] The branch ends here without a jump: the next one gives { $parameter } other values before anything reads these.
+    }
 diag-finishing-tool-too-wide = The allowance and the radius of the tool add up to { $value } here; this must be less than in roughing, { $other }.

@@ -48,6 +48,7 @@ diag-preset-row-wrong =
 diag-repeat-without-effect =
     { $what ->
         [same] Muoto toistetaan samalla syvyydellä { $value }: samansuuruisin inkrementaalisin askelin se menisi aihion läpi.
+        [jump] Tämä hyppy johtaa lauseeseen, joka seuraa sitä muutenkin: ohitettava kohta puuttuu.
        *[zero] Nolla toistoa ei tee mitään.
     }
 diag-slot-too-narrow = Työkalu, jonka halkaisija on { $tool }, ei mahdu tässä seinämien väliin: tämän suoran pituus on vain { $value }.
@@ -105,6 +106,8 @@ diag-error-branch-entered =
     { $what ->
         [turned] Pysäytyksen yli hypätään silloin, kun { $parameter } ilmoittaa viasta.
         [implied] Tämä hyppy ja sitä edeltävä vievät samaan labeliin ja vertaavat arvoa { $parameter } samaan suuntaan: toinen rajoista ei vaikuta mihinkään.
+        [greater] Hyppy virheilmoitukseen tehdään tässä aina: { $value } on suurempi kuin { $other }.
+        [less] Hyppy virheilmoitukseen tehdään tässä aina: { $value } on pienempi kuin { $other }.
        *[entered] Suoritus tulee tähän haaraan myös ilman hyppyä ja pysähtyy: M2 tai M30 ei päätä ohjelmaa ennen sitä.
     }
 diag-finishing-before-roughing =
@@ -116,9 +119,14 @@ diag-label-unused = Mikään ei kutsu tai toista tämän aliohjelman labelia { $
 diag-loop-runs-once =
     { $what ->
         [again] Toisesta kerrasta alkaen tämä silmukka suoritetaan vain kerran: mikään ei palauta sen laskuria.
+        [inner] Myös sisempi silmukka laskee parametrilla { $parameter } ja asettaa sen joka kierroksella uudelleen: tämä hyppy ei laske omia kierroksiaan.
        *[never] Tätä hyppyä taaksepäin ei koskaan tehdä: laskuri ei täytä ehtoa millään kierroksella.
     }
-diag-parameter-unused = Parametri { $parameter } saa tässä arvon, eikä mikään lue sitä.
+diag-parameter-unused =
+    { $what ->
+        [late] { $parameter } saa tässä arvon, jota mikään kutsu ei enää lue: jokaisella kutsulla on omat arvonsa, ja näille kuuluva kutsu on niiden edellä.
+       *[never] Parametri { $parameter } saa tässä arvon, eikä mikään lue sitä.
+    }
 diag-probing-direction-wrong =
     { $what ->
         [up] { $cycle } koskettaa suunnassa { $value } eli työkaluakselia ylöspäin: kosketusjärjestelmä tulisi kappaleen sisältä.
@@ -128,6 +136,7 @@ diag-same-datum-twice =
     { $what ->
         [loop] Silmukka laskee kierroksia, mutta aktivoi joka kierroksella rivin { $row }: joka kerta koneistetaan sama.
         [turned] Pöytää ei käännetty riviä { $row } varten: se on toisen sivun kulmassa.
+        [cycle] Rivi { $row } aktivoidaan uudelleen ennen samaa työkierron kutsua samassa paikassa: sama koneistetaan kahdesti.
        *[again] Rivi { $row } aktivoidaan uudelleen ennen samaa aliohjelmaa: sama koneistetaan kahdesti.
     }
 diag-selected-table-missing = Taulukko { $name } ei ole ohjelman kansiossa.
@@ -146,5 +155,9 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } lukee parametrin { $parameter }, eikä mikään ole antanut sille arvoa ennen tätä kutsua.
-diag-branch-runs-on = Haara päättyy tässä ilman hyppyä: seuraava haara antaa uudet arvot ({ $parameter }), ennen kuin mikään lukee näitä.
+diag-branch-runs-on =
+    { $what ->
+        [variant] Haara päättyy tähän ilman hyppyä, ja ohjelma jatkuu toiseen haaraan: sen perässä olevaan labeliin { $parameter } ei johda mikään.
+       *[values] Haara päättyy tässä ilman hyppyä: seuraava haara antaa uudet arvot ({ $parameter }), ennen kuin mikään lukee näitä.
+    }
 diag-finishing-tool-too-wide = Työvara ja työkalun säde ovat tässä yhteensä { $value }; summan on oltava pienempi kuin rouhinnassa, { $other }.

@@ -618,6 +618,7 @@ diag-word-wrong =
         [beyond] { $word } é { $value }, para lá do fim do texto.
         [file] { $value } não é um ficheiro { $word }.
         [shorter] { $word } é { $value }: o comando considera a ferramenta mais curta nessa medida, e tudo fica mais fundo na mesma medida.
+        [askew] O vetor base e o vetor normal têm de ser perpendiculares entre si.
        *[tool] { $value } não é um número de ferramenta: depois do ponto só pode haver um algarismo.
     }
 diag-wrong-value-kind =
@@ -719,6 +720,11 @@ diag-tilted-work =
        *[stands] O ciclo começa em { $value }, mas no plano inclinado o bloco chega aqui a { $other }.
     }
 diag-circle-point-wrong = { $parameter } e { $other } são calculados ambos com { $value } do mesmo ângulo: um ponto num círculo tem numa coordenada o seno e na outra o cosseno.
+diag-formula-wrong =
+    { $what ->
+        [square] { $parameter } é uma soma ou diferença de quadrados e é usado como comprimento: falta a raiz quadrada.
+       *[radius] { $parameter } é calculado com o outro sinal do raio da ferramenta Q108 do que antes da chamada anterior: a ferramenta está do outro lado da mesma medida.
+    }
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } é corrigido por { $other }, que é o desvio do outro lado.

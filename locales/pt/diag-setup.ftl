@@ -48,6 +48,7 @@ diag-preset-row-wrong =
 diag-repeat-without-effect =
     { $what ->
         [same] O contorno é repetido à mesma profundidade { $value }: com passos incrementais desse valor atravessaria o bloco.
+        [jump] Este salto leva à frase que o segue de qualquer maneira: falta aquilo que devia saltar.
        *[zero] Uma repetição de zero vezes não tem efeito.
     }
 diag-slot-too-narrow = A ferramenta com o diâmetro { $tool } não cabe aqui entre as paredes: esta reta só tem { $value } de comprimento.
@@ -105,6 +106,8 @@ diag-error-branch-entered =
     { $what ->
         [turned] O salto por cima da paragem é executado quando { $parameter } indica um defeito.
         [implied] Este salto e o anterior levam ao mesmo label e comparam { $parameter } no mesmo sentido: um dos dois limites não tem efeito.
+        [greater] O salto para a mensagem de erro é sempre executado aqui: { $value } é maior do que { $other }.
+        [less] O salto para a mensagem de erro é sempre executado aqui: { $value } é menor do que { $other }.
        *[entered] A execução chega a este ramo mesmo sem o salto, e para: nem M2 nem M30 terminam o programa antes dele.
     }
 diag-finishing-before-roughing =
@@ -116,10 +119,14 @@ diag-label-unused = Nada chama ou repete o label { $label } deste subprograma, e
 diag-loop-runs-once =
     { $what ->
         [again] A partir da segunda vez esta repetição só é executada uma vez: nada repõe o seu contador.
+        [inner] A repetição interior também conta com { $parameter } e volta a defini-lo em cada passagem: este salto não conta as suas próprias passagens.
        *[never] Este salto para trás nunca é executado: o contador não cumpre a condição em nenhuma passagem.
     }
 diag-parameter-unused =
-    { $parameter } recebe aqui um valor, e nada o lê.
+    { $what ->
+        [late] { $parameter } recebe aqui um valor que já nenhuma chamada lê: cada chamada tem os seus próprios valores, e a destes está antes deles.
+       *[never] { $parameter } recebe aqui um valor, e nada o lê.
+    }
 diag-probing-direction-wrong =
     { $what ->
         [up] { $cycle } apalpa com { $value }, para cima ao longo do eixo da ferramenta: o apalpador viria de dentro da peça.
@@ -129,6 +136,7 @@ diag-same-datum-twice =
     { $what ->
         [loop] A repetição conta, mas ativa a linha { $row } em todas as passagens: é maquinado sempre o mesmo.
         [turned] A mesa não foi rodada para a linha { $row }: está no ângulo de outro lado.
+        [cycle] A linha { $row } é ativada de novo antes da mesma chamada de ciclo no mesmo sítio: o mesmo é maquinado duas vezes.
        *[again] A linha { $row } volta a ser ativada antes do mesmo subprograma: o mesmo é maquinado duas vezes.
     }
 diag-selected-table-missing = A tabela { $name } não está na pasta do programa.
@@ -147,5 +155,9 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } lê { $parameter }, e nada lhe atribuiu um valor antes desta chamada.
-diag-branch-runs-on = O ramo termina aqui sem salto: o seguinte dá outros valores a { $parameter } antes de alguma coisa ler estes.
+diag-branch-runs-on =
+    { $what ->
+        [variant] O ramo termina aqui sem um salto e a execução continua no outro: nada leva ao label { $parameter } depois dele.
+       *[values] O ramo termina aqui sem salto: o seguinte dá outros valores a { $parameter } antes de alguma coisa ler estes.
+    }
 diag-finishing-tool-too-wide = A medida excedente e o raio da ferramenta somam aqui { $value }; a soma tem de ser menor do que no desbaste, { $other }.

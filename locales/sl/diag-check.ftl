@@ -621,6 +621,7 @@ diag-word-wrong =
         [beyond] { $word } je { $value }, kar je za koncem besedila.
         [file] { $value } ni datoteka { $word }.
         [shorter] { $word } je { $value }: krmiljenje ima orodje za toliko krajše in vse postane za toliko globlje.
+        [askew] Osnovni in normalni vektor morata biti pravokotna drug na drugega.
        *[tool] { $value } ni številka orodja: za piko sme stati samo ena števka.
     }
 diag-wrong-value-kind =
@@ -722,6 +723,11 @@ diag-tilted-work =
        *[stands] Cikel se začne pri { $value }, v zavrteni ravnini pa surovec tu sega do { $other }.
     }
 diag-circle-point-wrong = { $parameter } in { $other } se oba izračunata z { $value } istega kota: točka na krogu ima v eni koordinati sinus, v drugi pa kosinus.
+diag-formula-wrong =
+    { $what ->
+        [square] { $parameter } je vsota ali razlika kvadratov in se uporablja kot dolžina: manjka kvadratni koren.
+       *[radius] { $parameter } se izračuna z drugim predznakom polmera orodja Q108 kot pred prejšnjim priklicem: orodje je na drugi strani iste mere.
+    }
 diag-correction-wrong =
     { $what ->
         [side] { $parameter } se popravi za { $other }, kar je odstopanje druge stranice.

@@ -50,6 +50,7 @@ diag-preset-row-wrong =
 diag-repeat-without-effect =
     { $what ->
         [same] Kontura se ponovi na isti globini { $value }: z inkrementalnimi koraki te velikosti bi šla skozi surovec.
+        [jump] Ta skok vodi v stavek, ki mu tako ali tako sledi: manjka tisto, kar naj bi preskočil.
        *[zero] Nič ponovitev nima nobenega učinka.
     }
 diag-slot-too-narrow = Orodje s premerom { $tool } tukaj ne gre med stene: ta premica je dolga samo { $value }.
@@ -107,6 +108,8 @@ diag-error-branch-entered =
     { $what ->
         [turned] Skok čez zaustavitev se izvede, kadar { $parameter } javlja napako.
         [implied] Ta skok in skok pred njim vodita na isto oznako in primerjata { $parameter } v isto smer: ena od obeh mej ne učinkuje.
+        [greater] Skok na sporočilo o napaki se tu vedno izvede: { $value } je večje od { $other }.
+        [less] Skok na sporočilo o napaki se tu vedno izvede: { $value } je manjše od { $other }.
        *[entered] Izvajanje pride v to vejo tudi brez skoka in se ustavi: pred njo programa ne konča ne M2 ne M30.
     }
 diag-finishing-before-roughing =
@@ -118,10 +121,14 @@ diag-label-unused = Oznake { $label } v tem podprogramu nič ne prikliče in ne 
 diag-loop-runs-once =
     { $what ->
         [again] Od drugič naprej se ta zanka izvede samo enkrat: njenega števca nič ne ponastavi.
+        [inner] Tudi notranja zanka šteje s parametrom { $parameter } in ga v vsakem prehodu na novo postavi: ta skok ne šteje svojih prehodov.
        *[never] Ta skok nazaj se nikoli ne izvede: števec v nobenem prehodu ne izpolni pogoja.
     }
 diag-parameter-unused =
-    { $parameter } tukaj dobi vrednost, nič pa je ne prebere.
+    { $what ->
+        [late] { $parameter } tu dobi vrednost, ki je noben priklic ne bere več: vsak priklic ima svoje vrednosti, priklic za te pa stoji pred njimi.
+       *[never] { $parameter } tukaj dobi vrednost, nič pa je ne prebere.
+    }
 diag-probing-direction-wrong =
     { $what ->
         [up] { $cycle } tipa s smerjo { $value }, navzgor vzdolž orodne osi: tipalni sistem bi prišel iz notranjosti obdelovanca.
@@ -131,6 +138,7 @@ diag-same-datum-twice =
     { $what ->
         [loop] Zanka šteje, vendar v vsakem prehodu aktivira vrstico { $row }: vsakič se obdela isto.
         [turned] Miza se za vrstico { $row } ni obrnila naprej: stoji pod kotom druge strani.
+        [cycle] Vrstica { $row } se znova aktivira pred enakim priklicem cikla na istem mestu: isto se obdela dvakrat.
        *[again] Vrstica { $row } se pred istim podprogramom znova aktivira: isto se obdela dvakrat.
     }
 diag-selected-table-missing = Preglednice { $name } ni v mapi programa.
@@ -149,5 +157,9 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } bere { $parameter }, ki mu pred tem priklicem nič ni dalo vrednosti.
-diag-branch-runs-on = Veja se tu konča brez skoka: naslednja določi druge vrednosti ({ $parameter }), preden kaj prebere te.
+diag-branch-runs-on =
+    { $what ->
+        [variant] Veja se tu konča brez skoka in potek se nadaljuje v drugo: na oznako { $parameter } za njo ne vodi nič.
+       *[values] Veja se tu konča brez skoka: naslednja določi druge vrednosti ({ $parameter }), preden kaj prebere te.
+    }
 diag-finishing-tool-too-wide = Nadmera in polmer orodja sta tu skupaj { $value }; to mora biti manj kot pri posnemanju, { $other }.

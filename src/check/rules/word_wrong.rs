@@ -23,6 +23,9 @@ const OVERSIZE: f64 = 99.9999;
 /// No tool is so much shorter than the table says, mm.
 const SHORTER: f64 = 2.0;
 
+/// Two vectors may be so far from perpendicular, as a cosine: their components are rounded.
+const ASKEW: f64 = 0.05;
+
 /// Where the findings go.
 struct Telling<'t, 'f, 'a> {
     rule: &'t Rule,
@@ -129,6 +132,13 @@ fn has_no_direction(text: &str) -> bool {
 fn cross(one: [f64; 3], other: [f64; 3]) -> [f64; 3] {
     let ([a, b, c], [d, e, f]) = (one, other);
     [b * f - c * e, c * d - a * f, a * e - b * d]
+}
+
+/// The cosine of the angle between two vectors; nothing is wrong with one that has no length.
+fn cosine(one: [f64; 3], other: [f64; 3]) -> f64 {
+    let product = |[a, b, c]: [f64; 3], [d, e, f]: [f64; 3]| a * d + b * e + c * f;
+    let length = (product(one, one) * product(other, other)).sqrt();
+    if length > 0.0 { product(one, other) / length } else { 0.0 }
 }
 
 fn is_zero(vector: [f64; 3]) -> bool {
@@ -247,6 +257,11 @@ impl Telling<'_, '_, '_> {
                 && !is_zero([d, e, f])
             {
                 self.report("parallel", words.span(), list, "");
+            } else if let Some(list) = known.askew.as_deref()
+                && let Some([a, b, c, d, e, f]) = words.numbers(list)
+                && cosine([a, b, c], [d, e, f]).abs() > ASKEW
+            {
+                self.report("askew", words.span(), list, "");
             }
             if let Some(list) = known.spread.as_deref()
                 && let Some([a, b, c, d, e, f, g, h, i]) = words.numbers(list)

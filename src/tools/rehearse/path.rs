@@ -11,6 +11,8 @@ use crate::engine::run::Coordinates;
 
 /// So many movements make a path that is compared.
 const LEAST: usize = 4;
+/// The width of a tool that is not known, mm.
+const WIDE: f64 = 25.0;
 /// So many places are remembered.
 const MOST: usize = 1 << 15;
 /// Of a movement so many.
@@ -95,6 +97,12 @@ impl Ways {
             self.first.get_or_insert(line);
             self.cuts |= cuts;
         }
+    }
+
+    /// Notes a movement at feed of which it is not known where in the blank it goes.
+    pub(super) fn note_unseen(&mut self) {
+        (self.meets, self.cuts) = (true, true);
+        self.lowest = Some(f64::NEG_INFINITY);
     }
 
     /// Notes that the tool cuts under the rotation in effect.
@@ -222,6 +230,25 @@ impl Watcher<'_> {
         }
     }
 
+    /// Whether a movement under a mirror image or a rotation about a place of the blank lies wholly beside the blank: then it
+    /// is the other axis that had to be mirrored, and not another workpiece that is machined.
+    fn is_mirrored_beside(&self, (_, ends): &Stroke) -> bool {
+        let (Some(body), Some(rows)) = (self.body, self.ways.transformation) else { return false };
+        let radius = self.width().unwrap_or(WIDE) / 2.0;
+        let one = (1.0 / SAME) as i64;
+        let turned = rows[0][0] != one || rows[1][1] != one;
+        let [low, high] = [body.low.to_array(), body.high.to_array()];
+        let on_blank = (0..2).all(|axis| {
+            let origin = rows[axis][3] as f64 * SAME;
+            (low[axis] - SKIN..=high[axis] + SKIN).contains(&origin)
+        });
+        let beside = (0..2).any(|axis| {
+            let [from, to] = [ends[axis], ends[axis + 3]].map(|own| own as f64 * SAME);
+            from.max(to) + radius < low[axis] || from.min(to) - radius > high[axis]
+        });
+        turned && on_blank && beside
+    }
+
     /// Whether all that was done under the transformation in effect was done before under others.
     fn compare(&mut self) {
         let (now, first) = (std::mem::take(&mut self.ways.now), self.ways.first.take());
@@ -235,7 +262,10 @@ impl Watcher<'_> {
             && !self.away()
         {
             self.report(line, Incident::PathTwice);
-        } else if let Some(line) = first.filter(|_| !cuts && strokes.len() >= LEAST && !self.away()) {
+        } else if let Some(line) = first
+            .filter(|_| !cuts && !self.away())
+            .filter(|_| strokes.len() >= LEAST || strokes.iter().all(|own| self.is_mirrored_beside(own)))
+        {
             let again = strokes.iter().all(|(own, _)| self.ways.cutting.contains(own));
             let other = |own: [[i64; 4]; 3]| own != plain && !self.ways.transformations.contains(&own);
             if again && self.ways.transformation.is_some_and(other) {

@@ -567,7 +567,9 @@ impl<'w> Watcher<'w> {
             if below && body.distance(self.at) > room {
                 self.report(self.line, Incident::OutsideBlank([self.at.x * self.unit, self.at.y * self.unit]));
             }
-            if plain {
+            if plain && self.away() {
+                self.ways.note_unseen();
+            } else if plain {
                 let reach = self.radius() + SAME;
                 let meets = places.iter().any(|place| body.distance(*place) <= reach && place.z >= body.low.z - reach);
                 let cuts = self.width().is_none_or(|width| self.remains.may_cut(places, width / 2.0));
