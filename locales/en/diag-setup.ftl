@@ -119,7 +119,7 @@ diag-label-unused = Nothing calls, repeats or jumps to label { $label } in this 
 diag-loop-runs-once =
     { $what ->
         [again] From the second time on this loop is executed only once: nothing sets its counter back.
-        [inner] The loop inside of this one counts with { $parameter } as well, and sets it anew on each pass: this jump does not count its own passes.
+        [inner] The loop inside of this one counts with { $parameter } as well, which ends this one early or never: this jump does not count its own passes.
        *[never] This jump back is never taken: its counter fulfils the condition on no pass.
     }
 diag-parameter-unused =

@@ -119,7 +119,7 @@ diag-label-unused = Mikään ei kutsu tai toista tämän aliohjelman labelia { $
 diag-loop-runs-once =
     { $what ->
         [again] Toisesta kerrasta alkaen tämä silmukka suoritetaan vain kerran: mikään ei palauta sen laskuria.
-        [inner] Myös sisempi silmukka laskee parametrilla { $parameter } ja asettaa sen joka kierroksella uudelleen: tämä hyppy ei laske omia kierroksiaan.
+        [inner] Myös sisempi silmukka laskee parametrilla { $parameter }, joten tämä päättyy liian aikaisin tai ei koskaan: tämä hyppy ei laske omia kierroksiaan.
        *[never] Tätä hyppyä taaksepäin ei koskaan tehdä: laskuri ei täytä ehtoa millään kierroksella.
     }
 diag-parameter-unused =

@@ -119,7 +119,7 @@ diag-label-unused = Nulla chiama o ripete il label { $label } di questo sottopro
 diag-loop-runs-once =
     { $what ->
         [again] Dalla seconda volta in poi questa ripetizione viene eseguita una volta sola: nulla riporta indietro il suo contatore.
-        [inner] Anche la ripetizione interna conta con { $parameter } e lo imposta di nuovo a ogni passaggio: questo salto non conta i propri passaggi.
+        [inner] Anche la ripetizione interna conta con { $parameter }, per cui questa termina troppo presto o mai: questo salto non conta i propri passaggi.
        *[never] Questo salto all’indietro non viene mai eseguito: il contatore non soddisfa la condizione in nessun passaggio.
     }
 diag-parameter-unused =

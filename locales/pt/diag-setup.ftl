@@ -119,7 +119,7 @@ diag-label-unused = Nada chama ou repete o label { $label } deste subprograma, e
 diag-loop-runs-once =
     { $what ->
         [again] A partir da segunda vez esta repetição só é executada uma vez: nada repõe o seu contador.
-        [inner] A repetição interior também conta com { $parameter } e volta a defini-lo em cada passagem: este salto não conta as suas próprias passagens.
+        [inner] A repetição interior também conta com { $parameter }, pelo que esta termina cedo demais ou nunca: este salto não conta as suas próprias passagens.
        *[never] Este salto para trás nunca é executado: o contador não cumpre a condição em nenhuma passagem.
     }
 diag-parameter-unused =

@@ -121,7 +121,7 @@ diag-label-unused = Oznake { $label } v tem podprogramu nič ne prikliče in ne 
 diag-loop-runs-once =
     { $what ->
         [again] Od drugič naprej se ta zanka izvede samo enkrat: njenega števca nič ne ponastavi.
-        [inner] Tudi notranja zanka šteje s parametrom { $parameter } in ga v vsakem prehodu na novo postavi: ta skok ne šteje svojih prehodov.
+        [inner] Tudi notranja zanka šteje s parametrom { $parameter }, zato se ta konča prezgodaj ali nikoli: ta skok ne šteje svojih prehodov.
        *[never] Ta skok nazaj se nikoli ne izvede: števec v nobenem prehodu ne izpolni pogoja.
     }
 diag-parameter-unused =

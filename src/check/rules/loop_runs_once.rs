@@ -1,13 +1,13 @@
 //! A jump back whose counter fulfils its condition on no pass: the loop is executed once and never repeated. Also one in a
 //! loop or a subprogram that is executed several times and never sets the counter back: from the second time on the inner
 //! loop is executed once. And a jump back that compares the counter of a loop inside of its own one, which that loop sets
-//! anew on each pass.
+//! anew on each pass, or leaves beyond its end.
 //!
 //! Only where the counter has a number before the loop, is changed by a known step, and is compared with a number that is
 //! written in the jump, or with a parameter that it moves towards: what a parameter limits may be one pass by intention. Silent where anything else may lead into the
 //! loop or write the counter.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::base::expr::{Node, QKind, QRef};
+use crate::base::expr::{Node, Op, QKind, QRef};
 use crate::check::loops::{Loop, set_once};
 use crate::check::program::reads;
 use crate::check::{Facts, Rule, Use, Way};
@@ -51,6 +51,8 @@ struct Back {
     from: usize,
     to: usize,
     q: QRef,
+    /// The number below which it goes on.
+    below: Option<f64>,
 }
 
 /// The jumps back of loops whose counter an inner loop sets and counts as well.
@@ -68,7 +70,11 @@ fn shared<'p>(facts: &Facts<'p>) -> Vec<(&'p Block, QRef)> {
             (Relation::Less | Relation::Greater, _, Amount::Q { q, negative: false }) => q,
             _ => return None,
         };
-        Some(Back { from: own.block, to, q }).filter(|_| is_free(q))
+        let below = match (jump.relation, jump.a.amount, jump.b.amount) {
+            (Relation::Less, _, Amount::Number(limit)) | (Relation::Greater, Amount::Number(limit), _) => Some(limit),
+            _ => None,
+        };
+        Some(Back { from: own.block, to, q, below }).filter(|_| is_free(q))
     };
     let loops: Vec<Back> = graph.uses.iter().filter(|own| own.way == Way::Jump).filter_map(back).collect();
     if loops.len() > MANY {
@@ -76,7 +82,12 @@ fn shared<'p>(facts: &Facts<'p>) -> Vec<(&'p Block, QRef)> {
     }
     let takes = |outer: &Back, inner: &Back| {
         let inside = outer.to < inner.to && inner.from < outer.from && inner.q == outer.q;
-        inside && is_set(blocks, outer.to..inner.to, outer.q) && is_only_stepped(blocks, inner.to..outer.from, outer.q)
+        // A counter that the inner loop leaves beyond the end of the outer one ends that, if it only grows.
+        let beyond = outer.below.zip(inner.below).is_some_and(|(outer, inner)| inner >= outer);
+        inside
+            && is_only_stepped(blocks, inner.to..outer.from, outer.q)
+            && (is_set(blocks, outer.to..inner.to, outer.q)
+                || beyond && only_grows(blocks, inner.from..outer.from, outer.q))
     };
     let found = loops.iter().filter(|outer| loops.iter().any(|inner| takes(outer, inner)));
     found.filter_map(|outer| Some((blocks.get(outer.from)?, outer.q))).collect()
@@ -90,6 +101,21 @@ fn is_set(blocks: &[Block], part: std::ops::Range<usize>, q: QRef) -> bool {
         }
         BlockKind::Formula(own) => own.target == q && matches!(own.expr.node, Node::Number(_)) && !block.skip,
         _ => false,
+    })
+}
+
+/// Whether blocks only add numbers to a parameter.
+fn only_grows(blocks: &[Block], part: std::ops::Range<usize>, q: QRef) -> bool {
+    blocks.get(part).unwrap_or_default().iter().all(|block| match &block.kind {
+        BlockKind::FnAssign(own) if own.target == q => {
+            let positive = |own: &Operand| matches!(own.amount, Amount::Number(number) if number > 0.0);
+            own.op == FnOp::Add && (positive(&own.a) || own.b.as_ref().is_some_and(positive))
+        }
+        BlockKind::Formula(own) if own.target == q => {
+            let positive = |own: &Node| matches!(own, Node::Number(number) if *number > 0.0);
+            matches!(&own.expr.node, Node::Binary(Op::Add, left, right) if positive(&left.node) || positive(&right.node))
+        }
+        _ => true,
     })
 }
 
