@@ -23,8 +23,9 @@ const OVERSIZE: f64 = 99.9999;
 /// No tool is so much shorter than the table says, mm.
 const SHORTER: f64 = 2.0;
 
-/// Two vectors may be so far from perpendicular, as a cosine: their components are rounded.
-const ASKEW: f64 = 0.05;
+/// Two vectors are so far from perpendicular, as a cosine, or so near to it: an example of the manuals is not exact.
+const ASKEW: f64 = 0.1;
+const SQUARE: f64 = 0.01;
 
 /// Where the findings go.
 struct Telling<'t, 'f, 'a> {
@@ -134,11 +135,12 @@ fn cross(one: [f64; 3], other: [f64; 3]) -> [f64; 3] {
     [b * f - c * e, c * d - a * f, a * e - b * d]
 }
 
-/// The cosine of the angle between two vectors; nothing is wrong with one that has no length.
-fn cosine(one: [f64; 3], other: [f64; 3]) -> f64 {
-    let product = |[a, b, c]: [f64; 3], [d, e, f]: [f64; 3]| a * d + b * e + c * f;
-    let length = (product(one, one) * product(other, other)).sqrt();
-    if length > 0.0 { product(one, other) / length } else { 0.0 }
+/// Whether two vectors are far from perpendicular, and would be so with the sign of one component changed.
+fn lacks_sign(one: [f64; 3], other: [f64; 3]) -> bool {
+    let length = |[a, b, c]: [f64; 3]| (a * a + b * b + c * c).sqrt();
+    let parts: Vec<f64> = one.iter().zip(other).map(|(a, b)| a * b).collect();
+    let (sum, size) = (parts.iter().sum::<f64>(), length(one) * length(other));
+    sum.abs() > ASKEW * size && parts.iter().any(|own| (sum - 2.0 * own).abs() <= SQUARE * size)
 }
 
 fn is_zero(vector: [f64; 3]) -> bool {
@@ -259,7 +261,7 @@ impl Telling<'_, '_, '_> {
                 self.report("parallel", words.span(), list, "");
             } else if let Some(list) = known.askew.as_deref()
                 && let Some([a, b, c, d, e, f]) = words.numbers(list)
-                && cosine([a, b, c], [d, e, f]).abs() > ASKEW
+                && lacks_sign([a, b, c], [d, e, f])
             {
                 self.report("askew", words.span(), list, "");
             }
