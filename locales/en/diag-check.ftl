@@ -640,6 +640,7 @@ diag-word-wrong =
         [beyond] { $word } is { $value }, which is beyond the end of the text.
         [file] { $value } is not a { $word } file.
         [shorter] { $word } is { $value }: the control takes the tool for so much shorter, and everything becomes deeper by that.
+        [askew] The base vector and the normal vector must be perpendicular to each other.
        *[tool] { $value } is not a tool number: only one digit may follow the point.
     }
 diag-wrong-value-kind =
@@ -748,6 +749,11 @@ diag-circle-point-wrong =
     { $what ->
         [angle] { $parameter } is calculated with the angle { $value }, and { $other } with { $angle }: the two coordinates of a point on a circle have the same angle.
        *[function] { $parameter } and { $other } are both calculated with { $value } of the same angle: a point on a circle has the sine in one coordinate and the cosine in the other.
+    }
+diag-formula-wrong =
+    { $what ->
+        [square] { $parameter } is a sum or difference of squares and is used as a length: the square root is missing.
+       *[radius] { $parameter } is calculated with the other sign of the tool radius Q108 than before the previous call: the tool is on the other side of the same size.
     }
 diag-correction-wrong =
     { $what ->

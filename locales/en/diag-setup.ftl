@@ -51,6 +51,7 @@ diag-repeat-without-effect =
     { $what ->
         [same] The contour is repeated at the same depth { $value }: incremental steps of it would go through the blank.
         [place] The repeated movement leads to a place with absolute coordinates, where the tool already is: the repeats do nothing.
+        [jump] This jump leads to the block that follows it anyway: what it was to pass over is missing.
        *[zero] A repeat of zero times does nothing.
     }
 diag-slot-too-narrow = The tool with the diameter { $tool } does not fit between the walls here: this line is only { $value } long.
@@ -117,6 +118,8 @@ diag-error-branch-entered =
         [branch] The condition of this jump does not fit its branch: with this value { $parameter } means something else than the label or the comment there.
         [good] This jump to a branch for faults is also taken when all is well: { $parameter } reports no fault with this value.
         [unchecked] The cycle measures the tool anew here and compares it with nothing: { $parameter }, which is asked for afterwards, reports no fault.
+        [greater] The jump to the error message is always taken here: { $value } is greater than { $other }.
+        [less] The jump to the error message is always taken here: { $value } is less than { $other }.
        *[entered] The run comes to this branch without its jump, and stops: neither M2 nor M30 ends the program before it.
     }
 diag-finishing-before-roughing =
@@ -129,10 +132,14 @@ diag-loop-runs-once =
     { $what ->
         [again] From the second time on this loop is executed only once: nothing sets its counter back.
         [other] The counter of this loop is calculated from another parameter in each pass: the number with which it begins has no effect.
+        [inner] The loop inside of this one counts with { $parameter } as well, which ends this one early or never: this jump does not count its own passes.
        *[never] This jump back is never taken: its counter fulfils the condition on no pass.
     }
 diag-parameter-unused =
-    { $parameter } is given a value here, and nothing reads it.
+    { $what ->
+        [late] { $parameter } is given a value here that no call reads any more: each call has its own values, and the one for these stands before them.
+       *[never] { $parameter } is given a value here, and nothing reads it.
+    }
 diag-probing-direction-wrong =
     { $what ->
         [up] { $cycle } probes with { $value }, upwards along the tool axis: the probe would come from inside of the part.
@@ -142,6 +149,7 @@ diag-same-datum-twice =
     { $what ->
         [loop] The loop counts, but activates row { $row } on every pass: the same is machined again each time.
         [turned] The table was not turned on for row { $row }: it stands at the angle of another side.
+        [cycle] Row { $row } is activated again before the same cycle call at the same place: the same is machined twice.
        *[again] Row { $row } is activated again before the same subprogram: the same is machined twice.
     }
 diag-selected-table-missing = The table { $name } is not in the folder of the program.
@@ -160,5 +168,9 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } reads { $parameter }, and nothing has given it a value before this call.
-diag-branch-runs-on = The branch ends here without a jump: the next one gives { $parameter } other values before anything reads these.
+diag-branch-runs-on =
+    { $what ->
+        [variant] The branch ends here without a jump, and the run goes on into the other one: nothing leads to label { $parameter } behind it.
+       *[values] The branch ends here without a jump: the next one gives { $parameter } other values before anything reads these.
+    }
 diag-finishing-tool-too-wide = The allowance and the radius of the tool add up to { $value } here; this must be less than in roughing, { $other }.

@@ -639,6 +639,7 @@ diag-word-wrong =
         [beyond] Sanan { $word } arvo { $value } on tekstin lopun takana.
         [file] { $value } ei ole { $word }-tiedosto.
         [shorter] { $word } on { $value }: ohjaus pitää työkalua sen verran lyhyempänä, ja kaikki tulee sen verran syvemmäksi.
+        [askew] Kantavektorin ja normaalivektorin on oltava kohtisuorassa toisiaan vastaan.
        *[tool] { $value } ei ole työkalun numero: pisteen jäljessä saa olla vain yksi numero.
     }
 diag-wrong-value-kind =
@@ -747,6 +748,11 @@ diag-circle-point-wrong =
     { $what ->
         [angle] { $parameter } lasketaan kulmasta { $value } ja { $other } kulmasta { $angle }: ympyrän pisteen molemmilla koordinaateilla on sama kulma.
        *[function] { $parameter } ja { $other } lasketaan kumpikin saman kulman funktiolla { $value }: ympyrän pisteellä on toisessa koordinaatissa sini ja toisessa kosini.
+    }
+diag-formula-wrong =
+    { $what ->
+        [square] { $parameter } on neliöiden summa tai erotus, ja sitä käytetään pituutena: neliöjuuri puuttuu.
+       *[radius] { $parameter } lasketaan työkalun säteen Q108 toisella etumerkillä kuin ennen edellistä kutsua: työkalu on saman mitan toisella puolella.
     }
 diag-correction-wrong =
     { $what ->

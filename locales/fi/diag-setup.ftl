@@ -51,6 +51,7 @@ diag-repeat-without-effect =
     { $what ->
         [same] Muoto toistetaan samalla syvyydellä { $value }: samansuuruisin inkrementaalisin askelin se menisi aihion läpi.
         [place] Toistettava liike johtaa absoluuttisin koordinaatein annettuun paikkaan, jossa työkalu jo on: toistot eivät tee mitään.
+        [jump] Tämä hyppy johtaa lauseeseen, joka seuraa sitä muutenkin: ohitettava kohta puuttuu.
        *[zero] Nolla toistoa ei tee mitään.
     }
 diag-slot-too-narrow = Työkalu, jonka halkaisija on { $tool }, ei mahdu tässä seinämien väliin: tämän suoran pituus on vain { $value }.
@@ -117,6 +118,8 @@ diag-error-branch-entered =
         [branch] Tämän hypyn ehto ei sovi haaraansa: tällä arvolla { $parameter } tarkoittaa muuta kuin siellä oleva label tai kommentti.
         [good] Tämä hyppy vikahaaraan tehdään myös silloin, kun kaikki on kunnossa: tällä arvolla { $parameter } ei ilmoita viasta.
         [unchecked] Työkierto mittaa tässä työkalun uudelleen eikä vertaa sitä mihinkään: { $parameter }, jota kysytään myöhemmin, ei ilmoita viasta.
+        [greater] Hyppy virheilmoitukseen tehdään tässä aina: { $value } on suurempi kuin { $other }.
+        [less] Hyppy virheilmoitukseen tehdään tässä aina: { $value } on pienempi kuin { $other }.
        *[entered] Suoritus tulee tähän haaraan myös ilman hyppyä ja pysähtyy: M2 tai M30 ei päätä ohjelmaa ennen sitä.
     }
 diag-finishing-before-roughing =
@@ -129,9 +132,14 @@ diag-loop-runs-once =
     { $what ->
         [again] Toisesta kerrasta alkaen tämä silmukka suoritetaan vain kerran: mikään ei palauta sen laskuria.
         [other] Tämän silmukan laskuri lasketaan joka kierroksella toisesta parametrista: sen alkuarvolla ei ole vaikutusta.
+        [inner] Myös sisempi silmukka laskee parametrilla { $parameter }, joten tämä päättyy liian aikaisin tai ei koskaan: tämä hyppy ei laske omia kierroksiaan.
        *[never] Tätä hyppyä taaksepäin ei koskaan tehdä: laskuri ei täytä ehtoa millään kierroksella.
     }
-diag-parameter-unused = Parametri { $parameter } saa tässä arvon, eikä mikään lue sitä.
+diag-parameter-unused =
+    { $what ->
+        [late] { $parameter } saa tässä arvon, jota mikään kutsu ei enää lue: jokaisella kutsulla on omat arvonsa, ja näille kuuluva kutsu on niiden edellä.
+       *[never] Parametri { $parameter } saa tässä arvon, eikä mikään lue sitä.
+    }
 diag-probing-direction-wrong =
     { $what ->
         [up] { $cycle } koskettaa suunnassa { $value } eli työkaluakselia ylöspäin: kosketusjärjestelmä tulisi kappaleen sisältä.
@@ -141,6 +149,7 @@ diag-same-datum-twice =
     { $what ->
         [loop] Silmukka laskee kierroksia, mutta aktivoi joka kierroksella rivin { $row }: joka kerta koneistetaan sama.
         [turned] Pöytää ei käännetty riviä { $row } varten: se on toisen sivun kulmassa.
+        [cycle] Rivi { $row } aktivoidaan uudelleen ennen samaa työkierron kutsua samassa paikassa: sama koneistetaan kahdesti.
        *[again] Rivi { $row } aktivoidaan uudelleen ennen samaa aliohjelmaa: sama koneistetaan kahdesti.
     }
 diag-selected-table-missing = Taulukko { $name } ei ole ohjelman kansiossa.
@@ -159,5 +168,9 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } lukee parametrin { $parameter }, eikä mikään ole antanut sille arvoa ennen tätä kutsua.
-diag-branch-runs-on = Haara päättyy tässä ilman hyppyä: seuraava haara antaa uudet arvot ({ $parameter }), ennen kuin mikään lukee näitä.
+diag-branch-runs-on =
+    { $what ->
+        [variant] Haara päättyy tähän ilman hyppyä, ja ohjelma jatkuu toiseen haaraan: sen perässä olevaan labeliin { $parameter } ei johda mikään.
+       *[values] Haara päättyy tässä ilman hyppyä: seuraava haara antaa uudet arvot ({ $parameter }), ennen kuin mikään lukee näitä.
+    }
 diag-finishing-tool-too-wide = Työvara ja työkalun säde ovat tässä yhteensä { $value }; summan on oltava pienempi kuin rouhinnassa, { $other }.

@@ -639,6 +639,7 @@ diag-word-wrong =
         [beyond] { $word } vale { $value }, oltre la fine del testo.
         [file] { $value } non è un file { $word }.
         [shorter] { $word } vale { $value }: il controllo considera l’utensile più corto di tanto, e tutto diventa più profondo della stessa misura.
+        [askew] Il vettore base e il vettore normale devono essere perpendicolari tra loro.
        *[tool] { $value } non è un numero di utensile: dopo il punto è ammessa una sola cifra.
     }
 diag-wrong-value-kind =
@@ -747,6 +748,11 @@ diag-circle-point-wrong =
     { $what ->
         [angle] { $parameter } viene calcolato con l’angolo { $value } e { $other } con { $angle }: le due coordinate di un punto su un cerchio hanno lo stesso angolo.
        *[function] { $parameter } e { $other } sono calcolati entrambi con { $value } dello stesso angolo: un punto su un cerchio ha in una coordinata il seno e nell’altra il coseno.
+    }
+diag-formula-wrong =
+    { $what ->
+        [square] { $parameter } è una somma o differenza di quadrati e viene usato come lunghezza: manca la radice quadrata.
+       *[radius] { $parameter } viene calcolato con l’altro segno del raggio utensile Q108 rispetto alla chiamata precedente: l’utensile è dall’altra parte della stessa quota.
     }
 diag-correction-wrong =
     { $what ->

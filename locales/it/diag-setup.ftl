@@ -51,6 +51,7 @@ diag-repeat-without-effect =
     { $what ->
         [same] Il profilo viene ripetuto alla stessa profondità { $value }: con passi incrementali di tale misura attraverserebbe il grezzo.
         [place] Il movimento ripetuto porta a un punto in coordinate assolute in cui l’utensile si trova già: le ripetizioni non fanno nulla.
+        [jump] Questo salto porta al blocco che lo segue comunque: manca ciò che doveva saltare.
        *[zero] Una ripetizione di zero volte non ha alcun effetto.
     }
 diag-slot-too-narrow = L’utensile di diametro { $tool } qui non passa tra le pareti: questa retta è lunga solo { $value }.
@@ -117,6 +118,8 @@ diag-error-branch-entered =
         [branch] La condizione di questo salto non è adatta al suo ramo: con questo valore { $parameter } significa altro rispetto al label o al commento di quel ramo.
         [good] Questo salto a un ramo per difetti viene eseguito anche quando tutto è a posto: con questo valore { $parameter } non segnala alcun difetto.
         [unchecked] Qui il ciclo misura l’utensile da capo e non lo confronta con nulla: { $parameter }, che viene interrogato dopo, non segnala difetti.
+        [greater] Il salto al messaggio di errore viene eseguito sempre: { $value } è maggiore di { $other }.
+        [less] Il salto al messaggio di errore viene eseguito sempre: { $value } è minore di { $other }.
        *[entered] L’esecuzione arriva a questo ramo anche senza il salto e si arresta: né M2 né M30 terminano prima il programma.
     }
 diag-finishing-before-roughing =
@@ -129,10 +132,14 @@ diag-loop-runs-once =
     { $what ->
         [again] Dalla seconda volta in poi questa ripetizione viene eseguita una volta sola: nulla riporta indietro il suo contatore.
         [other] Il contatore di questo ciclo viene calcolato a ogni passaggio da un altro parametro: il numero con cui inizia non ha effetto.
+        [inner] Anche la ripetizione interna conta con { $parameter }, per cui questa termina troppo presto o mai: questo salto non conta i propri passaggi.
        *[never] Questo salto all’indietro non viene mai eseguito: il contatore non soddisfa la condizione in nessun passaggio.
     }
 diag-parameter-unused =
-    { $parameter } riceve qui un valore, e nulla lo legge.
+    { $what ->
+        [late] { $parameter } riceve qui un valore che nessuna chiamata legge più: ogni chiamata ha i propri valori, e quella per questi si trova prima di essi.
+       *[never] { $parameter } riceve qui un valore, e nulla lo legge.
+    }
 diag-probing-direction-wrong =
     { $what ->
         [up] { $cycle } tasta con { $value }, verso l’alto lungo l’asse utensile: il sistema di tastatura arriverebbe dall’interno del pezzo.
@@ -142,6 +149,7 @@ diag-same-datum-twice =
     { $what ->
         [loop] La ripetizione conta, ma attiva la riga { $row } in ogni passaggio: ogni volta viene lavorato lo stesso punto.
         [turned] La tavola non è stata ruotata oltre per la riga { $row }: si trova all’angolo di un altro lato.
+        [cycle] La riga { $row } viene attivata di nuovo prima della stessa chiamata ciclo nello stesso punto: la stessa lavorazione viene eseguita due volte.
        *[again] La riga { $row } viene attivata di nuovo prima dello stesso sottoprogramma: lo stesso pezzo viene lavorato due volte.
     }
 diag-selected-table-missing = La tabella { $name } non si trova nella directory del programma.
@@ -160,5 +168,9 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } legge { $parameter }, e nulla gli ha assegnato un valore prima di questa chiamata.
-diag-branch-runs-on = Il ramo termina qui senza salto: quello successivo assegna altri valori a { $parameter } prima che questi vengano letti.
+diag-branch-runs-on =
+    { $what ->
+        [variant] Il ramo termina qui senza un salto e l’esecuzione prosegue nell’altro: nulla porta al label { $parameter } dopo di esso.
+       *[values] Il ramo termina qui senza salto: quello successivo assegna altri valori a { $parameter } prima che questi vengano letti.
+    }
 diag-finishing-tool-too-wide = Sovrametallo e raggio dell’utensile danno qui { $value }; la somma deve essere minore che nello svuotamento, { $other }.

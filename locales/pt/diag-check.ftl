@@ -640,6 +640,7 @@ diag-word-wrong =
         [beyond] { $word } é { $value }, para lá do fim do texto.
         [file] { $value } não é um ficheiro { $word }.
         [shorter] { $word } é { $value }: o comando considera a ferramenta mais curta nessa medida, e tudo fica mais fundo na mesma medida.
+        [askew] O vetor base e o vetor normal têm de ser perpendiculares entre si.
        *[tool] { $value } não é um número de ferramenta: depois do ponto só pode haver um algarismo.
     }
 diag-wrong-value-kind =
@@ -748,6 +749,11 @@ diag-circle-point-wrong =
     { $what ->
         [angle] { $parameter } é calculado com o ângulo { $value } e { $other } com { $angle }: as duas coordenadas de um ponto num círculo têm o mesmo ângulo.
        *[function] { $parameter } e { $other } são calculados ambos com { $value } do mesmo ângulo: um ponto num círculo tem numa coordenada o seno e na outra o cosseno.
+    }
+diag-formula-wrong =
+    { $what ->
+        [square] { $parameter } é uma soma ou diferença de quadrados e é usado como comprimento: falta a raiz quadrada.
+       *[radius] { $parameter } é calculado com o outro sinal do raio da ferramenta Q108 do que antes da chamada anterior: a ferramenta está do outro lado da mesma medida.
     }
 diag-correction-wrong =
     { $what ->

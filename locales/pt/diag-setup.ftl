@@ -51,6 +51,7 @@ diag-repeat-without-effect =
     { $what ->
         [same] O contorno é repetido à mesma profundidade { $value }: com passos incrementais desse valor atravessaria o bloco.
         [place] O movimento repetido leva a um ponto em coordenadas absolutas onde a ferramenta já está: as repetições não fazem nada.
+        [jump] Este salto leva à frase que o segue de qualquer maneira: falta aquilo que devia saltar.
        *[zero] Uma repetição de zero vezes não tem efeito.
     }
 diag-slot-too-narrow = A ferramenta com o diâmetro { $tool } não cabe aqui entre as paredes: esta reta só tem { $value } de comprimento.
@@ -117,6 +118,8 @@ diag-error-branch-entered =
         [branch] A condição deste salto não se ajusta ao seu ramo: com este valor, { $parameter } significa algo diferente do label ou do comentário desse ramo.
         [good] Este salto para um ramo de defeitos é executado também quando está tudo bem: com este valor, { $parameter } não indica nenhum defeito.
         [unchecked] Aqui o ciclo mede a ferramenta de novo e não a compara com nada: { $parameter }, que é consultado depois, não indica defeitos.
+        [greater] O salto para a mensagem de erro é sempre executado aqui: { $value } é maior do que { $other }.
+        [less] O salto para a mensagem de erro é sempre executado aqui: { $value } é menor do que { $other }.
        *[entered] A execução chega a este ramo mesmo sem o salto, e para: nem M2 nem M30 terminam o programa antes dele.
     }
 diag-finishing-before-roughing =
@@ -129,10 +132,14 @@ diag-loop-runs-once =
     { $what ->
         [again] A partir da segunda vez esta repetição só é executada uma vez: nada repõe o seu contador.
         [other] O contador desta repetição é calculado em cada passagem a partir de outro parâmetro: o número com que começa não tem efeito.
+        [inner] A repetição interior também conta com { $parameter }, pelo que esta termina cedo demais ou nunca: este salto não conta as suas próprias passagens.
        *[never] Este salto para trás nunca é executado: o contador não cumpre a condição em nenhuma passagem.
     }
 diag-parameter-unused =
-    { $parameter } recebe aqui um valor, e nada o lê.
+    { $what ->
+        [late] { $parameter } recebe aqui um valor que já nenhuma chamada lê: cada chamada tem os seus próprios valores, e a destes está antes deles.
+       *[never] { $parameter } recebe aqui um valor, e nada o lê.
+    }
 diag-probing-direction-wrong =
     { $what ->
         [up] { $cycle } apalpa com { $value }, para cima ao longo do eixo da ferramenta: o apalpador viria de dentro da peça.
@@ -142,6 +149,7 @@ diag-same-datum-twice =
     { $what ->
         [loop] A repetição conta, mas ativa a linha { $row } em todas as passagens: é maquinado sempre o mesmo.
         [turned] A mesa não foi rodada para a linha { $row }: está no ângulo de outro lado.
+        [cycle] A linha { $row } é ativada de novo antes da mesma chamada de ciclo no mesmo sítio: o mesmo é maquinado duas vezes.
        *[again] A linha { $row } volta a ser ativada antes do mesmo subprograma: o mesmo é maquinado duas vezes.
     }
 diag-selected-table-missing = A tabela { $name } não está na pasta do programa.
@@ -160,5 +168,9 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } lê { $parameter }, e nada lhe atribuiu um valor antes desta chamada.
-diag-branch-runs-on = O ramo termina aqui sem salto: o seguinte dá outros valores a { $parameter } antes de alguma coisa ler estes.
+diag-branch-runs-on =
+    { $what ->
+        [variant] O ramo termina aqui sem um salto e a execução continua no outro: nada leva ao label { $parameter } depois dele.
+       *[values] O ramo termina aqui sem salto: o seguinte dá outros valores a { $parameter } antes de alguma coisa ler estes.
+    }
 diag-finishing-tool-too-wide = A medida excedente e o raio da ferramenta somam aqui { $value }; a soma tem de ser menor do que no desbaste, { $other }.

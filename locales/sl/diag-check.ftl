@@ -643,6 +643,7 @@ diag-word-wrong =
         [beyond] { $word } je { $value }, kar je za koncem besedila.
         [file] { $value } ni datoteka { $word }.
         [shorter] { $word } je { $value }: krmiljenje ima orodje za toliko krajše in vse postane za toliko globlje.
+        [askew] Osnovni in normalni vektor morata biti pravokotna drug na drugega.
        *[tool] { $value } ni številka orodja: za piko sme stati samo ena števka.
     }
 diag-wrong-value-kind =
@@ -751,6 +752,11 @@ diag-circle-point-wrong =
     { $what ->
         [angle] { $parameter } se računa s kotom { $value }, { $other } pa s kotom { $angle }: obe koordinati točke na krogu imata isti kot.
        *[function] { $parameter } in { $other } se oba izračunata z { $value } istega kota: točka na krogu ima v eni koordinati sinus, v drugi pa kosinus.
+    }
+diag-formula-wrong =
+    { $what ->
+        [square] { $parameter } je vsota ali razlika kvadratov in se uporablja kot dolžina: manjka kvadratni koren.
+       *[radius] { $parameter } se izračuna z drugim predznakom polmera orodja Q108 kot pred prejšnjim priklicem: orodje je na drugi strani iste mere.
     }
 diag-correction-wrong =
     { $what ->

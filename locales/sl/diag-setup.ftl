@@ -53,6 +53,7 @@ diag-repeat-without-effect =
     { $what ->
         [same] Kontura se ponovi na isti globini { $value }: z inkrementalnimi koraki te velikosti bi šla skozi surovec.
         [place] Ponovljeni premik vodi na mesto z absolutnimi koordinatami, kjer orodje že je: ponovitve ne naredijo ničesar.
+        [jump] Ta skok vodi v stavek, ki mu tako ali tako sledi: manjka tisto, kar naj bi preskočil.
        *[zero] Nič ponovitev nima nobenega učinka.
     }
 diag-slot-too-narrow = Orodje s premerom { $tool } tukaj ne gre med stene: ta premica je dolga samo { $value }.
@@ -119,6 +120,8 @@ diag-error-branch-entered =
         [branch] Pogoj tega skoka ne ustreza njegovi veji: pri tej vrednosti { $parameter } pomeni nekaj drugega kot tamkajšnja oznaka ali komentar.
         [good] Ta skok v vejo za napake se izvede tudi, kadar je vse v redu: pri tej vrednosti { $parameter } ne javlja napake.
         [unchecked] Cikel tu orodje izmeri na novo in ga z ničimer ne primerja: { $parameter }, po katerem se pozneje vpraša, ne javlja napake.
+        [greater] Skok na sporočilo o napaki se tu vedno izvede: { $value } je večje od { $other }.
+        [less] Skok na sporočilo o napaki se tu vedno izvede: { $value } je manjše od { $other }.
        *[entered] Izvajanje pride v to vejo tudi brez skoka in se ustavi: pred njo programa ne konča ne M2 ne M30.
     }
 diag-finishing-before-roughing =
@@ -131,10 +134,14 @@ diag-loop-runs-once =
     { $what ->
         [again] Od drugič naprej se ta zanka izvede samo enkrat: njenega števca nič ne ponastavi.
         [other] Števec te zanke se v vsakem prehodu izračuna iz drugega parametra: število, s katerim začne, nima učinka.
+        [inner] Tudi notranja zanka šteje s parametrom { $parameter }, zato se ta konča prezgodaj ali nikoli: ta skok ne šteje svojih prehodov.
        *[never] Ta skok nazaj se nikoli ne izvede: števec v nobenem prehodu ne izpolni pogoja.
     }
 diag-parameter-unused =
-    { $parameter } tukaj dobi vrednost, nič pa je ne prebere.
+    { $what ->
+        [late] { $parameter } tu dobi vrednost, ki je noben priklic ne bere več: vsak priklic ima svoje vrednosti, priklic za te pa stoji pred njimi.
+       *[never] { $parameter } tukaj dobi vrednost, nič pa je ne prebere.
+    }
 diag-probing-direction-wrong =
     { $what ->
         [up] { $cycle } tipa s smerjo { $value }, navzgor vzdolž orodne osi: tipalni sistem bi prišel iz notranjosti obdelovanca.
@@ -144,6 +151,7 @@ diag-same-datum-twice =
     { $what ->
         [loop] Zanka šteje, vendar v vsakem prehodu aktivira vrstico { $row }: vsakič se obdela isto.
         [turned] Miza se za vrstico { $row } ni obrnila naprej: stoji pod kotom druge strani.
+        [cycle] Vrstica { $row } se znova aktivira pred enakim priklicem cikla na istem mestu: isto se obdela dvakrat.
        *[again] Vrstica { $row } se pred istim podprogramom znova aktivira: isto se obdela dvakrat.
     }
 diag-selected-table-missing = Preglednice { $name } ni v mapi programa.
@@ -162,5 +170,9 @@ diag-turned-contour-wrong =
     }
 diag-called-program-wants =
     { $name } bere { $parameter }, ki mu pred tem priklicem nič ni dalo vrednosti.
-diag-branch-runs-on = Veja se tu konča brez skoka: naslednja določi druge vrednosti ({ $parameter }), preden kaj prebere te.
+diag-branch-runs-on =
+    { $what ->
+        [variant] Veja se tu konča brez skoka in potek se nadaljuje v drugo: na oznako { $parameter } za njo ne vodi nič.
+       *[values] Veja se tu konča brez skoka: naslednja določi druge vrednosti ({ $parameter }), preden kaj prebere te.
+    }
 diag-finishing-tool-too-wide = Nadmera in polmer orodja sta tu skupaj { $value }; to mora biti manj kot pri posnemanju, { $other }.

@@ -28,7 +28,7 @@ const SHRINKAGE: f64 = 10.0;
 /// The parameters that hold results.
 const RESULTS: std::ops::Range<u16> = 100..200;
 /// So many holes are worth counting.
-const HOLES: [usize; 2] = [3, 200];
+const HOLES: [usize; 2] = [3, 1 << 8];
 /// What holes and threads are called in the languages of manuals and shops, by the beginning of the word.
 const HOLE_WORDS: [&str; 16] = [
     "HOLE", "BORE", "THREAD", "TAP", "BOHRUNG", "LOCH", "LÖCHER", "GEWINDE", "REI", "KIERTE", "LUKN", "IZVRTIN",
@@ -149,6 +149,8 @@ fn numbers(text: &str, start: usize) -> Vec<Written> {
         let own = text[begin..at].trim_end_matches(['.', ',']);
         let before = text[..begin].trim_end_matches(['+', '-']).chars().next_back();
         let hidden = before.is_some_and(|sign| "QLSFMTN".contains(sign.to_ascii_uppercase()));
+        // The number of a cycle is its name.
+        let hidden = hidden || ["CYCL DEF", "TCH PROBE"].iter().any(|own| text[..begin].trim_end().ends_with(own));
         let Ok(value) = own.replace(',', ".").parse::<f64>() else { continue };
         let digits = own.trim_start_matches(['0', '.', ',']).bytes().filter(u8::is_ascii_digit).count();
         if !hidden {

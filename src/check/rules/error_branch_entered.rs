@@ -2,16 +2,18 @@
 //! over a stop is taken when a tool or a workpiece is bad. Also two jumps in a row to one label that compare the
 //! same parameter in the same direction with two limits: one of them says nothing. And a jump whose condition does not
 //! fit its branch: its label, a comment there or a stop says for which parts or tools that is. Also a jump that asks for
-//! the fault of a tool which the cycle measures anew and compares with nothing.
+//! the fault of a tool which the cycle measures anew and compares with nothing, and one to a branch that ends in an error
+//! message, whose condition holds with the numbers of the program and the radius of the tool.
 //!
 //! Such a branch is the last part of a program that nowhere ends with M2 or M30, begins with a label to which only
 //! conditional jumps lead, and stops for the operator.
-use crate::base::diag::{Diagnostic, Severity};
-use crate::base::expr::QRef;
+use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::base::expr::{Expr, Node, Op, QKind, QRef};
 use crate::check::outcomes::{Purpose, Taken, begins_with_stop, halts, measurement, purpose, taken};
 use crate::check::program::{is_silent, number, reads, stops};
+use crate::check::tools::Tools;
 use crate::check::{Facts, Rule, Way};
-use crate::program::syntax::{Amount, Block, BlockKind, FnJump, Relation};
+use crate::program::syntax::{Amount, Block, BlockKind, FnJump, FnOp, Operand, Relation, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "error-branch-entered", severity: Severity::Warning, run };
 
@@ -24,6 +26,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     implied(rule, facts, found);
     unfit(rule, facts, found);
     unchecked(rule, facts, found);
+    always(rule, facts, found);
     let graph = &facts.run.graph;
     let blocks = facts.program.blocks();
     let ends = |block: &Block| stops(block) && !matches!(block.kind, BlockKind::EndPgm(_));
@@ -76,6 +79,126 @@ fn turned(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let finding = rule.at(facts, facts.content(block)).arg("what", "turned");
             found.push(finding.arg("parameter", result.q.to_string()));
         }
+    }
+}
+
+/// The jumps to an error message that are always taken. A number that is 0 may still have to be entered.
+fn always(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let graph = &facts.run.graph;
+    let blocks = facts.program.blocks();
+    let mut tools = None;
+    for own in graph.uses.iter().filter(|own| own.way == Way::Jump) {
+        let Some(block) = blocks.get(own.block).filter(|block| !block.skip) else { continue };
+        let BlockKind::FnJump(jump) = &block.kind else { continue };
+        let target = own.mark.as_ref().and_then(|mark| graph.block_of(mark)).filter(|target| *target > own.block);
+        let grows = matches!(jump.relation, Relation::Less | Relation::Greater) && jump.decided().is_none();
+        if !grows || !target.is_some_and(|target| is_error(blocks, target)) || facts.run.before(own.block).is_none() {
+            continue;
+        }
+        let tools = tools.get_or_insert_with(|| Tools::of(facts));
+        let value =
+            |operand: &Operand| value(facts, tools.as_ref(), own.block, operand, DEEP).filter(|own| *own != 0.0);
+        if let (Some(a), Some(b)) = (value(&jump.a), value(&jump.b))
+            && jump.relation.holds(a, b) == Some(true)
+        {
+            let what = if jump.relation == Relation::Less { "less" } else { "greater" };
+            return found.push(rule.comparison(facts, facts.content(block), what, a, b).arg("parameter", ""));
+        }
+    }
+}
+
+/// Whether a branch shows an error message before anything ends it.
+fn is_error(blocks: &[Block], target: usize) -> bool {
+    let branch = blocks.get(target + 1..).unwrap_or_default().iter().filter(|block| !is_silent(block));
+    let message = |block: &Block| matches!(&block.kind, BlockKind::Statement(own) if own.kind == StatementKind::Fn(14));
+    let plain = |block: &&Block| {
+        let plain = matches!(block.kind, BlockKind::Motion(_) | BlockKind::Functions(_)) && !stops(block);
+        plain || message(block)
+    };
+    branch.take_while(plain).any(message)
+}
+
+/// So many formulas are followed back.
+const DEEP: usize = 4;
+/// The parameter in which the control keeps the radius of the tool.
+const RADIUS: QRef = QRef { kind: QKind::Q, number: 108 };
+
+/// The number of an operand, if it is certain, or follows from the radius of the tool.
+fn value(facts: &Facts<'_>, tools: Option<&Tools>, at: usize, operand: &Operand, deep: usize) -> Option<f64> {
+    let known = facts.number(operand);
+    match operand.amount {
+        Amount::Q { q, negative } if known.is_none() => {
+            let number = parameter(facts, tools, at, q, deep)?;
+            Some(if negative { -number } else { number })
+        }
+        _ => known,
+    }
+}
+
+/// The number of a parameter before a block: the one that the blocks directly before it calculate.
+fn parameter(facts: &Facts<'_>, tools: Option<&Tools>, at: usize, q: QRef, deep: usize) -> Option<f64> {
+    if q == RADIUS {
+        return Some(tools?.get(facts.run.before(at)?.loaded)?.radius);
+    }
+    let deep = deep.checked_sub(1)?;
+    for (index, block) in facts.program.blocks().iter().enumerate().take(at).rev() {
+        match &block.kind {
+            BlockKind::Formula(own) if own.target == q => {
+                let start = own.text.start;
+                return calculated(facts, tools, (index, start), &own.expr, deep);
+            }
+            BlockKind::FnAssign(own) if own.target == q => {
+                let a = value(facts, tools, index, &own.a, deep)?;
+                let b = || value(facts, tools, index, own.b.as_ref()?, deep);
+                return match own.op {
+                    FnOp::Set => Some(a),
+                    FnOp::Add => Some(a + b()?),
+                    FnOp::Sub => Some(a - b()?),
+                    FnOp::Mul => Some(a * b()?),
+                    FnOp::Div => Some(a / b()?),
+                    _ => None,
+                };
+            }
+            BlockKind::Formula(_) | BlockKind::FnAssign(_) | BlockKind::Motion(_) | BlockKind::FnJump(_) => {}
+            BlockKind::ToolCall(_) | BlockKind::Functions(_) => {}
+            _ if is_silent(block) => {}
+            _ => return None,
+        }
+        if block.skip {
+            return None;
+        }
+    }
+    None
+}
+
+/// What a formula of a block makes, with the place of its text.
+fn calculated(
+    facts: &Facts<'_>,
+    tools: Option<&Tools>,
+    (at, start): (usize, usize),
+    expr: &Expr,
+    deep: usize,
+) -> Option<f64> {
+    let each = |own: &Expr| calculated(facts, tools, (at, start), own, deep);
+    match &expr.node {
+        Node::Number(number) => Some(*number),
+        Node::Q(q) => {
+            let span = Span::new(start + expr.span.start, start + expr.span.end);
+            facts.known_at(span, false).or_else(|| parameter(facts, tools, at, *q, deep))
+        }
+        Node::Unary(Op::Sub, inner) => Some(-each(inner)?),
+        Node::Unary(Op::Add, inner) => each(inner),
+        Node::Binary(op, left, right) => {
+            let (left, right) = (each(left)?, each(right)?);
+            match op {
+                Op::Add => Some(left + right),
+                Op::Sub => Some(left - right),
+                Op::Mul => Some(left * right),
+                Op::Div => Some(left / right).filter(|own| own.is_finite()),
+                _ => None,
+            }
+        }
+        _ => None,
     }
 }
 

@@ -1,7 +1,8 @@
 //! A jump back whose counter fulfils its condition on no pass: the loop is executed once and never repeated. Also one in a
 //! loop or a subprogram that is executed several times and never sets the counter back: from the second time on the inner
 //! loop is executed once. And a loop whose counter is calculated from another parameter in each pass, so that its first number
-//! has no effect.
+//! has no effect; and a jump back that compares the counter of a loop inside of its own one, which that loop sets
+//! anew on each pass, or leaves beyond its end.
 //!
 //! Only where the counter has a number before the loop, is changed by a known step, and is compared with a number that is
 //! written in the jump, or with a parameter that it moves towards: what a parameter limits may be one pass by intention. Silent where anything else may lead into the
@@ -42,8 +43,102 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         } else {
             continue;
         };
-        found.push(rule.at(facts, facts.content(block)).arg("what", what));
+        found.push(rule.at(facts, facts.content(block)).arg("what", what).arg("parameter", ""));
     }
+    for (block, q) in shared(facts) {
+        found.push(rule.at(facts, facts.content(block)).arg("what", "inner").arg("parameter", q.to_string()));
+    }
+}
+
+/// A jump back with its label and the parameter that it compares.
+struct Back {
+    from: usize,
+    to: usize,
+    q: QRef,
+    /// The number below which it goes on.
+    below: Option<f64>,
+}
+
+/// The jumps back of loops whose counter an inner loop sets and counts as well.
+fn shared<'p>(facts: &Facts<'p>) -> Vec<(&'p Block, QRef)> {
+    /// Programs with more loops are written by posts.
+    const MANY: usize = 1 << 6;
+    let graph = &facts.run.graph;
+    let blocks = facts.program.blocks();
+    let back = |own: &Use| {
+        let to = own.mark.as_ref().and_then(|mark| graph.block_of(mark)).filter(|to| *to < own.block)?;
+        let block = blocks.get(own.block).filter(|block| !block.skip)?;
+        let BlockKind::FnJump(jump) = &block.kind else { return None };
+        let q = match (jump.relation, jump.a.amount, jump.b.amount) {
+            (Relation::Less | Relation::Greater, Amount::Q { q, negative: false }, _) => q,
+            (Relation::Less | Relation::Greater, _, Amount::Q { q, negative: false }) => q,
+            _ => return None,
+        };
+        let below = match (jump.relation, jump.a.amount, jump.b.amount) {
+            (Relation::Less, _, Amount::Number(limit)) | (Relation::Greater, Amount::Number(limit), _) => Some(limit),
+            _ => None,
+        };
+        Some(Back { from: own.block, to, q, below }).filter(|_| is_free(q))
+    };
+    let loops: Vec<Back> = graph.uses.iter().filter(|own| own.way == Way::Jump).filter_map(back).collect();
+    if loops.len() > MANY {
+        return Vec::new();
+    }
+    let takes = |outer: &Back, inner: &Back| {
+        let inside = outer.to < inner.to && inner.from < outer.from && inner.q == outer.q;
+        // A counter that the inner loop leaves beyond the end of the outer one ends that, if it only grows.
+        let beyond = outer.below.zip(inner.below).is_some_and(|(outer, inner)| inner >= outer);
+        inside
+            && is_only_stepped(blocks, inner.to..outer.from, outer.q)
+            && (is_set(blocks, outer.to..inner.to, outer.q)
+                || beyond && only_grows(blocks, inner.from..outer.from, outer.q))
+    };
+    let found = loops.iter().filter(|outer| loops.iter().any(|inner| takes(outer, inner)));
+    found.filter_map(|outer| Some((blocks.get(outer.from)?, outer.q))).collect()
+}
+
+/// Whether blocks give a parameter a number.
+fn is_set(blocks: &[Block], part: std::ops::Range<usize>, q: QRef) -> bool {
+    blocks.get(part).unwrap_or_default().iter().any(|block| match &block.kind {
+        BlockKind::FnAssign(own) => {
+            own.target == q && own.op == FnOp::Set && matches!(own.a.amount, Amount::Number(_)) && !block.skip
+        }
+        BlockKind::Formula(own) => own.target == q && matches!(own.expr.node, Node::Number(_)) && !block.skip,
+        _ => false,
+    })
+}
+
+/// Whether blocks only add numbers to a parameter.
+fn only_grows(blocks: &[Block], part: std::ops::Range<usize>, q: QRef) -> bool {
+    blocks.get(part).unwrap_or_default().iter().all(|block| match &block.kind {
+        BlockKind::FnAssign(own) if own.target == q => {
+            let positive = |own: &Operand| matches!(own.amount, Amount::Number(number) if number > 0.0);
+            own.op == FnOp::Add && (positive(&own.a) || own.b.as_ref().is_some_and(positive))
+        }
+        BlockKind::Formula(own) if own.target == q => {
+            let positive = |own: &Node| matches!(own, Node::Number(number) if *number > 0.0);
+            matches!(&own.expr.node, Node::Binary(Op::Add, left, right) if positive(&left.node) || positive(&right.node))
+        }
+        _ => true,
+    })
+}
+
+/// Whether all that blocks write into a parameter is calculated from itself, and nothing writes it out of sight.
+fn is_only_stepped(blocks: &[Block], part: std::ops::Range<usize>, q: QRef) -> bool {
+    let mut read = Vec::new();
+    blocks.get(part).unwrap_or_default().iter().all(|block| {
+        let target = match &block.kind {
+            BlockKind::FnAssign(own) => own.target,
+            BlockKind::Formula(own) => own.target,
+            BlockKind::CallLbl(_) | BlockKind::CallPgm(_) | BlockKind::Statement(_) | BlockKind::Unknown(_) => {
+                return false;
+            }
+            _ => return true,
+        };
+        read.clear();
+        reads(block, &mut read);
+        target != q || read.iter().any(|(own, _)| *own == q)
+    })
 }
 
 /// Whether the jump is never taken: its counter passes the number after the first pass, and only moves away from it.

@@ -81,6 +81,7 @@ mod feed_zero;
 mod field_word_missing;
 mod finishing_before_roughing;
 mod finishing_tool_too_wide;
+mod formula_wrong;
 mod free_contour_wrong;
 mod function_misspelled;
 mod function_not_on_control;
@@ -325,6 +326,7 @@ pub const RULES: &[&Rule] = &[
     &field_word_missing::RULE,
     &finishing_before_roughing::RULE,
     &finishing_tool_too_wide::RULE,
+    &formula_wrong::RULE,
     &free_contour_wrong::RULE,
     &function_misspelled::RULE,
     &function_not_on_control::RULE,

@@ -1,10 +1,11 @@
 //! A repeat zero times: the part of the program is executed once, as without it. Also a repeat of a contour that does the
 //! same again, because its depth is absolute, while incremental steps of that depth would just go through the blank; and a
 //! repeat of a single movement to a place with absolute coordinates, where the tool already is.
+//! A jump on a condition to the block that follows it anyway: what it was to pass over is missing.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::Blank;
 use crate::check::program::is_silent;
-use crate::check::{Facts, Rule, Way};
+use crate::check::{Facts, Rule, Use, Way};
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, Compensates, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "repeat-without-effect", severity: Severity::Warning, run };
@@ -17,6 +18,26 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
     }
     same(rule, facts, found);
+    for block in idle_jumps(facts) {
+        found.push(rule.at(facts, facts.content(block)).arg("what", "jump").arg("value", ""));
+    }
+}
+
+/// The jumps on a condition to the next block. The last one of a row of jumps may say what is done otherwise.
+fn idle_jumps<'p>(facts: &Facts<'p>) -> Vec<&'p Block> {
+    let graph = &facts.run.graph;
+    let blocks = facts.program.blocks();
+    let jumps = |block: Option<&&Block>| matches!(block.map(|own| &own.kind), Some(BlockKind::FnJump(_)));
+    let idle = |own: &Use| {
+        let block = blocks.get(own.block).filter(|block| !block.skip)?;
+        let target = own.mark.as_ref().and_then(|mark| graph.block_of(mark))?;
+        let between = blocks.get(own.block + 1..target)?;
+        let empty = between.iter().all(|own| is_silent(own) || matches!(own.kind, BlockKind::Lbl(_)));
+        let before = blocks.get(..own.block)?.iter().rfind(|own| !is_silent(own));
+        let conditional = matches!(&block.kind, BlockKind::FnJump(jump) if jump.decided().is_none());
+        (empty && conditional && !jumps(before.as_ref())).then_some(block)
+    };
+    graph.uses.iter().filter(|own| own.way == Way::Jump).filter_map(idle).collect()
 }
 
 /// What counts as the same height, mm or inch.

@@ -5,7 +5,8 @@
 //! absolute value in the same axis is neither. Only parts are looked
 //! at that consist of movements with numbers and of calls of subprograms that stay at their height, which are repeated
 //! several times, in programs with a box as their blank; once is enough where the tool was brought at a feed to the
-//! height from which they are to infeed, and where the part begins with an infeed and has no radius compensation.
+//! height from which they are to infeed, and where the part begins with an infeed and has no radius compensation. Incremental
+//! infeeds after an absolute height in the part are the same on each pass.
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
@@ -42,6 +43,11 @@ struct Pass {
     lowest: Option<f64>,
     /// What the incremental heights add up to.
     sum: f64,
+    /// The height after an absolute one: incremental ones that follow are the same on each pass.
+    height: Option<f64>,
+    /// Whether such follow, and whether the pass begins with the absolute one, at a feed.
+    steps: bool,
+    settles: bool,
     /// Whether the tool moves at feed.
     feeds: bool,
     /// Whether it begins with a movement at feed along the tool axis alone, and does not lift the tool: what is
@@ -85,7 +91,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 if !pass.changes
                     && pass.feeds
                     && lowest < blank.high[2]
-                    && (times >= LEAST || is_led(facts, blocks, start) || pass.plunges && !pass.compensates) =>
+                    && (times >= LEAST
+                        || is_led(facts, blocks, start)
+                        || (pass.plunges || pass.settles && pass.steps) && !pass.compensates) =>
             {
                 found.push(finding.arg("what", "same").arg("value", Arg::Number(lowest)));
             }
@@ -233,7 +241,10 @@ fn pass(facts: &Facts<'_>, part: &[Block], start: usize, levels: &mut BTreeMap<u
         pass.compensates |= motion.outline().compensates() == Compensates::Beside;
         let infeeds = words.coords.iter().any(|own| own.axis == Axis::Z);
         match std::mem::replace(&mut first, false) {
-            true => pass.plunges = infeeds && words.coords.len() == 1 && !motion.outline().is_rapid(),
+            true => {
+                pass.plunges = infeeds && words.coords.len() == 1 && !motion.outline().is_rapid();
+                pass.settles = pass.plunges && !words.coords.iter().any(|own| own.incremental);
+            }
             false => pass.plunges &= !infeeds,
         }
         note(facts, &words, &mut pass)?;
@@ -267,16 +278,23 @@ fn note(facts: &Facts<'_>, words: &Motion, pass: &mut Pass) -> Option<()> {
         if own.axis == Axis::Pa && own.incremental && facts.number(&own.value).is_some_and(turn) {
             continue;
         }
-        let from_absolute = matches!(own.axis, Axis::X | Axis::Y | Axis::Z) && pass.set.contains(&own.axis);
+        let tool = own.axis == Axis::Z && words.path != Path::Cc;
+        let steps = tool && own.incremental && pass.height.is_some();
+        let from_absolute = steps || matches!(own.axis, Axis::X | Axis::Y) && pass.set.contains(&own.axis);
         pass.changes |= own.incremental && !from_absolute || !number;
         if number && !own.incremental && words.path != Path::Cc {
             pass.set.push(own.axis);
         }
-        if own.axis == Axis::Z && words.path != Path::Cc {
+        if tool {
             let value = facts.number(&own.value).filter(|_| number)?;
             if own.incremental {
                 pass.sum += value;
+                pass.steps |= steps && value < 0.0;
+                pass.height = pass.height.map(|height| height + value);
+                pass.lowest =
+                    pass.height.map_or(pass.lowest, |height| Some(pass.lowest.map_or(height, |own| own.min(height))));
             } else {
+                pass.height = Some(value);
                 pass.lowest = Some(pass.lowest.map_or(value, |lowest| lowest.min(value)));
             }
         }

@@ -13,7 +13,7 @@ use crate::check::blank;
 use crate::check::incident::Incident;
 use crate::check::program::{is_silent, number};
 use crate::check::travel::incidents;
-use crate::check::{Aspect, Facts, Pending, Rule, Tri};
+use crate::check::{Aspect, Facts, Pending, Rule, Tri, Way};
 use crate::program::syntax::{Amount, Axis, Block, BlockKind, StatementKind};
 use crate::spec::{Keyword, MM_PER_INCH};
 
@@ -148,6 +148,28 @@ fn stays(facts: &Facts<'_>, at: usize, block: &Block) -> bool {
     }
 }
 
+/// Whether a height is above the blank.
+fn is_above(facts: &Facts<'_>, height: f64) -> bool {
+    let top = blank::top(facts.program);
+    top.is_some_and(|top| top < height)
+}
+
+/// Whether a block turns nothing but the axis about the tool axis.
+fn turns_flat(block: &Block) -> bool {
+    let BlockKind::Motion(motion) = &block.kind else { return false };
+    !motion.words().coords.iter().any(|own| matches!(own.axis, Axis::A | Axis::B))
+}
+
+/// Whether a block is in a part that is repeated.
+fn is_repeated(facts: &Facts<'_>, block: &Block) -> bool {
+    let graph = &facts.run.graph;
+    let at = facts.program.blocks().partition_point(|own| own.line < block.line);
+    graph.uses.iter().filter(|own| matches!(own.way, Way::Jump | Way::Repeat) && own.block > at).any(|own| {
+        let to = own.mark.as_ref().and_then(|mark| graph.block_of(mark));
+        to.is_some_and(|to| to < at)
+    })
+}
+
 /// How far the tool was retracted before the axes turn.
 #[derive(Clone, Copy, PartialEq)]
 enum Height {
@@ -235,5 +257,7 @@ fn unlike_others<'a>(facts: &Facts<'a>) -> Option<(&'a Block, Option<f64>)> {
         Height::Over(value) => Some(value),
         Height::Not | Height::Machine => None,
     };
-    (others.next().is_none() && turns.len() > OTHERS && low(own, usual)).then_some((block, value))
+    // What is repeated is not the only one, and a turn about the tool axis keeps the part below the tool.
+    let plain = matches!(own, Height::Over(height) if is_above(facts, height) && (turns_flat(block) || is_repeated(facts, block)));
+    (others.next().is_none() && turns.len() > OTHERS && low(own, usual) && !plain).then_some((block, value))
 }

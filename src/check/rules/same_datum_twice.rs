@@ -1,5 +1,5 @@
-//! The same machined twice at the same datum or preset: a row that is activated again before the same subprogram, or a loop
-//! that activates the same row on each pass although it counts.
+//! The same machined twice at the same datum or preset: a row that is activated again before the same subprogram or the same
+//! cycle at the same place, or a loop that activates the same row on each pass although it counts.
 //!
 //! Also a row for another side of the workpiece for which the table was not turned on. Between the two activations there must
 //! be nothing that could make a difference: no tool, no parameter, no other cycle.
@@ -9,8 +9,8 @@ use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::base::expr::QRef;
 use crate::check::loops::Loop;
 use crate::check::program::{is_silent, number, reads, with_meaning};
-use crate::check::{Defined, Facts, Mark, Rule, Way};
-use crate::program::syntax::{Amount, Axis, Block, BlockKind, Path};
+use crate::check::{Defined, Facts, Mark, Pending, Rule, Way};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Coord, Element, Path, StatementKind};
 use crate::spec::TakesEffect;
 
 pub(super) const RULE: Rule = Rule { code: "same-datum-twice", severity: Severity::Warning, run };
@@ -21,7 +21,8 @@ const ROWS: [&str; 2] = ["preset-number", "datum-row"];
 const PATIENCE: usize = 48;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    if facts.flow.unread.any() || !facts.definitions.iter().any(|own| names_row(own)) {
+    let tables = || facts.marked().any(|(_, block)| row_of_table(facts, block).is_some());
+    if facts.flow.unread.any() || !facts.definitions.iter().any(|own| names_row(own)) && !tables() {
         return;
     }
     in_a_row(rule, facts, found);
@@ -100,15 +101,57 @@ fn row(facts: &Facts<'_>, own: &Defined<'_>) -> Option<(f64, Span)> {
     Some((number(item).filter(|_| plain(item))?, item.value_span))
 }
 
+/// The row of a datum table that TRANS DATUM activates, and its place.
+fn row_of_table(facts: &Facts<'_>, block: &Block) -> Option<(f64, Span)> {
+    const WORD: &str = "TABLINE";
+    let BlockKind::Statement(own) = &block.kind else { return None };
+    let span = facts.content(block);
+    let text = facts.text(span).split(';').next().unwrap_or_default().to_ascii_uppercase();
+    let rest = text.split(WORD).nth(1).filter(|_| own.kind == StatementKind::Trans && !block.skip)?;
+    Some((rest.split_whitespace().next()?.parse().ok()?, span))
+}
+
+/// What is done at a row.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Done {
+    /// A subprogram.
+    Part(Mark),
+    /// A definition is called at a place.
+    Cycle(u32, String),
+}
+
+/// A call of a cycle in a movement to a place that does not depend on where the tool is.
+fn called(facts: &Facts<'_>, index: usize, motion: &Element) -> Option<Done> {
+    let call = facts.run.calls.iter().find(|call| call.block == index)?;
+    let Pending::Definition(definition) = call.modal.pending else { return None };
+    let words = motion.words();
+    let fixed = |own: &Coord| !own.incremental && matches!(own.value.amount, Amount::Number(_));
+    let whole = [Axis::X, Axis::Y].iter().all(|axis| words.coord(*axis).is_some()) && words.coords.iter().all(fixed);
+    let places: Vec<String> =
+        words.coords.iter().map(|own| format!("{:?}{}", own.axis, facts.text(own.value.span))).collect();
+    whole.then(|| Done::Cycle(definition, places.join(" ")))
+}
+
 /// Rows one after the other.
 fn in_a_row(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let graph = &facts.run.graph;
-    let mut seen: BTreeSet<(u64, Mark)> = BTreeSet::new();
+    let mut seen: BTreeSet<(u64, Done)> = BTreeSet::new();
     let mut active: Option<(f64, Span)> = None;
     for (index, block) in facts.program.blocks().iter().enumerate() {
         match &block.kind {
             _ if is_silent(block) => {}
-            BlockKind::Motion(_) | BlockKind::Functions(_) => {}
+            BlockKind::Motion(motion) => {
+                if let Some((row, place)) = active
+                    && let Some(done) = called(facts, index, motion)
+                {
+                    active = None;
+                    if !seen.insert((row.to_bits(), done)) {
+                        found.push(rule.at(facts, place).arg("what", "cycle").arg("row", Arg::Number(row)));
+                    }
+                }
+            }
+            BlockKind::Functions(_) => {}
+            BlockKind::Statement(_) if row_of_table(facts, block).is_some() => active = row_of_table(facts, block),
             BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) => {
                 if let Some(own) = facts.definition_at(index) {
                     active = if names_row(own) { row(facts, own) } else { None };
@@ -121,7 +164,7 @@ fn in_a_row(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let mark =
                     graph.uses_in(index).iter().find(|own| own.way == Way::Call).and_then(|own| own.mark.clone());
                 if let (Some((row, place)), Some(mark)) = (active.take(), mark)
-                    && !seen.insert((row.to_bits(), mark))
+                    && !seen.insert((row.to_bits(), Done::Part(mark)))
                 {
                     found.push(rule.at(facts, place).arg("what", "again").arg("row", Arg::Number(row)));
                 }

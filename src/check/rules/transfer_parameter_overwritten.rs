@@ -5,16 +5,17 @@
 //! definition of those data to the last call of such a cycle (TNC 640, 001: 4600).
 //!
 //! A parameter that the definition has passed on (`Q201=Q1`) does nothing any more when it is written between (001:
-//! 1065), and one that the definition writes over is lost for the program that reads it later. So is the result of a
-//! measurement that the next one overwrites before anything reads it, where the next one's is copied twice.
+//! 1065), and one that the definition writes over is lost for the program that reads it later. A loop that goes back to
+//! the call counts as a way to it. So is the result of a measurement that the next one overwrites before anything reads
+//! it, where the next one's is copied twice.
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use crate::base::diag::{Diagnostic, Place, Severity, Span};
 use crate::base::expr::{QKind, QRef};
 use crate::check::cycle::probes;
-use crate::check::program::{assigned, copied, reads};
-use crate::check::{Aspect, Defined, Definition, Facts, Item, Pending, Rule, Tri};
-use crate::program::syntax::{Amount, BlockKind, ValueKind};
+use crate::check::program::{assigned, copied, is_silent, reads, stops};
+use crate::check::{Aspect, Defined, Definition, Facts, Item, Pending, Rule, Tri, Use, Way};
+use crate::program::syntax::{Amount, Block, BlockKind, FnOp, ValueKind};
 use crate::spec::{Group, ParameterKind};
 
 pub(super) const RULE: Rule = Rule { code: "transfer-parameter-overwritten", severity: Severity::Warning, run };
@@ -40,6 +41,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let before = found.len();
     shared(rule, facts, found);
     overwritten(rule, facts, found);
+    replaced(rule, facts, found);
     let own = found.get(before..).unwrap_or_default().iter().filter_map(|own| own.place.as_ref());
     let mut reported: BTreeSet<usize> = own.map(|place| place.span.start).collect();
     let mut read: Option<(u32, Written)> = None;
@@ -54,14 +56,19 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             };
             // Where the definition follows, in a subprogram that has run already, it runs again before a call after it.
             let next = calls.get(&index).map_or(0, |last| last[usize::from(definition.view.first <= at)]);
-            if next <= at {
+            let again = || {
+                let last = calls.get(&index).map_or(0, |last| last[1]);
+                definition.view.last < last && goes_back(facts, definition.view.last + 1..=last, at)
+            };
+            let again = next <= at && target.number > RESERVED && again();
+            if next <= at && !again {
                 continue;
             }
             let known = read.take().filter(|(own, _)| *own == index).map(|(_, written)| written);
             let (_, written) = read.insert((index, known.unwrap_or_else(|| Written::of(facts, definition))));
             let what = match target {
                 own if written.own.contains(&own) => "call",
-                own if written.passed.contains(&own) => "passed",
+                own if written.passed.contains(&own) && !again => "passed",
                 _ => continue,
             };
             if reported.insert(span.start) {
@@ -70,6 +77,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         }
     }
+}
+
+/// Whether a loop leads from behind a block back to one of others before it.
+fn goes_back(facts: &Facts<'_>, to: std::ops::RangeInclusive<usize>, at: usize) -> bool {
+    let graph = &facts.run.graph;
+    graph.uses.iter().filter(|own| matches!(own.way, Way::Jump | Way::Repeat) && own.block > at).any(|own| {
+        let target = own.mark.as_ref().and_then(|mark| graph.block_of(mark));
+        target.is_some_and(|target| to.contains(&target))
+    })
 }
 
 /// What a definition does to parameters.
@@ -200,6 +216,87 @@ fn results(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         }
     }
+}
+
+/// The parameters of cycles that the program uses for its own numbers: a definition writes another number over one before
+/// the program reads it.
+fn replaced(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let (mut owned, mut lost) = (BTreeMap::new(), BTreeMap::new());
+    let mut definitions = facts.definitions.iter().peekable();
+    let mut read = Vec::new();
+    for (index, block) in facts.program.blocks().iter().enumerate() {
+        if let Some(definition) = definitions.next_if(|own| own.view.first == index) {
+            for (q, number, place) in set_by(facts, definition) {
+                let other = |(_, own): &(Span, Option<f64>)| own.is_some() && number.is_some() && *own != number;
+                if let Some((span, _)) = owned.remove(&q).filter(other) {
+                    lost.insert(q, (span, place, definition.key));
+                }
+            }
+            continue;
+        }
+        let target = match &block.kind {
+            _ if is_silent(block) => continue,
+            BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) => continue,
+            BlockKind::FnAssign(own) => Some((own.target, own.target_span, constant(facts, block))),
+            BlockKind::Formula(own) => Some((own.target, own.target_span, constant(facts, block))),
+            _ if stops(block) || block.ends_subprogram() || is_led_to(facts, index) => {
+                (owned, lost) = (BTreeMap::new(), BTreeMap::new());
+                continue;
+            }
+            _ => None,
+        };
+        read.clear();
+        if !lost.is_empty() {
+            reads(block, &mut read);
+        }
+        for (q, (span, place, key)) in read.iter().filter_map(|(q, _)| Some((*q, lost.remove(q)?))) {
+            let finding = rule.at(facts, span).arg("parameter", q.to_string()).arg("what", "lost");
+            let place = Place::new(facts.program.source(), place);
+            found.push(finding.arg("cycle", key.to_string()).related("written-over-here", place));
+        }
+        if let Some((q, span, number)) = target {
+            lost.remove(&q);
+            owned.insert(q, (span, number));
+        }
+    }
+}
+
+/// The parameters that a definition sets beyond those of contours, with their numbers and places.
+fn set_by(facts: &Facts<'_>, definition: &Defined<'_>) -> Vec<(QRef, Option<f64>, Span)> {
+    let related = definition.as_related_cycle();
+    let read = facts.read(&related);
+    let set = |item: &Item<'_>| {
+        let q = item.param?.q.filter(|q| q.number > RESERVED)?;
+        let number = match item.value?.kind {
+            ValueKind::Number(number) => Some(number),
+            _ => None,
+        };
+        Some((q, number, item.span))
+    };
+    read.items.iter().filter_map(set).collect()
+}
+
+/// The number that a block assigns.
+fn constant(facts: &Facts<'_>, block: &Block) -> Option<f64> {
+    match &block.kind {
+        BlockKind::FnAssign(own) => match (own.op, own.a.amount) {
+            (FnOp::Set, Amount::Number(number)) => Some(number),
+            _ => None,
+        },
+        BlockKind::Formula(own) => facts.text(own.text).trim().parse().ok(),
+        _ => None,
+    }
+}
+
+/// Whether a block is a label to which something before it leads, or that is called: other values may come there.
+fn is_led_to(facts: &Facts<'_>, index: usize) -> bool {
+    let graph = &facts.run.graph;
+    let leads = |own: &Use| {
+        let to = own.mark.as_ref().and_then(|mark| graph.block_of(mark)) == Some(index);
+        to && (own.block < index || own.way == Way::Call)
+    };
+    matches!(facts.program.blocks().get(index).map(|block| &block.kind), Some(BlockKind::Lbl(_)))
+        && graph.uses.iter().any(leads)
 }
 
 /// What a cycle fills from the parameter on that it names: three coordinates and how it went (001: 13702).

@@ -23,6 +23,10 @@ const OVERSIZE: f64 = 99.9999;
 /// No tool is so much shorter than the table says, mm.
 const SHORTER: f64 = 2.0;
 
+/// Two vectors are so far from perpendicular, as a cosine, or so near to it: an example of the manuals is not exact.
+const ASKEW: f64 = 0.1;
+const SQUARE: f64 = 0.01;
+
 /// Where the findings go.
 struct Telling<'t, 'f, 'a> {
     rule: &'t Rule,
@@ -129,6 +133,14 @@ fn has_no_direction(text: &str) -> bool {
 fn cross(one: [f64; 3], other: [f64; 3]) -> [f64; 3] {
     let ([a, b, c], [d, e, f]) = (one, other);
     [b * f - c * e, c * d - a * f, a * e - b * d]
+}
+
+/// Whether two vectors are far from perpendicular, and would be so with the sign of one component changed.
+fn lacks_sign(one: [f64; 3], other: [f64; 3]) -> bool {
+    let length = |[a, b, c]: [f64; 3]| (a * a + b * b + c * c).sqrt();
+    let parts: Vec<f64> = one.iter().zip(other).map(|(a, b)| a * b).collect();
+    let (sum, size) = (parts.iter().sum::<f64>(), length(one) * length(other));
+    sum.abs() > ASKEW * size && parts.iter().any(|own| (sum - 2.0 * own).abs() <= SQUARE * size)
 }
 
 fn is_zero(vector: [f64; 3]) -> bool {
@@ -247,6 +259,11 @@ impl Telling<'_, '_, '_> {
                 && !is_zero([d, e, f])
             {
                 self.report("parallel", words.span(), list, "");
+            } else if let Some(list) = known.askew.as_deref()
+                && let Some([a, b, c, d, e, f]) = words.numbers(list)
+                && lacks_sign([a, b, c], [d, e, f])
+            {
+                self.report("askew", words.span(), list, "");
             }
             if let Some(list) = known.spread.as_deref()
                 && let Some([a, b, c, d, e, f, g, h, i]) = words.numbers(list)

@@ -29,7 +29,7 @@ use super::{Aspect, Defined, Facts, Modal, Tri};
 use crate::base::diag::Span;
 use crate::base::expr::{atan2d, cosd, sind};
 use crate::program::syntax::{Axis, Block, BlockKind, Compensates, Coord, Element, Motion, Path, StatementKind};
-use crate::spec::TakesEffect;
+use crate::spec::{Group, TakesEffect};
 
 /// What a hole or a pocket takes away around its place, in millimetres: so much is never looked at.
 const REACH: f64 = 60.0;
@@ -154,7 +154,7 @@ fn found(facts: &Facts<'_>) -> Vec<(Span, Incident)> {
                     walk.block(index, block, &modal);
                     walk.end(block, &modal);
                 }
-                _ => walk.pass(block),
+                _ => walk.pass(index, block, modal),
             }
             // Cycles for patterns are carried out as definitions.
             let pattern = matches!(block.kind, BlockKind::CycleDef(_));
@@ -177,7 +177,18 @@ impl Walk<'_, '_> {
     }
 
     /// Passes over a block under a transformation: what it moves or calls may cut anywhere.
-    fn pass(&mut self, block: &Block) {
+    ///
+    /// The definition of the transformation itself leaves the tool where it is.
+    fn pass(&mut self, index: usize, block: &Block, modal: Option<Modal>) {
+        if is_silent(block) || !block.skip && self.transforms(index, block) {
+            return;
+        }
+        if let (BlockKind::Statement(own), Some(modal)) = (&block.kind, modal)
+            && own.kind == StatementKind::Plane
+            && !block.skip
+        {
+            return self.tilt(block, &modal);
+        }
         self.lose();
         match &block.kind {
             BlockKind::Motion(motion) => self.open |= !motion.outline().is_rapid() && motion.outline().has_coords(),
@@ -233,18 +244,8 @@ impl Walk<'_, '_> {
             BlockKind::CyclCall(_) => {}
             BlockKind::PatternDef(own) => self.pattern = places::of_pattern(self.facts, own),
             BlockKind::Sel(_) => self.pattern = None,
-            BlockKind::Statement(own) if own.kind == StatementKind::Plane => {
-                let text = self.facts.text(self.facts.content(block)).to_ascii_uppercase();
-                let turns = text.contains(" TURN") && modal.is(Aspect::Tcpm) == Tri::No;
-                if let Some(height) = self.inside(CLEAR).filter(|_| turns && !text.contains("RESET")) {
-                    self.tell(block, Incident::AxisTurnsInMaterial(height));
-                }
-                let swings = text.contains(" MOVE") && modal.is(Aspect::Tcpm) == Tri::No;
-                if let Some(height) = self.inside(0.0).filter(|_| swings && !text.contains("RESET")) {
-                    self.tell(block, Incident::TiltsInMaterial(height));
-                }
-                self.lose();
-            }
+            BlockKind::Statement(own) if own.kind == StatementKind::Plane => self.tilt(block, modal),
+            BlockKind::Statement(_) if self.transforms(index, block) => {}
             _ => {
                 self.lose();
                 if !matches!(block.kind, BlockKind::Statement(_) | BlockKind::Functions(_)) {
@@ -252,6 +253,32 @@ impl Walk<'_, '_> {
                     self.holes.lose();
                 }
             }
+        }
+    }
+
+    /// Tilts the plane, which may turn the axes while the tool is in the blank.
+    fn tilt(&mut self, block: &Block, modal: &Modal) {
+        let text = self.facts.text(self.facts.content(block)).to_ascii_uppercase();
+        let turns = text.contains(" TURN") && modal.is(Aspect::Tcpm) == Tri::No;
+        if let Some(height) = self.inside(CLEAR).filter(|_| turns && !text.contains("RESET")) {
+            self.tell(block, Incident::AxisTurnsInMaterial(height));
+        }
+        let swings = text.contains(" MOVE") && modal.is(Aspect::Tcpm) == Tri::No;
+        if let Some(height) = self.inside(0.0).filter(|_| swings && !text.contains("RESET")) {
+            self.tell(block, Incident::TiltsInMaterial(height));
+        }
+        self.lose();
+    }
+
+    /// Whether a block only says what coordinates mean from there on: the tool stays where it is.
+    fn transforms(&self, index: usize, block: &Block) -> bool {
+        match &block.kind {
+            BlockKind::Statement(own) => own.kind == StatementKind::Trans,
+            BlockKind::OldCycleLine(_) => {
+                let cycle = self.facts.definition_at(index).and_then(Defined::related_cycle);
+                cycle.is_none_or(|cycle| cycle.file.group == Group::Transforms && with_meaning(cycle, PRESET).is_none())
+            }
+            _ => false,
         }
     }
 

@@ -36,6 +36,7 @@ mod undescribed;
 mod unsure;
 mod walls;
 mod watcher;
+mod ways;
 mod work;
 pub mod works;
 

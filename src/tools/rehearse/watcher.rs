@@ -6,13 +6,13 @@ use glam::DVec3;
 use super::areas::Area;
 use super::body::{Body, SAME, SKIN};
 use super::lathe::Turned;
-use super::path::Ways;
 use super::presets::UNNAMED_PRESET;
 use super::remains::Remains;
 use super::series::Rows;
 use super::tracks::Curves;
 use super::undescribed;
 use super::walls::Way;
+use super::ways::Ways;
 use super::work::{Hole, Thread, Work};
 use crate::base::diag::{Arg, interned};
 use crate::check::{Incident, Observed, ToolKind, removes_material};
@@ -582,7 +582,9 @@ impl<'w> Watcher<'w> {
             if below && body.distance(self.at) > room {
                 self.report(self.line, Incident::OutsideBlank([self.at.x * self.unit, self.at.y * self.unit]));
             }
-            if plain {
+            if plain && self.away() {
+                self.ways.note_unseen();
+            } else if plain {
                 let reach = self.radius() + SAME;
                 let flank = |place: &DVec3| reach + self.slope() * (body.high.z - place.z).max(0.0);
                 let meets =
