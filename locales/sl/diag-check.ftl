@@ -710,8 +710,8 @@ diag-probing-place-wrong =
         [size] Tu se tipa mera { $value }, surovec pa je tam širok le { $other }.
         [axis] Meri se os, na kateri je mesto pri { $value }, največja mera pa je { $other }: meji sta od druge osi.
         [later] Tu se tipa premer { $value }, pozneje pa v istem središču { $other }: tipalo se spusti ob izvrtini.
-        [removed] Površina pri { $value }, ki se tu tipa, je bila prej odrezkana do { $other }.
-        [across] Na tej osi se tipa širina { $value }, tu narezkano pa je v njeni smeri široko { $other }: leži v drugi smeri.
+        [removed] Površina pri { $value }, ki se tu tipa, je bila prej odvzeta do { $other }.
+        [across] Na tej osi se tipa širina { $value }, tu izrezkano pa je v njeni smeri široko { $other }: leži v drugi smeri.
        *[outside] Mesto { $value }; { $other } je ob surovcu: tam ni česa otipati.
     }
 diag-rough-out-tool-other =

@@ -30,16 +30,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let unmoved = facts.run.before(own.view.first).is_some_and(|modal| is_unmoved(&modal));
         let (Some(thickness), Some(surface)) = (number(item), number(surface)) else { continue };
         let below = surface - blank.low[2];
-        let most = if drills_to(facts, blank.low[2]) { DRILLED } else { MOST };
+        let most = if drills_to(facts, own.view.first, blank.low[2]) { DRILLED } else { MOST };
         if unmoved && thickness > 0.0 && thickness < most * below {
             found.push(rule.comparison(facts, item.value_span, "thickness", thickness, below));
         }
     }
 }
 
-/// Whether a hole is drilled down to a height.
-fn drills_to(facts: &Facts<'_>, bottom: f64) -> bool {
-    facts.definitions.iter().any(|own| {
+/// Whether a hole is drilled down to a height before a block.
+fn drills_to(facts: &Facts<'_>, block: usize, bottom: f64) -> bool {
+    facts.definitions.iter().take_while(|own| own.view.first < block).any(|own| {
         let related = own.as_related_cycle();
         let read = facts.read(&related);
         let value = |meaning: &str| read.item(meaning).and_then(number);

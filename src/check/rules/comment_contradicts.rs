@@ -248,12 +248,12 @@ fn holes(facts: &Facts<'_>, header: usize) -> Option<(Span, f64, f64)> {
     };
     let all = said(blocks.get(..header)?);
     let differs = |count: usize, said: &[usize]| {
-        let fits = said.iter().any(|own| count % own == 0) || said.iter().sum::<usize>() == count;
+        let fits = said.iter().any(|own| count.is_multiple_of(*own)) || said.iter().sum::<usize>() == count;
         said.iter().copied().find(|own| !fits && own.abs_diff(count) == 1)
     };
     // What the head of the program says is said of some tools.
     let head = || {
-        let fits = |own: &usize| made.iter().any(|(_, count)| count % own == 0);
+        let fits = |own: &usize| made.iter().any(|(_, count)| count.is_multiple_of(*own));
         let open: Vec<usize> = all.iter().copied().filter(|own| !fits(own)).collect();
         made.iter().find_map(|(span, count)| Some((*span, *count, differs(*count, &open)?)))
     };

@@ -19,7 +19,7 @@ const ROUGHS: [f64; 2] = [0.0, 1.0];
 /// A tool is so many times as wide as a column at least: then one of them is certainly below it.
 const COLUMNS: f64 = 1.5;
 /// So many oversizes are remembered.
-const MOST: usize = 256;
+const MOST: usize = 1 << 8;
 
 /// What a cycle does at one call.
 struct Work {
