@@ -137,7 +137,7 @@ diag-loop-runs-once =
     }
 diag-parameter-unused =
     { $what ->
-        [late] { $parameter } is given a value here that no call reads any more: each call has its own values, and the one for these stands before them.
+        [late] { $parameter } is given a value here that no call reads any more: each call has its own values, and the call for these comes before them.
        *[never] { $parameter } is given a value here, and nothing reads it.
     }
 diag-probing-direction-wrong =
@@ -170,7 +170,7 @@ diag-called-program-wants =
     { $name } reads { $parameter }, and nothing has given it a value before this call.
 diag-branch-runs-on =
     { $what ->
-        [variant] The branch ends here without a jump, and the run goes on into the other one: nothing leads to label { $parameter } behind it.
+        [variant] The branch ends here without a jump, and the run goes on into the other one: nothing leads to label { $parameter } after it.
        *[values] The branch ends here without a jump: the next one gives { $parameter } other values before anything reads these.
     }
 diag-finishing-tool-too-wide = The allowance and the radius of the tool add up to { $value } here; this must be less than in roughing, { $other }.
