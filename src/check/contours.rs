@@ -447,6 +447,13 @@ pub(super) fn compensated(facts: &Facts<'_>) -> Vec<Contour> {
     all
 }
 
+/// The coordinates of a movement as they are written, without pluses and blanks: the same in two blocks that lead to the same
+/// place.
+pub(super) fn written(facts: &Facts<'_>, motion: &Motion) -> String {
+    let signs = motion.coords.iter().flat_map(|own| facts.text(own.span).chars());
+    signs.filter(|own| *own != '+' && !own.is_whitespace()).map(|own| own.to_ascii_uppercase()).collect()
+}
+
 /// Where a movement leads from a place in X and Y; nothing if that is not certain.
 pub(super) fn led(from: Option<[f64; 2]>, motion: &Motion) -> Option<[f64; 2]> {
     match moved(motion, [Axis::X, Axis::Y], from.map_or([None; 2], |from| from.map(Some)))? {

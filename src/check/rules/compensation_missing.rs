@@ -5,6 +5,7 @@
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::check::contours::written;
 use crate::check::program::is_silent;
 use crate::check::tools::kind_of_call;
 use crate::check::{Facts, Loaded, Rule, ToolKind};
@@ -81,7 +82,7 @@ fn courses(facts: &Facts<'_>) -> Vec<Course> {
         }
         let place = facts.content(block);
         let course = current.get_or_insert_with(|| Course { place, block: index, beside, elements: Vec::new() });
-        course.elements.push(words.coords.iter().map(|own| plain(facts.text(own.span))).collect());
+        course.elements.push(written(facts, &words));
     }
     found.extend(current);
     found
@@ -92,9 +93,4 @@ fn is_flat(words: &Motion) -> bool {
     use crate::program::syntax::Axis::{X, Y};
     let flat = words.coords.iter().all(|own| matches!(own.axis, X | Y) && !own.incremental);
     flat && !words.coords.is_empty()
-}
-
-/// A coordinate without a plus and without blanks.
-fn plain(text: &str) -> String {
-    text.chars().filter(|own| *own != '+' && !own.is_whitespace()).collect::<String>().to_ascii_uppercase()
 }

@@ -6,6 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::check::contours::written;
 use crate::check::incident::Incident;
 use crate::check::program::is_silent;
 use crate::check::tools::kind_of_call;
@@ -134,13 +135,8 @@ fn contours_of<'f>(facts: &'f Facts<'_>) -> Vec<(&'f Block, Vec<String>)> {
         } else if current.is_some() || compensates == Compensates::Beside {
             let (_, elements) = current.get_or_insert_with(|| (block, Vec::new()));
             let words = motion.words();
-            elements.push(words.coords.iter().map(|own| coordinate(facts, own.span)).collect());
+            elements.push(written(facts, &words));
         }
     }
     found
-}
-
-/// A coordinate without a plus and without blanks.
-fn coordinate(facts: &Facts<'_>, span: Span) -> String {
-    facts.text(span).chars().filter(|own| *own != '+' && !own.is_whitespace()).collect::<String>().to_ascii_uppercase()
 }

@@ -11,7 +11,7 @@
 use crate::base::diag::{Diagnostic, Severity};
 use crate::base::expr::{Node, Op, QKind, QRef};
 use crate::check::loops::{Loop, set_once};
-use crate::check::program::{is_silent, reads};
+use crate::check::program::{assigned, is_silent, reads};
 use crate::check::{Facts, Rule, Use, Way};
 use crate::program::syntax::{Amount, Block, BlockKind, FnJump, FnOp, Operand, Relation};
 
@@ -228,13 +228,13 @@ fn is_calculated(facts: &Facts<'_>, own: &Use, jump: &FnJump) -> bool {
         },
         _ => None,
     };
-    let mut written = body.iter().filter(|block| assigns(block) == Some(q));
+    let mut written = body.iter().filter(|block| assigned(block).is_some_and(|(own, _)| own == q));
     let (Some(other), None) = (written.next().and_then(steps), written.next()) else { return false };
     let mut read = Vec::new();
     body.iter().for_each(|block| reads(block, &mut read));
     let range = target.unwrap_or_default()..=own.block;
     let begins = set_once(facts, q, &range).is_some();
-    let changes = body.iter().any(|block| assigns(block) == Some(other));
+    let changes = body.iter().any(|block| assigned(block).is_some_and(|(own, _)| own == other));
     is_free(q) && other != q && changes && begins && !read.iter().any(|(own, _)| *own == q)
 }
 
@@ -249,7 +249,7 @@ fn is_clamped(facts: &Facts<'_>, from: usize, to: usize, jump: &FnJump, written:
                 matches!((keeps, goes_on), (Relation::Greater, Relation::Less) | (Relation::Less, Relation::Greater));
             let fixed = !matches!(limit, Amount::Q { q, .. } if written.contains(&q));
             let twice = written.iter().filter(|own| **own == q).count() == 2;
-            let steps = blocks.iter().take(at).any(|block| assigns(block) == Some(q));
+            let steps = blocks.iter().take(at).any(|block| assigned(block).is_some_and(|(own, _)| own == q));
             q == other && limit == same && turned && fixed && twice && steps && sets(facts, from + at, q, limit)
         })
     })
@@ -269,15 +269,6 @@ fn sides(jump: &FnJump) -> Vec<(QRef, Relation, Amount)> {
     let (a, b) = (jump.a.amount, jump.b.amount);
     let all = [q(a).map(|own| (own, jump.relation, b)), q(b).map(|own| (own, turned, a))];
     all.into_iter().flatten().collect()
-}
-
-/// The parameter that a block calculates.
-fn assigns(block: &Block) -> Option<QRef> {
-    match &block.kind {
-        BlockKind::FnAssign(own) => Some(own.target),
-        BlockKind::Formula(own) => Some(own.target),
-        _ => None,
-    }
 }
 
 /// Whether a jump only passes over a block that gives a parameter this value.

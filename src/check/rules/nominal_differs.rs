@@ -4,10 +4,11 @@
 //! Only measurements after the pocket, at a place with numbers, where one round pocket is milled; larger by an allowance is the
 //! same. Where steps of several diameters lie at one place, the height decides, so nothing is said.
 use crate::base::diag::{Diagnostic, Severity};
+use crate::check::blank::is_unmoved;
 use crate::check::contours::place_of_call;
 use crate::check::cycle::probes;
 use crate::check::program::number;
-use crate::check::{Aspect, Facts, Pending, Rule, Tri};
+use crate::check::{CycleCall, Facts, Pending, Rule};
 use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "nominal-differs", severity: Severity::Warning, run };
@@ -48,11 +49,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// The round pockets that are called at known places without transformations: the block, the place, the diameter.
 fn pockets(facts: &Facts<'_>) -> Vec<(usize, [f64; 2], f64)> {
-    let calls = facts.run.calls.iter().filter(|call| {
-        let moved = [Aspect::DatumShift, Aspect::Mirroring, Aspect::Rotation, Aspect::Scaling, Aspect::Tilting];
-        moved.into_iter().all(|aspect| call.modal.is(aspect) == Tri::No)
-    });
-    let of = |call: &crate::check::CycleCall| {
+    let calls = facts.run.calls.iter().filter(|call| is_unmoved(&call.modal));
+    let of = |call: &CycleCall| {
         let Pending::Definition(index) = call.modal.pending else { return None };
         let own = facts.definitions.get(index as usize)?;
         own.related_cycle().filter(|cycle| cycle.file.group == Group::Pockets)?;

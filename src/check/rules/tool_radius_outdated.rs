@@ -5,7 +5,7 @@
 //! be another one.
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{QKind, QRef};
-use crate::check::program::reads;
+use crate::check::program::{assigned, reads};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Block, BlockKind};
 
@@ -47,21 +47,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             return found.push(rule.at(facts, own.place));
         }
         let depends = read.iter().any(|(q, _)| *q == RADIUS || values.iter().any(|own| own.q == *q));
-        let target = assigned(block);
+        let target = assigned(block).map(|(q, _)| q);
         // What was used with its tool may be used again.
         values.retain(|own| Some(own.q) != target && (target.is_some() || !read.iter().any(|(q, _)| *q == own.q)));
         if let Some(q) = target.filter(|_| depends) {
             values.push(Value { q, place: facts.content(block), outdated: false });
         }
-    }
-}
-
-/// What a block gives a value.
-fn assigned(block: &Block) -> Option<QRef> {
-    match &block.kind {
-        BlockKind::FnAssign(own) => Some(own.target),
-        BlockKind::Formula(own) => Some(own.target),
-        _ => None,
     }
 }
 
@@ -73,6 +64,6 @@ fn read_in(body: &[Block], read: &mut Vec<(QRef, Span)>) {
         reads(block, read);
         let own = read.split_off(from);
         read.extend(own.into_iter().filter(|(q, _)| !set.contains(q)));
-        set.extend(assigned(block));
+        set.extend(assigned(block).map(|(q, _)| q));
     }
 }
