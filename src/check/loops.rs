@@ -4,7 +4,7 @@
 //! written once in the program, as a number.
 use std::ops::RangeInclusive;
 
-use super::program::each_function;
+use super::program::{constant, each_function};
 use super::{Facts, Way};
 use crate::base::expr::{Node, Op, QKind, QRef};
 use crate::program::syntax::{
@@ -56,7 +56,7 @@ pub(super) fn set_once(facts: &Facts<'_>, q: QRef, blocks: &RangeInclusive<usize
         if !all.written.get(before..)?.contains(&q) {
             continue;
         }
-        if found.replace(constant(block)?).is_some() || *blocks.start() < at {
+        if found.replace(constant(block)?.1).is_some() || *blocks.start() < at {
             return None;
         }
     }
@@ -75,29 +75,10 @@ pub(super) fn numbers_of(facts: &Facts<'_>, q: QRef) -> Option<Vec<f64>> {
         let before = all.written.len();
         all.block(facts, block);
         if all.written.get(before..)?.contains(&q) {
-            found.push(constant(block)?);
+            found.push(constant(block)?.1);
         }
     }
     Some(found).filter(|own| !own.is_empty())
-}
-
-/// The number that a block gives a parameter.
-fn constant(block: &Block) -> Option<f64> {
-    match &block.kind {
-        BlockKind::FnAssign(assign) => match (assign.op, assign.a.amount) {
-            (FnOp::Set, Amount::Number(number)) => Some(number),
-            _ => None,
-        },
-        BlockKind::Formula(formula) => match &formula.expr.node {
-            Node::Number(number) => Some(*number),
-            Node::Unary(Op::Sub, inner) => match inner.node {
-                Node::Number(number) => Some(-number),
-                _ => None,
-            },
-            _ => None,
-        },
-        _ => None,
-    }
 }
 
 /// The step that a formula is: a parameter and something added to it or taken away.
@@ -150,7 +131,7 @@ impl<'p> Loop<'p> {
             let before = all.written.len();
             all.block(facts, block);
             if all.written.get(before..)?.contains(&by) {
-                let own = constant(block).filter(|own| *own != 0.0)?.signum();
+                let own = constant(block).map(|(_, own)| own).filter(|own| *own != 0.0)?.signum();
                 if sign.replace(own).is_some_and(|other| other != own) {
                     return None;
                 }

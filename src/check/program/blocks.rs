@@ -1,6 +1,6 @@
 //! What a block is, by itself: its text, its M functions, whether the program ends with it, the parameters that it reads.
 use crate::base::diag::Span;
-use crate::base::expr::{Node, QRef};
+use crate::base::expr::{Node, Op, QRef};
 use crate::program::syntax::{
     Amount, Block, BlockKind, CallForm, CycleKeyword, Feed, FeedKind, FnOp, Label, MFunction, Motion, Operand, Path,
     Program, Relation, StatementKind, ToolRef, ValueKind,
@@ -58,6 +58,33 @@ pub(in crate::check) fn assigned(block: &Block) -> Option<(QRef, Span)> {
         BlockKind::FnAssign(own) => Some((own.target, own.target_span)),
         BlockKind::Formula(own) => Some((own.target, own.target_span)),
         _ => None,
+    }
+}
+
+/// The number that a block gives a parameter.
+pub(in crate::check) fn constant(block: &Block) -> Option<(QRef, f64)> {
+    match &block.kind {
+        BlockKind::FnAssign(own) => match (own.op, own.a.amount) {
+            (FnOp::Set, Amount::Number(number)) => Some((own.target, number)),
+            _ => None,
+        },
+        BlockKind::Formula(own) => match &own.expr.node {
+            Node::Number(number) => Some((own.target, *number)),
+            Node::Unary(Op::Sub, inner) => match inner.node {
+                Node::Number(number) => Some((own.target, -number)),
+                _ => None,
+            },
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The words that a block says beside its code: its comment, or all of a heading.
+pub(in crate::check) fn remark(block: &Block) -> Option<Span> {
+    match block.kind {
+        BlockKind::Structure(_) => Some(block.comment().unwrap_or(block.span)),
+        _ => block.comment(),
     }
 }
 

@@ -12,7 +12,9 @@ mod values;
 pub(super) mod words;
 mod work;
 
-pub(super) use blocks::{assigned, calls_in, copied, each_function, is_silent, needs_feed, reads, stops};
+pub(super) use blocks::{
+    assigned, calls_in, constant, copied, each_function, is_silent, needs_feed, reads, remark, stops,
+};
 pub(super) use definition::with_meaning;
 pub use definition::{Defined, Definition};
 pub use item::Item;

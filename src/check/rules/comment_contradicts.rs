@@ -9,7 +9,7 @@
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{QKind, QRef};
 use crate::check::incident::Incident;
-use crate::check::program::reads;
+use crate::check::program::{reads, remark};
 use crate::check::slip::exchanged;
 use crate::check::travel::incidents;
 use crate::check::{Facts, Rule};
@@ -85,8 +85,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// The words of a block's comment.
 fn comment<'a>(facts: &Facts<'a>, block: &Block) -> Option<&'a str> {
-    let span = if is_remark(block) { block.comment().unwrap_or(block.span) } else { block.comment()? };
-    Some(facts.text(span))
+    remark(block).map(|span| facts.text(span))
 }
 
 /// Whether a block is a comment alone.

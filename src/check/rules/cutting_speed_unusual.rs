@@ -11,10 +11,10 @@ use std::f64::consts::PI;
 
 use super::spindle_off::turns_spindle;
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
-use crate::check::program::number;
+use crate::check::program::{number, remark};
 use crate::check::tools::{Tools, kind_of_call};
 use crate::check::{Aspect, CycleCall, Facts, Loaded, Pending, Rule, ToolKind, Tri};
-use crate::program::syntax::{Block, BlockKind};
+use crate::program::syntax::BlockKind;
 use crate::spec::MM_PER_INCH;
 
 pub(super) const RULE: Rule = Rule { code: "cutting-speed-unusual", severity: Severity::Warning, run };
@@ -44,10 +44,6 @@ const STEEL: [&str; 8] = ["STEEL", "STAHL", "TERÄS", "TERAS", "JEKL", "ACCIA", 
 fn is_steel(facts: &Facts<'_>) -> bool {
     const FASTER: [&str; 4] = ["AL", "ALU", "BRASS", "GRAPHIT"];
     let mut steel = false;
-    let remark = |block: &Block| match block.kind {
-        BlockKind::Comment | BlockKind::Structure(_) => Some(block.comment().unwrap_or(block.span)),
-        _ => block.comment(),
-    };
     for text in facts.program.blocks().iter().filter_map(remark).map(|span| facts.text(span)) {
         let text = text.to_uppercase();
         for word in text.split(|sign: char| !sign.is_alphanumeric()) {

@@ -7,10 +7,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Diagnostic, Severity, Span};
-use crate::base::expr::{Node, Op, QKind, QRef};
-use crate::check::program::{reads, stops};
+use crate::base::expr::{QKind, QRef};
+use crate::check::program::{constant, reads, stops};
 use crate::check::{Facts, Rule, Use, Way};
-use crate::program::syntax::{Amount, Block, BlockKind, FnOp, StatementKind};
+use crate::program::syntax::{Block, BlockKind, StatementKind};
 use crate::spec::{Known, ParameterKind};
 
 pub(super) const RULE: Rule = Rule { code: "parameter-unused", severity: Severity::Warning, run };
@@ -133,25 +133,6 @@ fn mentions(facts: &Facts<'_>, block: &Block, q: QRef) -> bool {
     let mut found = false;
     each_mention(facts.text(block.span), |own| found |= own == q);
     found
-}
-
-/// The parameter to which a block gives a number.
-fn constant(block: &Block) -> Option<(QRef, f64)> {
-    match &block.kind {
-        BlockKind::FnAssign(own) => match (own.op, own.a.amount) {
-            (FnOp::Set, Amount::Number(number)) => Some((own.target, number)),
-            _ => None,
-        },
-        BlockKind::Formula(own) => match &own.expr.node {
-            Node::Number(number) => Some((own.target, *number)),
-            Node::Unary(Op::Sub, inner) => match inner.node {
-                Node::Number(number) => Some((own.target, -number)),
-                _ => None,
-            },
-            _ => None,
-        },
-        _ => None,
-    }
 }
 
 /// Whether only the program reads it.

@@ -37,7 +37,7 @@ const THROUGH: f64 = 2.0;
 struct Pass {
     /// Whether anything depends on what was before: incremental values, polar ones, parameters.
     changes: bool,
-    /// The axes that an absolute value has set: what is incremental after it is the same in each pass.
+    /// The axes of the plane that an absolute value has set: what is incremental after it is the same in each pass.
     set: Vec<Axis>,
     /// The lowest absolute height.
     lowest: Option<f64>,
@@ -280,9 +280,10 @@ fn note(facts: &Facts<'_>, words: &Motion, pass: &mut Pass) -> Option<()> {
         }
         let tool = own.axis == Axis::Z && words.path != Path::Cc;
         let steps = tool && own.incremental && pass.height.is_some();
-        let from_absolute = steps || matches!(own.axis, Axis::X | Axis::Y) && pass.set.contains(&own.axis);
+        let flat = matches!(own.axis, Axis::X | Axis::Y) && words.path != Path::Cc;
+        let from_absolute = steps || flat && pass.set.contains(&own.axis);
         pass.changes |= own.incremental && !from_absolute || !number;
-        if number && !own.incremental && words.path != Path::Cc {
+        if number && !own.incremental && flat && !pass.set.contains(&own.axis) {
             pass.set.push(own.axis);
         }
         if tool {

@@ -13,9 +13,9 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use crate::base::diag::{Diagnostic, Place, Severity, Span};
 use crate::base::expr::{QKind, QRef};
 use crate::check::cycle::probes;
-use crate::check::program::{assigned, copied, is_silent, reads, stops};
+use crate::check::program::{assigned, constant, copied, is_silent, reads, stops};
 use crate::check::{Aspect, Defined, Definition, Facts, Item, Pending, Rule, Tri, Use, Way};
-use crate::program::syntax::{Amount, Block, BlockKind, FnOp, ValueKind};
+use crate::program::syntax::{Amount, BlockKind, ValueKind};
 use crate::spec::{Group, ParameterKind};
 
 pub(super) const RULE: Rule = Rule { code: "transfer-parameter-overwritten", severity: Severity::Warning, run };
@@ -237,8 +237,8 @@ fn replaced(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let target = match &block.kind {
             _ if is_silent(block) => continue,
             BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) => continue,
-            BlockKind::FnAssign(own) => Some((own.target, own.target_span, constant(facts, block))),
-            BlockKind::Formula(own) => Some((own.target, own.target_span, constant(facts, block))),
+            BlockKind::FnAssign(own) => Some((own.target, own.target_span, constant(block).map(|(_, number)| number))),
+            BlockKind::Formula(own) => Some((own.target, own.target_span, constant(block).map(|(_, number)| number))),
             _ if stops(block) || block.ends_subprogram() || is_led_to(facts, index) => {
                 (owned, lost) = (BTreeMap::new(), BTreeMap::new());
                 continue;
@@ -274,18 +274,6 @@ fn set_by(facts: &Facts<'_>, definition: &Defined<'_>) -> Vec<(QRef, Option<f64>
         Some((q, number, item.span))
     };
     read.items.iter().filter_map(set).collect()
-}
-
-/// The number that a block assigns.
-fn constant(facts: &Facts<'_>, block: &Block) -> Option<f64> {
-    match &block.kind {
-        BlockKind::FnAssign(own) => match (own.op, own.a.amount) {
-            (FnOp::Set, Amount::Number(number)) => Some(number),
-            _ => None,
-        },
-        BlockKind::Formula(own) => facts.text(own.text).trim().parse().ok(),
-        _ => None,
-    }
 }
 
 /// Whether a block is a label to which something before it leads, or that is called: other values may come there.
